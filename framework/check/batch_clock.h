@@ -42,7 +42,7 @@ class BatchClock {
     // empty if the batch has not ended yet.
     std::vector<Known> ends_, previous_ends_;
     bool has_previous_ = false;
-    QueueIndex queue_ = 0;
+    QueueIndex queue_ = kGraphicsQueue;
 };
 
 }  // namespace weft::check

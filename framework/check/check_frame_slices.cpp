@@ -65,7 +65,7 @@ class SlicedResource {
 
     void check() {
         const bool stays = decl_.lifetime == ResourceLifetime::persistent && decl_.history == 0;
-        for (PassId id = 0; id < plan_.graph.passes.size(); ++id) {
+        for (PassId id(0); id < plan_.graph.passes.size(); ++id) {
             for (const UseDecl& use : plan_.graph.passes[id].uses) {
                 if (use.resource != resource_ || !writes(use.access)) continue;
                 add_writer(id, use);
@@ -73,7 +73,7 @@ class SlicedResource {
                     report_lost(id, use);
             }
         }
-        for (PassId id = 0; id < plan_.graph.passes.size(); ++id) {
+        for (PassId id(0); id < plan_.graph.passes.size(); ++id) {
             if (!plan_.live.live_passes[id]) continue;
             for (const UseDecl& use : plan_.graph.passes[id].uses) {
                 if (use.resource != resource_) continue;
@@ -195,7 +195,7 @@ void check_frame_slices(const FramePlan& plan, FaultList& faults) {
             if (is_sliced(pass) && writes(use.access)) sliced[use.resource] = 1;
     if (std::find(sliced.begin(), sliced.end(), 1) == sliced.end()) return;
     Followers followers(plan.graph);
-    for (ResourceId id = 0; id < sliced.size(); ++id)
+    for (ResourceId id(0); id < sliced.size(); ++id)
         if (sliced[id]) SlicedResource(plan, id, followers, faults).check();
     check_dropped_content(plan, faults);
 }

@@ -32,7 +32,7 @@ bool check_shape(const FramePlan& plan, FaultList& faults) {
         faults.add("C301", {}, "the tables of the plan do not match each other", kCompilerFault);
         return false;
     }
-    for (PassId p = 0; p < passes; ++p) {
+    for (PassId p(0); p < passes; ++p) {
         const uint32_t wanted = plan.live.live_passes[p] ? 1 : 0;
         if (times[p] != wanted)
             faults.add("C301", plan.graph.passes[p].loc,
@@ -50,8 +50,8 @@ constexpr std::array kEdgeTexts{
 static_assert(kEdgeTexts.size() == static_cast<size_t>(EdgeKind::after) + 1);
 
 void check_edges(const FramePlan& plan, FaultList& faults) {
-    std::vector<uint32_t> position(plan.graph.passes.size(), kNoId);
-    for (uint32_t i = 0; i < plan.schedule.order.size(); ++i) position[plan.schedule.order[i]] = i;
+    std::vector<Position> position(plan.graph.passes.size(), kNoId);
+    for (Position i(0); i < plan.schedule.order.size(); ++i) position[plan.schedule.order[i]] = i;
     for (const EdgeDecl& edge : plan.graph.edges) {
         if (position[edge.from] == kNoId || position[edge.to] == kNoId) continue;
         if (position[edge.from] < position[edge.to]) continue;
@@ -66,13 +66,13 @@ void check_edges(const FramePlan& plan, FaultList& faults) {
 }
 
 void check_lifetimes(const FramePlan& plan, FaultList& faults) {
-    for (uint32_t i = 0; i < plan.schedule.order.size(); ++i) {
+    for (Position i(0); i < plan.schedule.order.size(); ++i) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[i]];
         for (const UseDecl& use : pass.uses) {
             if (plan.graph.resources[use.resource].lifetime != ResourceLifetime::transient) continue;
             const LifetimeSpan& span = plan.lifetimes.spans[use.resource];
             if (span.first <= i && i <= span.last) continue;
-            const auto at = [&](uint32_t position) {
+            const auto at = [&](Position position) {
                 return position < plan.schedule.order.size() ? faults.pass_name(plan.schedule.order[position])
                                                              : std::string("?");
             };
@@ -137,7 +137,7 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
                        "resources with overlapping lifetimes need separate memory");
         }
     }
-    for (ResourceId id = 0; id < placed.size(); ++id) {
+    for (ResourceId id(0); id < placed.size(); ++id) {
         const LifetimeSpan& span = plan.lifetimes.spans[id];
         const bool needed =
             outlives_the_frame(plan, id)
@@ -194,7 +194,7 @@ void check_submissions(const FramePlan& plan, FaultList& faults) {
     for (const Batch& batch : plan.submissions.batches) {
         ok = ok && batch.queue < plan.schedule.queues.size();
         epilogues += batch.epilogue ? 1 : 0;
-        for (const uint32_t position : batch.positions) {
+        for (const Position position : batch.positions) {
             ok = ok && position < count && plan.schedule.queue[position] == batch.queue &&
                  position + 1 > last[batch.queue];
             if (!ok) break;
@@ -218,7 +218,7 @@ constexpr StageMask kComputeStages =
 
 // Checks that each queue supports all stages that its passes and barriers use.
 void check_stages(const FramePlan& plan, FaultList& faults) {
-    for (size_t position = 0; position < plan.barriers.steps.size(); ++position) {
+    for (Position position(0); position < plan.barriers.steps.size(); ++position) {
         const QueueKind kind = plan.schedule.queues[plan.schedule.queue[position]].kind;
         if (kind == QueueKind::graphics) continue;
         const StageMask offered = kind == QueueKind::compute ? kComputeStages : kTransferStages;

@@ -35,7 +35,7 @@ class TransitionCheck {
         : old_(old_plan), new_(new_plan), transition_(transition), faults_(new_plan) {}
 
     Diagnostics run() {
-        for (ResourceId id = 0; id < new_.graph.resources.size(); ++id) {
+        for (ResourceId id(0); id < new_.graph.resources.size(); ++id) {
             const ResourceDecl& decl = new_.graph.resources[id];
             if (decl.lifetime == ResourceLifetime::persistent && new_.live.live_resources[id])
                 check_filled(id);

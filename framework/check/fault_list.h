@@ -17,7 +17,7 @@ struct Actor {
     uint32_t frame = 0;
     // True for a layout transition before the pass, false for the pass's own access.
     bool transition = false;
-    QueueIndex queue = 0;
+    QueueIndex queue = kGraphicsQueue;
     // Number of batches of its queue, up to and including its own batch. 0 means before all frames.
     uint32_t batch_count = 0;
     // For an attachment access: number of its rendering scope, counted over all frames from 1. Else 0.

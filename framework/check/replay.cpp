@@ -31,7 +31,7 @@ std::vector<std::vector<Neighbour>> memory_neighbours(const FramePlan& plan) {
 
 std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     std::vector<std::vector<ResourceId>> rings(graph.resources.size());
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDecl& resource = graph.resources[id];
         if (resource.ring >= rings.size()) continue;
         std::vector<ResourceId>& ring = rings[resource.ring];
@@ -83,7 +83,7 @@ void Replay::run(uint32_t frames) {
         check_boundary();
         enter_imports();
         for (uint32_t i = 0; i < plan_.submissions.batches.size(); ++i) batch(i);
-        clock_.look_from(0);
+        clock_.look_from(kGraphicsQueue);
         leave_imports();
         seal_rings();
     }

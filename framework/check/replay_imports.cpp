@@ -13,13 +13,14 @@ bool is_outside(const Actor& actor) {
 }  // namespace
 
 void Replay::enter_imports() {
-    for (ResourceId id = 0; id < cells_.size(); ++id) {
+    for (ResourceId id(0); id < cells_.size(); ++id) {
         const ResourceDecl& resource = plan_.graph.resources[id];
         if (!resource.import) continue;
         const AccessState& entry = resource.import->entry;
         const bool pending = (entry.access & access::kAllWrites) != 0;
         // The accesses of the program happen after all work of queue 0 in the previous frame.
-        const Actor outside{kNoId, frame_, false, 0, clock_.batches_begun(0), 0, logs_[0].count()};
+        const Actor outside{
+            kNoId, frame_, false, kGraphicsQueue, clock_.batches_begun(kGraphicsQueue), 0, logs_[0].count()};
         for (Cell& cell : cells_[id]) {
             const AccessRecord record(outside, entry.stages, entry.access, pending);
             cell.reads.clear();
@@ -35,7 +36,7 @@ void Replay::enter_imports() {
 }
 
 void Replay::leave_imports() {
-    for (ResourceId id = 0; id < cells_.size(); ++id) {
+    for (ResourceId id(0); id < cells_.size(); ++id) {
         const ResourceDecl& resource = plan_.graph.resources[id];
         if (!resource.import) continue;
         UseDecl outside;

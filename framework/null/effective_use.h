@@ -22,7 +22,7 @@ struct EffectiveUse {
 // Picks one of `stages` pseudo-randomly from `choice`. It is used for a use with several stages, because only
 // one of them writes and it is not known which.
 [[nodiscard]] StageMask drawn_stage(StageMask stages, uint64_t choice);
-[[nodiscard]] inline StageMask write_stage(const EffectiveUse& use, uint32_t position, uint32_t index,
+[[nodiscard]] inline StageMask write_stage(const EffectiveUse& use, Position position, uint32_t index,
                                            uint64_t choice) {
     return drawn_stage(use.stages, choice + position + index);
 }

@@ -34,7 +34,7 @@ Memory::Memory(const FramePlan& plan, const Timeline& timeline, uint64_t seed)
     : plan_(plan), timeline_(timeline), seed_(seed), neighbours_(find_neighbours(plan)) {
     const std::vector<ResourceDecl>& resources = plan.graph.resources;
     ring_copies_.resize(resources.size());
-    for (ResourceId id = 0; id < resources.size(); ++id) {
+    for (ResourceId id(0); id < resources.size(); ++id) {
         cells_.emplace_back(cell_count(resources[id]));
         if (resources[id].ring == kNoId) continue;
         std::vector<ResourceId>& copies = ring_copies_[resources[id].ring];

@@ -20,13 +20,13 @@ struct Visibility {
     StageMask stages = stage::kNone;
     AccessMask access = access::kNone;
     bool any_stage = false;  // True for a semaphore wait: all stages of the queue see the write.
-    QueueIndex queue = 0;
+    QueueIndex queue = kGraphicsQueue;
 };
 
 // The last write of a cell, and the accesses to which it is visible.
 struct WriteRecord {
     uint32_t node = kNoNode;  // The writing node. kNoNode: a write before all nodes, visible to all.
-    QueueIndex queue = 0;
+    QueueIndex queue = kGraphicsQueue;
     StageMask stage = stage::kNone;
     AccessMask access = access::kNone;
     std::vector<uint32_t> available_by;

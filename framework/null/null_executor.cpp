@@ -173,7 +173,7 @@ class Execution {
     void observe_persistent() {
         const std::vector<uint8_t> used = used_resources(plan_.graph, plan_.live);
         const uint32_t last = options_.frames - 1;
-        for (ResourceId id = 0; id < plan_.graph.resources.size(); ++id) {
+        for (ResourceId id(0); id < plan_.graph.resources.size(); ++id) {
             const ResourceDecl& decl = plan_.graph.resources[id];
             if (decl.lifetime != ResourceLifetime::persistent || !used[id]) continue;
             const ResourceId object = memory_.object_of(id, last);

@@ -42,10 +42,10 @@ std::vector<uint8_t> used_resources(const ResolvedGraph& graph, const LiveGraph&
     const auto ring_of = [&](ResourceId id) {
         return graph.resources[id].ring == kNoId ? id : graph.resources[id].ring;
     };
-    for (PassId id = 0; id < graph.passes.size(); ++id)
+    for (PassId id(0); id < graph.passes.size(); ++id)
         if (live.live_passes[id])
             for (const UseDecl& use : graph.passes[id].uses) used[ring_of(use.resource)] = 1;
-    for (ResourceId id = 0; id < used.size(); ++id) used[id] = used[ring_of(id)];
+    for (ResourceId id(0); id < used.size(); ++id) used[id] = used[ring_of(id)];
     return used;
 }
 

@@ -21,7 +21,7 @@ std::vector<PassId> program_order(const ResolvedGraph& graph, const LiveGraph& l
         next[edge.from].push_back(edge.to);
     }
     std::set<std::pair<uint32_t, PassId>> ready;
-    for (PassId id = 0; id < waiting.size(); ++id)
+    for (PassId id(0); id < waiting.size(); ++id)
         if (waiting[id] == 0) ready.emplace(graph.passes[id].order_key, id);
     std::vector<PassId> order;
     while (!ready.empty()) {
@@ -55,7 +55,7 @@ class Reference {
           live_(live),
           used_(used_resources(graph, live)),
           written_(graph.resources.size(), 0) {
-        for (PassId id = 0; id < graph.passes.size(); ++id)
+        for (PassId id(0); id < graph.passes.size(); ++id)
             for (const UseDecl& use : graph.passes[id].uses)
                 if (live.live_passes[id] && writes(use.access)) written_[use.resource] = 1;
         for (const ResourceDecl& decl : graph.resources) {
@@ -74,7 +74,7 @@ class Reference {
             begin_frame();
             for (const PassId pass : order)
                 runs_in_frame(graph_.passes[pass], frame_) ? execute(pass) : pass_on(pass);
-            for (ResourceId id = 0; id < cells_.size(); ++id) {
+            for (ResourceId id(0); id < cells_.size(); ++id) {
                 const ResourceLifetime lifetime = graph_.resources[id].lifetime;
                 const bool last = frame_ + 1 == frames;
                 const bool seen = lifetime == ResourceLifetime::imported ||
@@ -91,9 +91,9 @@ class Reference {
     // of age 0 starts undefined.
     void begin_frame() {
         std::vector<std::vector<CellValue>> left(cells_.size());
-        for (ResourceId id = 0; id < cells_.size(); ++id)
+        for (ResourceId id(0); id < cells_.size(); ++id)
             for (const Versions& v : cells_[id]) left[id].push_back(v.last());
-        for (ResourceId id = 0; id < cells_.size(); ++id) {
+        for (ResourceId id(0); id < cells_.size(); ++id) {
             const ResourceDecl& decl = graph_.resources[id];
             const bool dropped = decl.import && decl.kind == ResourceKind::image &&
                                  decl.import->entry.layout == Layout::undefined;
@@ -113,7 +113,7 @@ class Reference {
     // equal.
     ResourceId role(ResourceId ring, uint32_t age) const {
         if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
-        for (ResourceId id = 0; id < graph_.resources.size(); ++id)
+        for (ResourceId id(0); id < graph_.resources.size(); ++id)
             if (graph_.resources[id].ring == ring && graph_.resources[id].age == age) return id;
         return kNoId;
     }

@@ -150,7 +150,7 @@ class Unroller {
 
     void prologue() {
         const ProloguePlan& prologue = plan_.barriers.prologue;
-        barriers(0, prologue.before);
+        barriers(kGraphicsQueue, prologue.before);
         for (const ResourceId id : prologue.cleared) {
             const ResourceDecl& decl = plan_.graph.resources[id];
             const AccessState state = clear_state(decl);
@@ -158,15 +158,15 @@ class Unroller {
             node.kind = NodeKind::clear;
             node.stage = drawn_stage(state.stages, choice_ + id);
             node.resource = id;
-            add_work(node, required(0, node.stage));
+            add_work(node, required(kGraphicsQueue, node.stage));
         }
-        barriers(0, prologue.after);
+        barriers(kGraphicsQueue, prologue.after);
         // All other queues wait for the prologue before their first frame. On queue 0, barriers order the
         // prologue.
         Node node;
         node.kind = NodeKind::signal;
         const uint32_t signal = add(node, queues_[0].everything);
-        for (QueueIndex q = 1; q < queues_.size(); ++q) add_wait(q, signal);
+        for (QueueIndex q(1); q < queues_.size(); ++q) add_wait(q, signal);
     }
 
     void batch(uint32_t index) {
@@ -206,7 +206,7 @@ class Unroller {
         include(queue.everything, id);
     }
 
-    void pass(QueueIndex queue, uint32_t position, bool scope_continues) {
+    void pass(QueueIndex queue, Position position, bool scope_continues) {
         const PassStep& step = plan_.barriers.steps[position];
         const PassDecl& pass = plan_.graph.passes[step.pass];
         Node node;
@@ -274,7 +274,7 @@ class Unroller {
             if (access != kNoNode) include(before, access);
         }
         owners_signal_ = add(node, std::move(before));
-        for (QueueIndex q = 1; frame_ == 0 && q < queues_.size(); ++q) add_wait(q, owners_signal_);
+        for (QueueIndex q(1); frame_ == 0 && q < queues_.size(); ++q) add_wait(q, owners_signal_);
     }
 
     // Adds the owner's access to one import. The owner waits for all accesses of the previous frame.

@@ -32,7 +32,7 @@ enum class NodeKind : uint8_t {
 struct Node {
     NodeKind kind = NodeKind::barrier;
     uint32_t frame = 0;
-    QueueIndex queue = 0;
+    QueueIndex queue = kGraphicsQueue;
     StageMask stage = stage::kNone;  // The stage in which the node runs; kNone if it has none.
     uint32_t instance = kNoNode;     // For a pass: index into Timeline::instances.
     const BarrierDecl* barrier = nullptr;
@@ -46,7 +46,7 @@ struct Node {
 // One execution of a pass: its frame and its position in the schedule.
 struct PassInstance {
     uint32_t frame = 0;
-    uint32_t position = 0;
+    Position position = 0;
     // True if the next pass draws into the same rendering scope. Then the store operations happen only after
     // that pass.
     bool scope_continues = false;

@@ -10,7 +10,7 @@ namespace weft::render {
 namespace {
 
 uint32_t position_of(const FramePlan& plan, const std::string& pass) {
-    for (uint32_t p = 0; p < plan.schedule.order.size(); ++p)
+    for (Position p(0); p < plan.schedule.order.size(); ++p)
         if (plan.graph.passes[plan.schedule.order[p]].name == pass) return p;
     return kNoId;
 }

@@ -206,7 +206,8 @@ TEST_F(PlantedFault, WrongMipRange) {
 }
 
 TEST_F(PlantedFault, LifetimeCutByOne) {
-    --plan.lifetimes.spans[resource("a")].last;
+    Position& last = plan.lifetimes.spans[resource("a")].last;
+    last = Position(last - 1);
     expect_fault({"blur", "make", "a"});
 }
 

@@ -31,7 +31,7 @@ class ScopeFault : public testing::Test {
         plan = compile(graph, content_needs(graph, 1), {});
     }
 
-    uint32_t position(const char* name) const {
+    Position position(const char* name) const {
         const auto id = static_cast<PassId>(find_pass(plan.graph, name) - plan.graph.passes.data());
         return plan.schedule.position[id];
     }

@@ -147,7 +147,7 @@ class BruteForce {
         std::vector<uint32_t> waits(graph_.passes.size(), 0);
         for (const EdgeDecl& edge : graph_.edges) ++waits[edge.to];
         for (size_t done = 0; done < graph_.passes.size(); ++done)
-            for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
+            for (PassId pass(0); pass < graph_.passes.size(); ++pass) {
                 if (waits[pass] != 0) continue;
                 waits[pass] = kNoId;
                 order_.push_back(pass);
@@ -171,7 +171,7 @@ class BruteForce {
     }
 
     void find_changing_cells() {
-        for (PassId pass = 0; pass < graph_.passes.size(); ++pass)
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass)
             for_each_layer(pass, [&](const UseDecl& use, uint32_t layer) {
                 if (writes(use.access) && !source_of(use, layer)) overwritten_[{use.resource, layer}] = true;
             });

@@ -84,7 +84,7 @@ TEST_F(ImportedOutputVk, a_dropped_barrier_is_heard_and_names_its_pass) {
         input.bindings.images.emplace("output", &output);
         input.timestamps = false;
         const std::vector<PassId>& order = input.plan.schedule.order;
-        for (uint32_t position = 0; position < order.size(); ++position)
+        for (Position position(0); position < order.size(); ++position)
             if (input.plan.graph.passes[order[position]].name == "pass_on")
                 input.hooks.drop_barriers_of_position = position;
         const auto executor = executor_for(std::move(input));

@@ -111,7 +111,7 @@ TEST_F(QueueFamiliesVk, a_transfer_without_its_first_half_is_heard) {
 // has no such barrier.
 bool plant_fragment_stage(FramePlan& plan) {
     const Schedule& schedule = plan.schedule;
-    for (uint32_t position = 0; position < schedule.queue.size(); ++position) {
+    for (Position position(0); position < schedule.queue.size(); ++position) {
         std::vector<BarrierDecl>& barriers = plan.barriers.steps[position].barriers;
         if (schedule.queues[schedule.queue[position]].kind != QueueKind::transfer || barriers.empty())
             continue;

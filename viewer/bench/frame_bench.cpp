@@ -91,7 +91,7 @@ std::vector<Crossing> FrameBench::crossings() const {
 
 std::vector<PassResult> pass_results(const FramePlan& plan) {
     std::vector<PassResult> passes;
-    for (uint32_t position = 0; position < plan.schedule.order.size(); ++position) {
+    for (Position position(0); position < plan.schedule.order.size(); ++position) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
         PassResult& result = passes.emplace_back();
         result.name = pass.name;

@@ -102,7 +102,7 @@ ExitCode run_bench_compile(const BenchOptions& options) {
     ResolvedGraph graph = make_bench_graph({options.passes, *bench_shape(options.shape), options.seed});
     // Every third pass gets the hint to run on the asynchronous compute queue. Otherwise, the plan would use
     // only one queue.
-    for (PassId id = 0; options.queues > 1 && id < graph.passes.size(); id += 3)
+    for (size_t id = 0; options.queues > 1 && id < graph.passes.size(); id += 3)
         graph.passes[id].queue = QueueKind::compute;
     CompileOptions compile_options;
     compile_options.keep_all_passes = true;

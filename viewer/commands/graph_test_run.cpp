@@ -163,7 +163,7 @@ class TestRun {
 
     void note_lost(const FramePlan& from, const FramePlan& to) {
         const TransitionPlan between = transition(from, to);
-        for (ResourceId id = 0; id < to.graph.resources.size(); ++id) {
+        for (ResourceId id(0); id < to.graph.resources.size(); ++id) {
             const ResourceDecl& resource = to.graph.resources[id];
             if (resource.ring != id) continue;
             // A resource with history has several copies. Only the copies of earlier frames must be kept,

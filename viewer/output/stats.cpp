@@ -29,14 +29,14 @@ Json distribution(std::vector<double> values) {
 Json passes_json(const StatsInput& input) {
     Json passes = Json::array();
     const ResolvedGraph& graph = input.plan.graph;
-    for (uint32_t p = 0; p < input.plan.schedule.order.size(); ++p) {
+    for (Position p(0); p < input.plan.schedule.order.size(); ++p) {
         const PassDecl& pass = graph.passes[input.plan.schedule.order[p]];
         std::vector<double> times;
         for (const vk::FrameTiming& frame : input.timings)
             for (const vk::PassTiming& timing : frame.passes)
                 if (timing.pass == pass.name) times.push_back(timing.gpu_ms);
         passes.push_back({{"name", pass.name},
-                          {"queue", input.plan.schedule.queue[p]},
+                          {"queue", uint32_t{input.plan.schedule.queue[p]}},
                           {"gpu_ms", distribution(std::move(times))},
                           {"bytes", port_bytes(graph, pass)},
                           {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)}});

@@ -27,7 +27,7 @@ UseDecl use_of(const char* port, ResourceId image, Access access) {
     use.state = access_state(access, stage_bit(ShaderStage::compute), aspect::kColor);
     use.is_output = writes(access);
     // Pass i writes image i, so the index of an image is also the index of the pass that wrote it.
-    if (reads(access)) use.sources = {{use.range, image}};
+    if (reads(access)) use.sources = {{use.range, PassId(uint32_t{image})}};
     return use;
 }
 
@@ -77,10 +77,10 @@ ResolvedGraph make_bench_graph(const BenchGraph& bench) {
         pass.order_key = i;
         const std::vector<uint32_t> read = producers(random, bench.shape, i);
         for (size_t port = 0; port < read.size(); ++port) {
-            pass.uses.push_back(use_of(kPorts[port], read[port], Access::sampled_read));
-            graph.edges.push_back({read[port], i, EdgeKind::raw, read[port], {}});
+            pass.uses.push_back(use_of(kPorts[port], ResourceId(read[port]), Access::sampled_read));
+            graph.edges.push_back({PassId(read[port]), PassId(i), EdgeKind::raw, ResourceId(read[port]), {}});
         }
-        pass.uses.push_back(use_of("dst", i, Access::storage_write));
+        pass.uses.push_back(use_of("dst", ResourceId(i), Access::storage_write));
         graph.passes.push_back(std::move(pass));
     }
     return graph;

@@ -63,7 +63,7 @@ CompileOptions compile_options(const DeviceProfile& profile, uint32_t queue_coun
 
 MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes) {
     MemoryNeeds needs(graph.resources.size());
-    for (ResourceId id = 0; id < graph.resources.size(); ++id)
+    for (ResourceId id(0); id < graph.resources.size(); ++id)
         if (graph.resources[id].lifetime != ResourceLifetime::imported)
             needs[id] = {content_bytes(graph.resources[id]), alignment_bytes, UINT32_MAX};
     return needs;

@@ -11,7 +11,7 @@ namespace {
 std::vector<BoundaryState> boundary_states(const ResolvedGraph& graph, const LiveGraph& live,
                                            const SyncTable& sync) {
     std::vector<BoundaryState> states;
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDecl& resource = graph.resources[id];
         if (live.live_resources[id] && resource.import)
             states.push_back({id, resource.whole(), resource.import->exit, resource.import->family});

@@ -33,7 +33,7 @@ using Groups = std::map<HeapKey, std::vector<ResourceId>>;
 Groups group_by_heap(const ResolvedGraph& graph, const Lifetimes& spans, const MemoryNeeds& needs,
                      bool keep_apart) {
     Groups groups;
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         if (spans.spans[id].first > spans.spans[id].last || needs[id].size_bytes == 0) continue;
         const bool buffers = keep_apart && graph.resources[id].kind == ResourceKind::buffer;
         groups[{buffers, needs[id].type_bits}].push_back(id);
@@ -43,16 +43,16 @@ Groups group_by_heap(const ResolvedGraph& graph, const Lifetimes& spans, const M
 
 struct Peak {
     uint64_t bytes = 0;
-    uint32_t position = 0;
+    Position position = 0;
 };
 
 Peak find_peak(const std::vector<ResourceId>& resources, const Lifetimes& spans, const MemoryNeeds& needs) {
     // Key: schedule position. Value: bytes of the resources whose lifetime begins there, minus bytes of the
     // resources whose lifetime ended just before.
-    std::map<uint32_t, int64_t> changes;
+    std::map<Position, int64_t> changes;
     for (const ResourceId id : resources) {
         changes[spans.spans[id].first] += static_cast<int64_t>(needs[id].size_bytes);
-        changes[spans.spans[id].last + 1] -= static_cast<int64_t>(needs[id].size_bytes);
+        changes[Position(spans.spans[id].last + 1)] -= static_cast<int64_t>(needs[id].size_bytes);
     }
     Peak peak;
     int64_t bytes = 0;
@@ -107,7 +107,7 @@ void place_group(const std::vector<ResourceId>& group, const Schedule& order, co
 void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
                       uint64_t granularity_bytes, MemoryPlan& plan) {
     std::map<HeapKey, uint32_t> heaps;
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const bool wanted = graph.resources[id].lifetime == ResourceLifetime::persistent &&
                             live.live_resources[id] && needs[id].size_bytes != 0;
         if (!wanted) continue;

@@ -68,14 +68,14 @@ std::vector<uint32_t> size_descending_order(const std::vector<PackItem>& items) 
 }
 
 // Returns the position at which the total size of the live items is largest.
-uint32_t peak_position(const std::vector<PackItem>& items) {
-    std::map<uint32_t, int64_t> changes;
+Position peak_position(const std::vector<PackItem>& items) {
+    std::map<Position, int64_t> changes;
     for (const PackItem& item : items) {
-        changes[item.first] += static_cast<int64_t>(item.size_bytes);
-        changes[item.last + 1] -= static_cast<int64_t>(item.size_bytes);
+        changes[Position(item.first)] += static_cast<int64_t>(item.size_bytes);
+        changes[Position(item.last + 1)] -= static_cast<int64_t>(item.size_bytes);
     }
     int64_t bytes = 0, most = -1;
-    uint32_t position = 0;
+    Position position = 0;
     for (const auto& [at, change] : changes) {
         bytes += change;
         if (bytes <= most) continue;

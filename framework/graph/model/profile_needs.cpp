@@ -60,7 +60,7 @@ uint32_t type_bits(const ResourceDecl& resource, const DeviceProfile& profile) {
 
 MemoryNeeds profile_needs(const ResolvedGraph& graph, const DeviceProfile& profile) {
     MemoryNeeds needs(graph.resources.size());
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDecl& resource = graph.resources[id];
         if (resource.lifetime == ResourceLifetime::imported) continue;
         const bool image = resource.kind == ResourceKind::image;

@@ -83,7 +83,7 @@ class HashVisitor {
             word(std::bit_cast<uint64_t>(value));
         else if constexpr (std::is_same_v<T, float>)
             word(std::bit_cast<uint32_t>(value));
-        else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+        else if constexpr (std::is_integral_v<T> || std::is_enum_v<T> || kIsId<T>)
             word(static_cast<uint64_t>(value));
         else
             visit_fields(*this, value);

@@ -23,19 +23,21 @@ Facts missing_in(const Facts& other, const Facts& facts) {
 
 // Compares the items of two plans by name. Both lists of items must be sorted by name. `facts(plan, index)`
 // returns texts that describe one item; an item has changed if these texts differ.
-template <class T, class F>
+template <class Index, class T, class F>
 NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, const FramePlan& to,
                      const std::vector<T>& new_items, F facts) {
     NamesDiff diff;
-    uint32_t i = 0, j = 0;
+    Index i(0), j(0);
     while (i < old_items.size() || j < new_items.size()) {
         const bool only_old =
             j == new_items.size() || (i < old_items.size() && old_items[i].name < new_items[j].name);
         const bool only_new = !only_old && (i == old_items.size() || new_items[j].name < old_items[i].name);
         if (only_old) {
-            diff.removed.push_back(old_items[i++].name);
+            diff.removed.push_back(old_items[i].name);
+            ++i;
         } else if (only_new) {
-            diff.added.push_back(new_items[j++].name);
+            diff.added.push_back(new_items[j].name);
+            ++j;
         } else {
             const Facts before = facts(from, i), after = facts(to, j);
             FactsChange change{old_items[i].name, missing_in(after, before), missing_in(before, after)};
@@ -50,10 +52,10 @@ NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, con
 // has the same order in both plans; patience sorting finds this sequence.
 std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
     std::vector<PassMove> common;  // Passes that are in both plans, in the order of the old plan.
-    for (uint32_t p = 0; p < from.schedule.order.size(); ++p) {
+    for (Position p(0); p < from.schedule.order.size(); ++p) {
         const PassDecl* other = find_pass(to.graph, from.graph.passes[from.schedule.order[p]].name);
         if (other == nullptr) continue;
-        const uint32_t position = to.schedule.position[static_cast<size_t>(other - to.graph.passes.data())];
+        const Position position = to.schedule.position[static_cast<size_t>(other - to.graph.passes.data())];
         if (position != kNoId) common.push_back({other->name, p, position});
     }
     // `ends[n]` is the last pass of the best sequence of n + 1 passes; `previous[i]` is the pass before pass
@@ -138,8 +140,9 @@ PlanDiff diff_plans(const FramePlan& from, const FramePlan& to) {
     PlanDiff diff;
     diff.same = from.hash == to.hash;
     diff.counts = count_changes(from, to);
-    diff.passes = diff_names(from, from.graph.passes, to, to.graph.passes, summarize_pass);
-    diff.resources = diff_names(from, from.graph.resources, to, to.graph.resources, summarize_resource);
+    diff.passes = diff_names<PassId>(from, from.graph.passes, to, to.graph.passes, summarize_pass);
+    diff.resources =
+        diff_names<ResourceId>(from, from.graph.resources, to, to.graph.resources, summarize_resource);
     diff.moved = moved_passes(from, to);
     return diff;
 }

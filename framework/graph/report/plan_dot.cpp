@@ -43,22 +43,22 @@ std::string use_edge(const FramePlan& plan, PassId pass, const UseDecl& use) {
 std::string plan_to_dot(const FramePlan& plan) {
     std::string text = "digraph " + dot_string(printable(plan.graph.name)) +
                        " {\n  rankdir=LR;\n  node [fontname=\"sans\"];\n";
-    for (PassId id = 0; id < plan.graph.passes.size(); ++id) {
-        const uint32_t position = plan.schedule.position[id];
+    for (PassId id(0); id < plan.graph.passes.size(); ++id) {
+        const Position position = plan.schedule.position[id];
         const std::string prefix = position == kNoId ? "" : std::to_string(position) + " ";
         text += "  " + pass_node(id) +
                 " [shape=box, label=" + dot_string(prefix + plan.graph.passes[id].name) +
                 grey_unless(plan.live.live_passes[id] != 0) + "];\n";
     }
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
         const ResourceDecl& resource = plan.graph.resources[id];
         const char* shape = resource.lifetime == ResourceLifetime::imported ? "doubleoctagon" : "ellipse";
         text += "  " + resource_node(id) + " [shape=" + shape + ", label=" + dot_string(resource.name) +
                 grey_unless(plan.live.live_resources[id] != 0) + "];\n";
     }
-    for (PassId id = 0; id < plan.graph.passes.size(); ++id)
+    for (PassId id(0); id < plan.graph.passes.size(); ++id)
         for (const UseDecl& use : plan.graph.passes[id].uses) text += use_edge(plan, id, use);
-    for (uint32_t p = 0; p < plan.barriers.steps.size(); ++p)
+    for (Position p(0); p < plan.barriers.steps.size(); ++p)
         if (const PassId first = continued_pass(plan, p); first != kNoId)
             text += "  " + pass_node(first) + " -> " + pass_node(plan.schedule.order[p]) +
                     " [style=bold, dir=none, label=" + dot_string("one rendering scope") + "];\n";

@@ -131,7 +131,7 @@ class BarrierAnswer {
                    " and " + std::to_string(plan_.schedule.queue[to_]) +
                    ", which synchronize with semaphores: see `weft explain FILE wait " +
                    plan_.graph.passes[second_].name + "`.\n";
-        for (uint32_t p = from_ + 1; p < to_ && from_ < to_; ++p)
+        for (Position p(from_ + 1); p < to_ && from_ < to_; ++p)
             for (const BarrierDecl& between : plan_.barriers.steps[p].barriers)
                 if (between.resource == a.resource && overlaps(between.range, a.range) &&
                     overlaps(between.range, b.range) && waits_for(plan_, between, first_))
@@ -144,7 +144,7 @@ class BarrierAnswer {
 
     // Explains why no barrier between the two passes is needed: an earlier barrier, recorded before the pass
     // at `position`, already orders the second pass after the first.
-    std::string describe_semaphore_path(uint32_t position, const BarrierDecl& barrier,
+    std::string describe_semaphore_path(Position position, const BarrierDecl& barrier,
                                         const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];
         const std::string waited =
@@ -162,7 +162,7 @@ class BarrierAnswer {
 
     const FramePlan& plan_;
     PassId first_, second_;
-    uint32_t from_, to_;
+    Position from_, to_;
     std::string text_;
 };
 

@@ -30,7 +30,7 @@ bool sees(const FramePlan& plan, const UseDecl& use, PassId pass) {
 
 std::vector<Need> needs_of(const FramePlan& plan, PassId pass) {
     std::vector<Need> needs;
-    for (PassId reader = 0; reader < plan.graph.passes.size(); ++reader) {
+    for (PassId reader(0); reader < plan.graph.passes.size(); ++reader) {
         if (reader == pass) continue;
         for (const UseDecl& use : plan.graph.passes[reader].uses)
             if (sees(plan, use, pass)) needs.push_back({reader, &use});

@@ -61,7 +61,7 @@ namespace {
 
 std::string describe_overlap(const FramePlan& plan, ResourceId a, ResourceId b) {
     const LifetimeSpan &s = plan.lifetimes.spans[a], &t = plan.lifetimes.spans[b];
-    const uint32_t first = std::max(s.first, t.first), last = std::min(s.last, t.last);
+    const Position first = std::max(s.first, t.first), last = std::min(s.last, t.last);
     if (first <= last)
         return "  Both are alive from " + describe_position(plan, first) + " to " +
                describe_position(plan, last) + ".\n";
@@ -122,17 +122,16 @@ std::string describe_memory(const FramePlan& plan, ResourceId id) {
 
 std::string describe_users(const FramePlan& plan, ResourceId id) {
     std::string text;
-    for (const bool live : {true, false})
-        for (uint32_t i = 0; i < plan.graph.passes.size(); ++i) {
-            const PassId pass = live && i < plan.schedule.order.size() ? plan.schedule.order[i] : i;
-            if ((live && i >= plan.schedule.order.size()) || (!live && plan.live.live_passes[pass])) continue;
-            for (const UseDecl& use : plan.graph.passes[pass].uses)
-                if (use.resource == id)
-                    text += "  " +
-                            (live ? describe_position(plan, i)
-                                  : "culled, \"" + plan.graph.passes[pass].name + "\"") +
-                            ": " + describe_use(plan, use) + " (" + access_name(use.access) + ").\n";
-        }
+    const auto add_uses = [&](PassId pass, const std::string& place) {
+        for (const UseDecl& use : plan.graph.passes[pass].uses)
+            if (use.resource == id)
+                text +=
+                    "  " + place + ": " + describe_use(plan, use) + " (" + access_name(use.access) + ").\n";
+    };
+    const std::vector<PassId>& order = plan.schedule.order;
+    for (Position p(0); p < order.size(); ++p) add_uses(order[p], describe_position(plan, p));
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)
+        if (!plan.live.live_passes[pass]) add_uses(pass, "culled, \"" + plan.graph.passes[pass].name + "\"");
     return text.empty() ? "  No pass uses this resource.\n" : text;
 }
 

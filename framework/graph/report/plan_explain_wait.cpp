@@ -8,7 +8,7 @@
 namespace weft {
 namespace {
 
-uint32_t batch_of(const FramePlan& plan, uint32_t position) {
+uint32_t batch_of(const FramePlan& plan, Position position) {
     const std::vector<Batch>& batches = plan.submissions.batches;
     const auto it = std::find_if(batches.begin(), batches.end(), [position](const Batch& batch) {
         return std::find(batch.positions.begin(), batch.positions.end(), position) != batch.positions.end();
@@ -18,7 +18,7 @@ uint32_t batch_of(const FramePlan& plan, uint32_t position) {
 
 // Returns a line for each use of `resource` by the pass at `position`. These uses are the reason for a
 // dependency between queues.
-std::string uses_at(const FramePlan& plan, uint32_t position, ResourceId resource) {
+std::string uses_at(const FramePlan& plan, Position position, ResourceId resource) {
     if (position >= plan.schedule.order.size()) return "";
     std::string text;
     for (const UseDecl& use : plan.graph.passes[plan.schedule.order[position]].uses)
@@ -56,7 +56,8 @@ std::string describe_waits(const FramePlan& plan, PassId pass) {
     const std::string words = describe_pass(plan, pass);
     if (!plan.live.live_passes[pass])
         return words + " does not wait, because it is culled: " + plan.live.details[pass] + ".\n";
-    const uint32_t position = plan.schedule.position[pass], own = batch_of(plan, position);
+    const Position position = plan.schedule.position[pass];
+    const uint32_t own = batch_of(plan, position);
     if (plan.schedule.queues.size() == 1)
         return words +
                " waits for no other queue, because the plan has only one queue. Barriers order its passes; "

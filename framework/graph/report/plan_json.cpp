@@ -30,8 +30,8 @@ class JsonVisitor {
             return access_name(value);
         else if constexpr (std::is_enum_v<T>)
             return enum_name(value);
-        else if constexpr (std::is_same_v<T, uint32_t>)
-            return value == kNoId ? Json(nullptr) : Json(value);
+        else if constexpr (std::is_same_v<T, uint32_t> || kIsId<T>)
+            return value == kNoId ? Json(nullptr) : Json(static_cast<uint32_t>(value));
         else if constexpr (std::is_arithmetic_v<T>)
             return value;
         else

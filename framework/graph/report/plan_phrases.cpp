@@ -14,16 +14,16 @@ std::string place(const FramePlan& plan, const SourceLoc& loc) {
 }
 
 // Returns the iterations of the `repeat` with this name: the items "name#1", "name#2" and so on.
-template <class T>
-std::vector<uint32_t> rounds_of(const std::vector<T>& items, const std::string& name) {
-    std::vector<uint32_t> rounds;
-    for (uint32_t i = 0; i < items.size(); ++i)
-        if (items[i].name.starts_with(name + "#")) rounds.push_back(i);
+template <class Index, class T>
+std::vector<Index> rounds_of(const std::vector<T>& items, const std::string& name) {
+    std::vector<Index> rounds;
+    for (Index id(0); id < items.size(); ++id)
+        if (items[id].name.starts_with(name + "#")) rounds.push_back(id);
     return rounds;
 }
 
-template <class T>
-std::string name_one_of(const std::vector<T>& items, const std::vector<uint32_t>& rounds) {
+template <class Index, class T>
+std::string name_one_of(const std::vector<T>& items, const std::vector<Index>& rounds) {
     constexpr size_t kMost = 8;
     std::string text;
     for (size_t i = 0; i < std::min(rounds.size(), kMost); ++i)
@@ -32,17 +32,17 @@ std::string name_one_of(const std::vector<T>& items, const std::vector<uint32_t>
     return "this name has several iterations: write one of " + text;
 }
 
-template <class T>
-Result<uint32_t> find_named(const FramePlan& plan, const std::vector<T>& items, const T* found,
-                            const std::string& name, const char* what, const char* code) {
-    if (found != nullptr) return static_cast<uint32_t>(found - items.data());
+template <class Index, class T>
+Result<Index> find_named(const FramePlan& plan, const std::vector<T>& items, const T* found,
+                         const std::string& name, const char* what, const char* code) {
+    if (found != nullptr) return Index(found - items.data());
     std::vector<std::string> known;
     for (const T& item : items) known.push_back(item.name);
     Diagnostic d;
     d.code = code;
     d.file = plan.graph.sources.files.empty() ? "" : plan.graph.sources.files.front().path;
     d.message = "the plan has no " + std::string(what) + " \"" + name + "\"";
-    if (const std::vector<uint32_t> rounds = rounds_of(items, name); !rounds.empty()) {
+    if (const std::vector<Index> rounds = rounds_of<Index>(items, name); !rounds.empty()) {
         d.help = {name_one_of(items, rounds)};
         return d;
     }
@@ -75,7 +75,7 @@ std::string describe_use(const FramePlan& plan, const UseDecl& use) {
            describe_part(plan, use.resource, use.range);
 }
 
-std::string describe_position(const FramePlan& plan, uint32_t position) {
+std::string describe_position(const FramePlan& plan, Position position) {
     if (position >= plan.schedule.order.size()) return "the end of the frame";
     return std::to_string(position) + " " + quoted(plan.graph.passes[plan.schedule.order[position]].name);
 }
@@ -87,24 +87,26 @@ std::string describe_state(const AccessState& state, bool image) {
 }
 
 Result<PassId> named_pass(const FramePlan& plan, const std::string& name) {
-    return find_named(plan, plan.graph.passes, find_pass(plan.graph, name), name, "pass", "W104");
+    return find_named<PassId>(plan, plan.graph.passes, find_pass(plan.graph, name), name, "pass", "W104");
 }
 
 Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name) {
-    return find_named(plan, plan.graph.resources, find_resource(plan.graph, name), name, "resource", "W103");
+    return find_named<ResourceId>(plan, plan.graph.resources, find_resource(plan.graph, name), name,
+                                  "resource", "W103");
 }
 
 Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name) {
     Result<PassId> one = named_pass(plan, name);
     if (one) return std::vector<PassId>{*one};
-    if (std::vector<PassId> rounds = rounds_of(plan.graph.passes, name); !rounds.empty()) return rounds;
+    if (std::vector<PassId> rounds = rounds_of<PassId>(plan.graph.passes, name); !rounds.empty())
+        return rounds;
     return one.take_errors();
 }
 
 Result<std::vector<ResourceId>> named_resources(const FramePlan& plan, const std::string& name) {
     Result<ResourceId> one = named_resource(plan, name);
     if (one) return std::vector<ResourceId>{*one};
-    if (std::vector<ResourceId> rounds = rounds_of(plan.graph.resources, name); !rounds.empty())
+    if (std::vector<ResourceId> rounds = rounds_of<ResourceId>(plan.graph.resources, name); !rounds.empty())
         return rounds;
     return one.take_errors();
 }

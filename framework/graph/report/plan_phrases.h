@@ -20,7 +20,7 @@ namespace weft {
 [[nodiscard]] std::string describe_use(const FramePlan& plan, const UseDecl& use);
 [[nodiscard]] const char* access_verb(Access access);  // Returns "reads", "writes" or "reads and writes".
 // Returns the position and its pass, such as: 2 "lighting".
-[[nodiscard]] std::string describe_position(const FramePlan& plan, uint32_t position);
+[[nodiscard]] std::string describe_position(const FramePlan& plan, Position position);
 // Returns stages, accesses and, for an image, the layout, such as: color_output color_write color_attachment.
 [[nodiscard]] std::string describe_state(const AccessState& state, bool image);
 

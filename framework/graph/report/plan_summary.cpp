@@ -95,7 +95,7 @@ std::string barrier_fact(const FramePlan& plan, const BarrierDecl& b, const char
 }
 
 void add_step(const FramePlan& plan, PassId pass, Facts& facts) {
-    const uint32_t position = plan.schedule.position[pass];
+    const Position position = plan.schedule.position[pass];
     facts.push_back("runs on queue " + std::to_string(plan.schedule.queue[position]));
     const PassStep& step = plan.barriers.steps[position];
     if (const PassId first = continued_pass(plan, position); first != kNoId)

@@ -17,7 +17,7 @@ class PlanText {
     std::string write() {
         header();
         prologue();
-        for (uint32_t p = 0; p < plan_.barriers.steps.size(); ++p) step(p);
+        for (Position p(0); p < plan_.barriers.steps.size(); ++p) step(p);
         if (!plan_.barriers.epilogue.empty()) {
             text_ += "\nafter the last pass\n";
             for (const BarrierDecl& b : plan_.barriers.epilogue) barrier(b);
@@ -83,7 +83,7 @@ class PlanText {
     }
 
     // If a batch begins at this position, writes the semaphore waits of the batch.
-    void waits(uint32_t position) {
+    void waits(Position position) {
         for (const Batch& batch : plan_.submissions.batches) {
             if (batch.positions.empty() || batch.positions.front() != position) continue;
             for (const QueueWait& wait : batch.waits) {
@@ -101,7 +101,7 @@ class PlanText {
         }
     }
 
-    void step(uint32_t position) {
+    void step(Position position) {
         const PassStep& s = plan_.barriers.steps[position];
         const PassDecl& decl = plan_.graph.passes[s.pass];
         text_.append("\n").append(std::to_string(position)).append("  ").append(decl.name);
@@ -146,7 +146,7 @@ class PlanText {
 
     void culled() {
         bool first = true;
-        for (PassId id = 0; id < plan_.graph.passes.size(); ++id) {
+        for (PassId id(0); id < plan_.graph.passes.size(); ++id) {
             if (plan_.live.live_passes[id]) continue;
             if (first) text_ += "\nculled\n";
             first = false;

@@ -43,7 +43,7 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
     resolved.output = declared.shapes.output;
     resolved.params = declared.values.params;
     resolved.frames = declared.values.frames;
-    for (PassId id = 0; id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < graph.passes.size(); ++id) {
         PassDecl& pass = resolved.passes.emplace_back(declared.expansion.passes[id].decl);
         add_bound(graph.passes[id], pass);
         add_attachments(attachments.passes[id], pass);

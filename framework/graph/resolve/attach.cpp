@@ -210,7 +210,7 @@ class PassAttacher : PassStage<Attachments> {
 Attachments attach(const Declared& declared, const VersionedGraph& graph, Reporter& reporter) {
     Attachments attachments{.passes = std::vector<PassAttachments>(graph.passes.size()),
                             .suspects = graph.suspects};
-    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         const PassDraft& draft = declared.expansion.passes[pass];
         const bool draws = draft.decl.kind == PassKind::raster || draft.decl.kind == PassKind::fullscreen;
         if (draws && draft.shader) PassAttacher(declared, graph, pass, attachments, reporter).run();

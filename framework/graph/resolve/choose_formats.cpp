@@ -96,7 +96,7 @@ void need_transfers(std::vector<ResourceDecl>& resources) {
 // Adds the features for a blit to images with "onResize": "resample". When such an image changes its size,
 // its old content is scaled to the new size by a blit.
 void need_resampling(const std::vector<ResourceDecl>& resources, std::vector<Needs>& needs) {
-    for (ResourceId id = 0; id < resources.size(); ++id) {
+    for (ResourceId id(0); id < resources.size(); ++id) {
         const ResourceDecl& decl = resources[id];
         if (decl.kind != ResourceKind::image || decl.on_resize != OnResize::resample) continue;
         needs[id].blit_from = needs[id].blit_to = needs[id].linear_if_float = true;
@@ -110,7 +110,7 @@ bool is_filtered(Access a) {
 // Adds the usage flags of all uses to the resources, and returns the further requirements of each resource.
 std::vector<Needs> gather_needs(const Declared& declared, FormattedGraph& graph) {
     std::vector<Needs> needs(graph.resources.size());
-    for (PassId id = 0; id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < graph.passes.size(); ++id) {
         const PassDesc& desc = *declared.expansion.passes[id].desc;
         const BoundPass& pass = graph.passes[id];
         const std::vector<UseDecl>& uses = pass.uses;
@@ -242,7 +242,7 @@ bool fits(const ResourceDecl& resource, uint64_t limit_bytes) {
 // sum of all resources is checked later, when a plan is made.
 void check_sizes(const Declared& declared, FormattedGraph& graph, Reporter& reporter) {
     const uint64_t limit_bytes = declared.input.limits.transient_bytes;
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDesc* desc = declared.shapes.origins[id].desc;
         if (!desc || graph.suspects.shapes[id] || graph.resources[id].age > 0) continue;
         if (fits(graph.resources[id], limit_bytes)) continue;
@@ -263,7 +263,7 @@ FormattedGraph choose_formats(const Declared& declared, BoundPasses bound, Repor
     need_transfers(graph.resources);
     std::vector<Needs> needs = gather_needs(declared, graph);
     need_resampling(graph.resources, needs);
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDesc* desc = declared.shapes.origins[id].desc;
         if (!desc || desc->is_buffer || graph.resources[id].age > 0) continue;
         if (!choose_format(declared.input, *desc, needs[id], graph.resources[id], reporter))

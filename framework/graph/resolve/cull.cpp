@@ -23,7 +23,7 @@ void keep(PassId pass, LiveGraph& live, std::vector<PassId>& pending) {
 // Returns for each resource, indexed by ResourceId, the passes that write it.
 std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph) {
     std::vector<std::vector<PassId>> writers(graph.resources.size());
-    for (PassId id = 0; id < graph.passes.size(); ++id)
+    for (PassId id(0); id < graph.passes.size(); ++id)
         for (const UseDecl& use : graph.passes[id].uses)
             if (writes(use.access)) writers[use.resource].push_back(id);
     return writers;
@@ -33,9 +33,9 @@ std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph)
 // frame, so each copy is used if one of them is.
 void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
     std::vector<uint8_t> used(graph.resources.size(), 0);
-    for (ResourceId id = 0; id < graph.resources.size(); ++id)
+    for (ResourceId id(0); id < graph.resources.size(); ++id)
         if (graph.resources[id].ring != kNoId && live.live_resources[id]) used[graph.resources[id].ring] = 1;
-    for (ResourceId id = 0; id < graph.resources.size(); ++id)
+    for (ResourceId id(0); id < graph.resources.size(); ++id)
         if (graph.resources[id].ring != kNoId) live.live_resources[id] = used[graph.resources[id].ring];
 }
 
@@ -44,7 +44,7 @@ void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
 void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     const std::vector<std::vector<PassId>> writers = writers_by_resource(graph);
     std::vector<PassId> pending;
-    for (PassId id = 0; id < graph.passes.size(); ++id)
+    for (PassId id(0); id < graph.passes.size(); ++id)
         if (keep_all || is_root(graph, graph.passes[id])) keep(id, live, pending);
     while (!pending.empty()) {
         const PassDecl& pass = graph.passes[pending.back()];
@@ -65,7 +65,7 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
 // Returns for each pass, indexed by PassId, the passes that read its outputs.
 std::vector<std::vector<PassId>> readers_by_producer(const ResolvedGraph& graph) {
     std::vector<std::vector<PassId>> readers(graph.passes.size());
-    for (PassId id = 0; id < graph.passes.size(); ++id)
+    for (PassId id(0); id < graph.passes.size(); ++id)
         for (const UseDecl& use : graph.passes[id].uses)
             for (const VersionSource& source : use.sources)
                 if (source.producer != kNoId &&
@@ -91,7 +91,7 @@ std::string written_names(const ResolvedGraph& graph, const PassDecl& pass) {
 
 void explain(const ResolvedGraph& graph, LiveGraph& live) {
     const std::vector<std::vector<PassId>> readers = readers_by_producer(graph);
-    for (PassId id = 0; id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < graph.passes.size(); ++id) {
         if (live.live_passes[id]) continue;
         const std::string names = written_names(graph, graph.passes[id]);
         if (!readers[id].empty()) {

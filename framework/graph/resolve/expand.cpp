@@ -97,7 +97,7 @@ Expansion expand(const ResolveInput& input, const Values& values, const Shapes& 
     const Evaluator evaluator(values, shapes, expansion.suspects, reporter);
     name_passes(evaluator, draft_passes(input, evaluator, shapes, expansion, reporter), expansion);
     PassReporter report(shapes, expansion, expansion.suspects, reporter);
-    for (PassId id = 0; id < expansion.passes.size(); ++id) {
+    for (PassId id(0); id < expansion.passes.size(); ++id) {
         PassDraft& draft = expansion.passes[id];
         const Evaluator in_pass = evaluator.in_repeat(draft.indices, draft.instance > 0);
         draft.decl.state = evaluate_state(*draft.desc, in_pass);

@@ -244,7 +244,7 @@ class BlockFiller : PassStage<Blocks> {
 Blocks fill_blocks(const Declared& declared, const VersionedGraph& graph, Suspects suspects,
                    Reporter& reporter) {
     Blocks blocks{.passes = std::vector<PassBlock>(graph.passes.size()), .suspects = std::move(suspects)};
-    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         if (declared.expansion.passes[pass].shader)
             BlockFiller(declared, graph, pass, blocks, reporter).run();
     }

@@ -9,7 +9,7 @@ std::string role_name(const std::string& name, uint32_t age) {
 }
 
 void spread_over_rings(std::vector<ResourceDecl>& resources, Suspects& suspects) {
-    for (ResourceId id = 0; id < resources.size(); ++id) {
+    for (ResourceId id(0); id < resources.size(); ++id) {
         ResourceDecl& role = resources[id];
         if (role.age == 0) continue;
         std::string name = std::move(role.name);

@@ -94,7 +94,7 @@ void name_resources(const ResolveInput& input, const Evaluator& evaluator, Shape
 // Makes resources with "history" or "keep" persistent, and links each earlier frame to the resource of age 0.
 // Called after all resources have their ids.
 void tie_rings(const Evaluator& evaluator, Shapes& shapes) {
-    for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
+    for (ResourceId id(0); id < shapes.resources.size(); ++id) {
         const ResourceDesc* desc = shapes.origins[id].desc;
         if (!desc) continue;
         const auto history = shapes.histories.find(desc->name);
@@ -111,7 +111,7 @@ void tie_rings(const Evaluator& evaluator, Shapes& shapes) {
 }
 
 void shape_all_imports(const ResolveInput& input, Shapes& shapes, Reporter& reporter) {
-    for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
+    for (ResourceId id(0); id < shapes.resources.size(); ++id) {
         ResourceDecl& decl = shapes.resources[id];
         if (shapes.origins[id].desc) continue;
         shape_import(input, input.graph.imports.at(decl.name), id, shapes, reporter);
@@ -139,7 +139,7 @@ Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter
     // The first iteration handles the resources that do not use mips(); the second handles those whose size
     // depends on the mip count of another resource.
     for (const bool second : {false, true}) {
-        for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
+        for (ResourceId id(0); id < shapes.resources.size(); ++id) {
             const ResourceDesc* desc = shapes.origins[id].desc;
             if (!desc || shapes.resources[id].age > 0) continue;
             if (uses_mips_of(*desc) == second) shape_resource(input, values, id, shapes, reporter);

@@ -196,7 +196,7 @@ Dispatches size_dispatches(const Declared& declared, const VersionedGraph& graph
     Dispatches dispatches{.passes = std::vector<PassDispatch>(graph.passes.size()),
                           .suspects = std::move(suspects)};
     PassReporter report(declared.shapes, declared.expansion, dispatches.suspects, reporter);
-    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         const PassDraft& draft = declared.expansion.passes[pass];
         if (draft.decl.kind == PassKind::compute && draft.shader)
             DispatchSizer(declared, graph, pass, dispatches, reporter).run();

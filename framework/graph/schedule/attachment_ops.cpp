@@ -22,7 +22,7 @@ struct Written {
 // entries are sorted by the writing pass, then by resource.
 std::vector<Written> versions_read(const ResolvedGraph& graph, const LiveGraph& live) {
     std::vector<Written> versions;
-    for (PassId id = 0; id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < graph.passes.size(); ++id) {
         if (!live.live_passes[id]) continue;
         for (const UseDecl& use : graph.passes[id].uses)
             for (const VersionSource& source : use.sources)
@@ -56,7 +56,7 @@ StoreOp store_op(const ResolvedGraph& graph, PassId pass, const UseDecl& use,
 AttachmentTable attachment_ops(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
     const std::vector<Written> versions = versions_read(graph, live);
     AttachmentTable result(order.order.size());
-    for (uint32_t position = 0; position < order.order.size(); ++position) {
+    for (Position position(0); position < order.order.size(); ++position) {
         const PassId id = order.order[position];
         const PassDecl& pass = graph.passes[id];
         const auto add = [&](const AttachmentDecl& attachment) {

@@ -31,7 +31,7 @@ std::vector<uint8_t> fully_written(const ResolvedGraph& graph, const Schedule& o
                 parts[use.resource].push_back(use.range);
         }
     }
-    for (ResourceId id = 0; id < whole.size(); ++id)
+    for (ResourceId id(0); id < whole.size(); ++id)
         if (!whole[id] && !parts[id].empty()) whole[id] = covers(graph.resources[id], parts[id]) ? 1 : 0;
     return whole;
 }

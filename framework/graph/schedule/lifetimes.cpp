@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-void add_to_queue(LifetimeSpan& span, QueueIndex queue, uint32_t position) {
+void add_to_queue(LifetimeSpan& span, QueueIndex queue, Position position) {
     const auto own = std::find_if(span.queues.begin(), span.queues.end(),
                                   [queue](const QueueSpan& s) { return s.queue == queue; });
     if (own == span.queues.end())
@@ -19,7 +19,7 @@ void add_to_queue(LifetimeSpan& span, QueueIndex queue, uint32_t position) {
 Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
     Lifetimes result;
     result.spans.resize(graph.resources.size());
-    for (uint32_t position = 0; position < order.order.size(); ++position) {
+    for (Position position(0); position < order.order.size(); ++position) {
         for (const UseDecl& use : graph.passes[order.order[position]].uses) {
             const bool counts = live.live_resources[use.resource] &&
                                 graph.resources[use.resource].lifetime == ResourceLifetime::transient;

@@ -53,10 +53,10 @@ std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vec
     std::array<uint32_t, 3> used{};
     for (const PassId id : order) {
         const PassDecl& pass = graph.passes[id];
-        QueueIndex chosen = 0;
-        for (int kind = static_cast<int>(pass.queue); kind > 0 && chosen == 0; --kind) {
+        QueueIndex chosen = kGraphicsQueue;
+        for (int kind = static_cast<int>(pass.queue); kind > 0 && chosen == kGraphicsQueue; --kind) {
             std::vector<QueueIndex> fitting;
-            for (QueueIndex q = 1; q < queues.size(); ++q)
+            for (QueueIndex q(1); q < queues.size(); ++q)
                 if (static_cast<int>(queues[q].kind) == kind && can_run(pass, queues[q]) &&
                     owns_imports(graph, pass, queues[q]))
                     fitting.push_back(q);
@@ -66,8 +66,8 @@ std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vec
     }
     // Queue 0 begins and ends every frame. If no pass would run on queue 0, further queues bring no
     // advantage, so all passes go to queue 0.
-    if (std::find(assigned.begin(), assigned.end(), 0u) == assigned.end())
-        assigned.assign(assigned.size(), 0);
+    if (std::find(assigned.begin(), assigned.end(), kGraphicsQueue) == assigned.end())
+        assigned.assign(assigned.size(), kGraphicsQueue);
     return assigned;
 }
 

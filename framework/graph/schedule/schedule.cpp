@@ -42,7 +42,7 @@ Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const Memor
     result.chosen = candidates[best].name;
     result.order = std::move(candidates[best].order);
     result.position.assign(graph.passes.size(), kNoId);
-    for (uint32_t p = 0; p < result.order.size(); ++p) result.position[result.order[p]] = p;
+    for (Position p(0); p < result.order.size(); ++p) result.position[result.order[p]] = p;
     result.queues = queues;
     result.queue = assign_queues(graph, result.order, queues);
     return result;

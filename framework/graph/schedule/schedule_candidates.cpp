@@ -15,12 +15,12 @@ namespace {
 // directions.
 struct Walk {
     const ScheduleProblem& problem;
-    const IndexRows& next;
-    const IndexRows& previous;
+    const Rows<PassId>& next;
+    const Rows<PassId>& previous;
     std::vector<uint32_t> rank;
 };
 
-std::vector<uint32_t> row_sizes(const IndexRows& rows) {
+std::vector<uint32_t> row_sizes(const Rows<PassId>& rows) {
     std::vector<uint32_t> sizes(rows.offsets.size() - 1);
     for (uint32_t row = 0; row < sizes.size(); ++row) sizes[row] = rows.offsets[row + 1] - rows.offsets[row];
     return sizes;
@@ -40,16 +40,14 @@ class Greedy {
           ready_(waiting_.size(), 0) {
         const ScheduleProblem& problem = walk.problem;
         for (uint32_t resource = 0; resource < user_sum_.size(); ++resource)
-            for (const uint32_t* pass = problem.users.begin(resource); pass != problem.users.end(resource);
-                 ++pass)
-                user_sum_[resource] += *pass;
-        for (PassId pass = 0; pass < score_.size(); ++pass)
-            for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r)
-                if (users_left_[*r] > 1) score_[pass] += static_cast<int64_t>(problem.size_bytes[*r]);
+            for (const PassId pass : problem.users[resource]) user_sum_[resource] += pass;
+        for (PassId pass(0); pass < score_.size(); ++pass)
+            for (const ResourceId r : problem.resources[pass])
+                if (users_left_[r] > 1) score_[pass] += static_cast<int64_t>(problem.size_bytes[r]);
     }
 
     std::vector<PassId> run() {
-        for (PassId pass = 0; pass < waiting_.size(); ++pass)
+        for (PassId pass(0); pass < waiting_.size(); ++pass)
             if (waiting_[pass] == 0 && !ready_[pass]) make_ready(pass);
         while (!heap_.empty()) {
             const auto [score, rank, pass] = heap_.top();
@@ -75,8 +73,8 @@ class Greedy {
                 push(pass);
                 continue;
             }
-            for (const uint32_t* n = walk_.next.begin(pass); n != walk_.next.end(pass); ++n)
-                if (--waiting_[*n] == 0) fresh.push_back(*n);
+            for (const PassId n : walk_.next[pass])
+                if (--waiting_[n] == 0) fresh.push_back(n);
         }
     }
 
@@ -89,17 +87,17 @@ class Greedy {
         ready_[pass] = 2;
         order_.push_back(pass);
         const ScheduleProblem& problem = walk_.problem;
-        for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r) {
-            const uint32_t users = problem.users.offsets[*r + 1] - problem.users.offsets[*r];
-            const uint64_t bytes = problem.size_bytes[*r];
-            if (users_left_[*r] == users)
-                for (const uint32_t* user = problem.users.begin(*r); user != problem.users.end(*r); ++user)
-                    if (*user != pass) fall(*user, bytes);
-            user_sum_[*r] -= pass;
-            if (--users_left_[*r] == 1) fall(static_cast<PassId>(user_sum_[*r]), bytes);
+        for (const ResourceId r : problem.resources[pass]) {
+            const uint32_t users = problem.users.offsets[r + 1] - problem.users.offsets[r];
+            const uint64_t bytes = problem.size_bytes[r];
+            if (users_left_[r] == users)
+                for (const PassId user : problem.users[r])
+                    if (user != pass) fall(user, bytes);
+            user_sum_[r] -= pass;
+            if (--users_left_[r] == 1) fall(static_cast<PassId>(user_sum_[r]), bytes);
         }
-        for (const uint32_t* n = walk_.next.begin(pass); n != walk_.next.end(pass); ++n)
-            if (--waiting_[*n] == 0) make_ready(*n);
+        for (const PassId n : walk_.next[pass])
+            if (--waiting_[n] == 0) make_ready(n);
     }
 
     const Walk& walk_;
@@ -125,15 +123,15 @@ std::vector<PassId> program_order(const ScheduleProblem& problem) {
     using Entry = std::pair<uint32_t, PassId>;
     std::vector<uint32_t> waiting = row_sizes(problem.predecessors);
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
-    for (PassId pass = 0; pass < waiting.size(); ++pass)
+    for (PassId pass(0); pass < waiting.size(); ++pass)
         if (waiting[pass] == 0) heap.emplace(problem.rank[pass], pass);
     std::vector<PassId> order;
     while (!heap.empty()) {
         const PassId pass = heap.top().second;
         heap.pop();
         if (problem.live[pass]) order.push_back(pass);
-        for (const uint32_t* n = problem.successors.begin(pass); n != problem.successors.end(pass); ++n)
-            if (--waiting[*n] == 0) heap.emplace(problem.rank[*n], *n);
+        for (const PassId n : problem.successors[pass])
+            if (--waiting[n] == 0) heap.emplace(problem.rank[n], n);
     }
     return order;
 }
@@ -156,10 +154,10 @@ uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassI
     uint64_t bytes = 0, peak = 0;
     for (const PassId pass : order) {
         uint64_t freed = 0;
-        for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r) {
-            if (left[*r] == problem.users.offsets[*r + 1] - problem.users.offsets[*r])
-                bytes += problem.size_bytes[*r];
-            if (--left[*r] == 0) freed += problem.size_bytes[*r];
+        for (const ResourceId r : problem.resources[pass]) {
+            if (left[r] == problem.users.offsets[r + 1] - problem.users.offsets[r])
+                bytes += problem.size_bytes[r];
+            if (--left[r] == 0) freed += problem.size_bytes[r];
         }
         peak = std::max(peak, bytes);
         bytes -= freed;
@@ -168,19 +166,19 @@ uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassI
 }
 
 uint32_t barrier_batches(const ScheduleProblem& problem, const std::vector<PassId>& order) {
-    std::vector<uint32_t> position(problem.live.size(), 0);
+    std::vector<Position> position(problem.live.size(), Position(0));
     std::vector<uint8_t> touched(problem.size_bytes.size(), 0);
     uint32_t batches = 0, last_batch = 0;
-    for (uint32_t p = 0; p < order.size(); ++p) {
+    for (Position p(0); p < order.size(); ++p) {
         const PassId pass = order[p];
         position[pass] = p;
         bool needed = false;
-        for (const uint32_t* r = problem.resources.begin(pass); r != problem.resources.end(pass); ++r) {
-            needed = needed || !touched[*r];
-            touched[*r] = 1;
+        for (const ResourceId r : problem.resources[pass]) {
+            needed = needed || !touched[r];
+            touched[r] = 1;
         }
-        for (const uint32_t* n = problem.predecessors.begin(pass); n != problem.predecessors.end(pass); ++n)
-            needed = needed || (problem.live[*n] && position[*n] >= last_batch);
+        for (const PassId n : problem.predecessors[pass])
+            needed = needed || (problem.live[n] && position[n] >= last_batch);
         if (!needed) continue;
         ++batches;
         last_batch = p;

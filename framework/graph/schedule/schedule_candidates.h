@@ -6,19 +6,22 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "weft/plan.h"
 
 namespace weft {
 
-// A list of rows, each a list of indices. All rows are stored one after another in `items`.
-struct IndexRows {
+// A list of rows, each a list of ids. All rows are stored one after another in `items`.
+template <class Item>
+struct Rows {
     std::vector<uint32_t> offsets;  // Row r consists of items[offsets[r]] to items[offsets[r + 1] - 1].
-    std::vector<uint32_t> items;
+    std::vector<Item> items;
 
-    [[nodiscard]] const uint32_t* begin(uint32_t row) const { return items.data() + offsets[row]; }
-    [[nodiscard]] const uint32_t* end(uint32_t row) const { return items.data() + offsets[row + 1]; }
+    [[nodiscard]] std::span<const Item> operator[](uint32_t row) const {
+        return std::span(items).subspan(offsets[row], offsets[row + 1] - offsets[row]);
+    }
 };
 
 // The part of a graph that the scheduling algorithms need. A culled pass stays in it as a node without cost.
@@ -29,9 +32,9 @@ struct ScheduleProblem {
     std::vector<uint32_t> rank;
     // One row per pass. `successors`: the passes that depend on the pass. `predecessors`: the passes on which
     // it depends.
-    IndexRows successors, predecessors;
-    IndexRows resources;  // One row per pass: the transients that it uses, without duplicates.
-    IndexRows users;      // One row per resource: the live passes that use it, without duplicates.
+    Rows<PassId> successors, predecessors;
+    Rows<ResourceId> resources;  // One row per pass: the transients that it uses, without duplicates.
+    Rows<PassId> users;          // One row per resource: the live passes that use it, without duplicates.
     std::vector<uint64_t> size_bytes;  // Index: ResourceId. Size of the resource in bytes.
 };
 

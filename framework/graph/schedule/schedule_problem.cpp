@@ -7,11 +7,13 @@
 namespace weft {
 namespace {
 
-using IndexPairs = std::vector<std::pair<uint32_t, uint32_t>>;  // Each pair is (row index, item).
+template <class Row, class Item>
+using Pairs = std::vector<std::pair<Row, Item>>;
 
 // Builds the rows with a counting sort. Items of one row keep the order that they have in `pairs`.
-IndexRows make_rows(size_t row_count, const IndexPairs& pairs) {
-    IndexRows rows;
+template <class Row, class Item>
+Rows<Item> make_rows(size_t row_count, const Pairs<Row, Item>& pairs) {
+    Rows<Item> rows;
     rows.offsets.assign(row_count + 1, 0);
     rows.items.resize(pairs.size());
     for (const auto& [row, item] : pairs) ++rows.offsets[row + 1];
@@ -21,14 +23,16 @@ IndexRows make_rows(size_t row_count, const IndexPairs& pairs) {
     return rows;
 }
 
-IndexPairs swap_pairs(IndexPairs pairs) {
-    for (auto& [a, b] : pairs) std::swap(a, b);
-    return pairs;
+template <class A, class B>
+Pairs<B, A> swap_pairs(const Pairs<A, B>& pairs) {
+    Pairs<B, A> swapped;
+    for (const auto& [a, b] : pairs) swapped.emplace_back(b, a);
+    return swapped;
 }
 
 std::vector<uint32_t> ranks(const ResolvedGraph& graph) {
     std::vector<PassId> by_key(graph.passes.size());
-    std::iota(by_key.begin(), by_key.end(), 0u);
+    std::iota(by_key.begin(), by_key.end(), PassId(0));
     // Ids are sorted by name, so the stable sort orders passes with equal keys by name.
     std::stable_sort(by_key.begin(), by_key.end(), [&](PassId a, PassId b) {
         return graph.passes[a].order_key < graph.passes[b].order_key;
@@ -38,9 +42,9 @@ std::vector<uint32_t> ranks(const ResolvedGraph& graph) {
     return rank;
 }
 
-IndexPairs touched_transients(const ResolvedGraph& graph, const LiveGraph& live) {
-    IndexPairs touched;
-    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+Pairs<PassId, ResourceId> touched_transients(const ResolvedGraph& graph, const LiveGraph& live) {
+    Pairs<PassId, ResourceId> touched;
+    for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         if (!live.live_passes[pass]) continue;
         const auto first = static_cast<std::ptrdiff_t>(touched.size());
         for (const UseDecl& use : graph.passes[pass].uses)
@@ -59,13 +63,13 @@ ScheduleProblem schedule_problem(const ResolvedGraph& graph, const LiveGraph& li
     ScheduleProblem problem;
     problem.live = live.live_passes;
     problem.rank = ranks(graph);
-    IndexPairs edges;
+    Pairs<PassId, PassId> edges;
     for (const EdgeDecl& edge : graph.edges) edges.emplace_back(edge.from, edge.to);
     problem.successors = make_rows(graph.passes.size(), edges);
-    problem.predecessors = make_rows(graph.passes.size(), swap_pairs(std::move(edges)));
-    IndexPairs touched = touched_transients(graph, live);
+    problem.predecessors = make_rows(graph.passes.size(), swap_pairs(edges));
+    const Pairs<PassId, ResourceId> touched = touched_transients(graph, live);
     problem.resources = make_rows(graph.passes.size(), touched);
-    problem.users = make_rows(graph.resources.size(), swap_pairs(std::move(touched)));
+    problem.users = make_rows(graph.resources.size(), swap_pairs(touched));
     for (const MemoryNeed& need : needs) problem.size_bytes.push_back(need.size_bytes);
     problem.size_bytes.resize(graph.resources.size(), 0);
     return problem;

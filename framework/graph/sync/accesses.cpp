@@ -20,9 +20,9 @@ void add_attachment_access(const AttachmentOps& ops, const UseDecl& use, AccessE
 }  // namespace
 
 AccessTable collect_accesses(const ResolvedGraph& graph, const Schedule& order,
-                             const AttachmentTable& attachments, const std::vector<uint32_t>& scopes) {
+                             const AttachmentTable& attachments, const std::vector<Position>& scopes) {
     AccessTable events(graph.resources.size());
-    for (uint32_t position = 0; position < order.order.size(); ++position) {
+    for (Position position(0); position < order.order.size(); ++position) {
         const PassId id = order.order[position];
         const PassDecl& pass = graph.passes[id];
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {

@@ -12,15 +12,15 @@ namespace weft {
 // All accesses of one pass to one subresource. If several ports of the pass use the subresource, they are
 // merged into one event.
 struct AccessEvent {
-    uint32_t position = 0;
+    Position position = 0;
     PassId pass = kNoId;
-    QueueIndex queue = 0;
+    QueueIndex queue = kGraphicsQueue;
     AccessState state;
     bool writes = false;
     bool reads = false;
     // Position of the previous pass on the same queue if this pass draws into the rendering scope of that
     // pass; else kNoId.
-    uint32_t merged_position = kNoId;
+    Position merged_position = kNoId;
 };
 
 struct RangeAccess {
@@ -33,6 +33,6 @@ struct RangeAccess {
 using AccessTable = std::vector<std::vector<RangeAccess>>;
 [[nodiscard]] AccessTable collect_accesses(const ResolvedGraph& graph, const Schedule& order,
                                            const AttachmentTable& attachments,
-                                           const std::vector<uint32_t>& scopes);
+                                           const std::vector<Position>& scopes);
 
 }  // namespace weft

@@ -160,14 +160,14 @@ BarrierResult barriers(const ResolvedGraph& graph, const Schedule& order, const 
     BarrierPlan& plan = result.plan;
     plan.concurrent = sync.concurrent;
     plan.steps.resize(order.order.size());
-    for (uint32_t position = 0; position < order.order.size(); ++position) {
+    for (Position position(0); position < order.order.size(); ++position) {
         plan.steps[position].pass = order.order[position];
         plan.steps[position].attachments = attachments[position];
         plan.steps[position].merges_render_pass = sync.scopes[position] != kNoId;
     }
     const AliasTransitionRows rows{memory.alias_transitions};
     const EarlierOwners earlier(graph, order, rows);
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const std::vector<AliasTransition> owners = rows.into(id);
         for (PlacedBarrier placed : sync.histories[id].barriers) {
             placed.barrier.resource = id;

@@ -36,7 +36,7 @@ AccessState state_on(std::span<const AccessEvent> group, QueueIndex queue) {
 
 MultiQueueTracker::MultiQueueTracker(const QueueRules& rules, const AccessState& entry, bool changes)
     : rules_(&rules), entered_(true), layout_(entry.layout) {
-    if (changes) source_ = Past{rules.epilogue, 0, entry.stages, kNoId, true};
+    if (changes) source_ = Past{rules.epilogue, kGraphicsQueue, entry.stages, kNoId, true};
     source_writes_ = unflushed_ = entry.access & access::kAllWrites;
     if (unflushed_ == 0) visible_.fill(~access::kNone);
 }
@@ -61,7 +61,7 @@ std::vector<MultiQueueTracker::Past> MultiQueueTracker::predecessors() const {
     return {};
 }
 
-void MultiQueueTracker::wait_for(const Past& past, uint32_t position, CellSync& sync) const {
+void MultiQueueTracker::wait_for(const Past& past, Position position, CellSync& sync) const {
     sync.dependencies.push_back({past.position, position, past.previous_frame, rules_->resource});
 }
 
@@ -259,12 +259,12 @@ void MultiQueueTracker::release(const AccessState& exit, CellSync& sync) {
     if (!written_ && !overwritten_next && layout_ == exit.layout) return;
     AccessState src{stage::kNone, access::kNone, layout_};
     for (const Past& past : predecessors()) {
-        if (past.queue == 0)
+        if (past.queue == kGraphicsQueue)
             src.stages |= past.stages;
         else
             wait_for(past, rules_->epilogue, sync);
     }
-    src.access = unflushed_on(0);
+    src.access = unflushed_on(kGraphicsQueue);
     if (src.stages == stage::kNone) src.stages = exit.stages;
     sync.barriers.push_back(
         {.position = kEpiloguePosition, .src = src, .dst = exit, .reason = BarrierReason::release_import});

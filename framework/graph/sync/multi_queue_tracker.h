@@ -16,7 +16,7 @@ struct QueueRules {
     ResourceId resource = kNoId;
     bool image = true;
     bool exclusive = false;
-    uint32_t epilogue = 0;  // Position after the last pass; it represents the end of the frame.
+    Position epilogue = 0;  // Position after the last pass; it represents the end of the frame.
 };
 
 class MultiQueueTracker {
@@ -37,8 +37,8 @@ class MultiQueueTracker {
 
  private:
     struct Past {
-        uint32_t position = 0;
-        QueueIndex queue = 0;
+        Position position = 0;
+        QueueIndex queue = kGraphicsQueue;
         StageMask stages = stage::kNone;
         PassId pass = kNoId;
         bool previous_frame = false;
@@ -59,7 +59,7 @@ class MultiQueueTracker {
     void share(const Past& past, std::span<const AccessEvent> events, CellSync& sync);
     void transfer(std::span<const AccessEvent> events, CellSync& sync);
     void change(std::span<const AccessEvent> events, CellSync& sync);
-    void wait_for(const Past& past, uint32_t position, CellSync& sync) const;
+    void wait_for(const Past& past, Position position, CellSync& sync) const;
     void note_source(const AccessEvent& event, const AccessState& made_visible);
     [[nodiscard]] BarrierReason reason(const AccessEvent& event) const;
 

@@ -55,7 +55,7 @@ class WaitFinder {
 
     std::vector<Wait> find() {
         for (uint32_t frame = 0; frame < 2; ++frame)
-            for (uint32_t position = 0; position < stride_; ++position) visit(frame, position);
+            for (Position position(0); position < stride_; ++position) visit(frame, position);
         return std::move(waits_);
     }
 
@@ -64,7 +64,7 @@ class WaitFinder {
         return (d.previous_frame ? frame - 1 : frame) * stride_ + d.from;
     }
 
-    void visit(uint32_t frame, uint32_t position) {
+    void visit(uint32_t frame, Position position) {
         const uint32_t point = frame * stride_ + position;
         walk_.enter(point, queue_[position]);
         std::vector<QueueDependency> wanted;
@@ -104,7 +104,7 @@ std::vector<QueueClock> frame_clocks(const std::vector<QueueIndex>& queue, size_
     for (const QueueDependency& d : dependencies)
         if (!d.previous_frame && d.to < queue.size()) followed[d.to].push_back(d.from);
     ClockWalk walk(queue.size(), queue_count);
-    for (uint32_t position = 0; position < queue.size(); ++position) {
+    for (Position position(0); position < queue.size(); ++position) {
         walk.enter(position, queue[position]);
         for (const uint32_t from : followed[position]) walk.follow(position, from, queue[from]);
     }

@@ -18,7 +18,7 @@ using QueueClock = std::vector<uint32_t>;
                                                    const std::vector<QueueDependency>& dependencies);
 
 struct Wait {
-    uint32_t position = 0;
+    Position position = 0;
     QueueDependency dependency;
 };
 

@@ -69,9 +69,9 @@ bool merges_render_pass(const PassDecl& first, const PassDecl& second,
 ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
                        const AttachmentTable& attachments) {
     ScopeTable scopes(order.order.size(), kNoId);
-    std::vector<uint32_t> last(order.queues.size(), kNoId);
-    for (uint32_t position = 0; position < scopes.size(); ++position) {
-        uint32_t& before = last[order.queue[position]];
+    std::vector<Position> last(order.queues.size(), kNoId);
+    for (Position position(0); position < scopes.size(); ++position) {
+        Position& before = last[order.queue[position]];
         if (before != kNoId && merges_render_pass(graph.passes[order.order[before]],
                                                   graph.passes[order.order[position]], attachments[position]))
             scopes[position] = before;
@@ -92,7 +92,7 @@ ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& hist
                 scopes[placed.position] = kNoId;
         }
     }
-    for (uint32_t& before : scopes)
+    for (Position& before : scopes)
         if (before != kNoId && ends[before] != 0) before = kNoId;
     return scopes;
 }
@@ -103,7 +103,7 @@ ScopeTable within_batches(ScopeTable scopes, const SubmissionPlan& submissions) 
     return scopes;
 }
 
-PassId continued_pass(const FramePlan& plan, uint32_t position) {
+PassId continued_pass(const FramePlan& plan, Position position) {
     if (!plan.barriers.steps[position].merges_render_pass) return kNoId;
     for (uint32_t before = position; before-- > 0;)
         if (plan.schedule.queue[before] == plan.schedule.queue[position]) return plan.schedule.order[before];

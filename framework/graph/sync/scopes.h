@@ -15,7 +15,7 @@ namespace weft {
 
 // Index: position. Position of the previous pass on the same queue if the pass continues that pass's
 // rendering scope; else kNoId.
-using ScopeTable = std::vector<uint32_t>;
+using ScopeTable = std::vector<Position>;
 
 [[nodiscard]] ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
                                      const AttachmentTable& attachments);
@@ -28,6 +28,6 @@ using ScopeTable = std::vector<uint32_t>;
 
 // Returns the pass whose rendering scope the pass at `position` continues. Returns kNoId if the pass begins
 // its own scope or does not draw.
-[[nodiscard]] PassId continued_pass(const FramePlan& plan, uint32_t position);
+[[nodiscard]] PassId continued_pass(const FramePlan& plan, Position position);
 
 }  // namespace weft

@@ -15,12 +15,12 @@
 
 namespace weft {
 
-inline constexpr uint32_t kEpiloguePosition = UINT32_MAX;
+inline constexpr Position kEpiloguePosition = kNoId;
 
 // The last use of a subresource on one queue. The next user must wait for it.
 struct LastUse {
-    QueueIndex queue = 0;
-    uint32_t position = 0;
+    QueueIndex queue = kGraphicsQueue;
+    Position position = 0;
     // Stages of the reads since the last barrier; without such reads, the stages of the last write.
     StageMask stages = stage::kNone;
     AccessMask writes = access::kNone;  // Writes of this use that no barrier has made available yet.
@@ -29,7 +29,7 @@ struct LastUse {
 
 struct CellBarrier {
     // Schedule position at which the barrier is recorded; kEpiloguePosition means the end of the frame.
-    uint32_t position = 0;
+    Position position = 0;
     bool after = false;  // True if the barrier is recorded after that pass, not before it.
     uint32_t cell = 0;
     AccessState src;
@@ -40,7 +40,7 @@ struct CellBarrier {
     uint32_t src_family = 0, dst_family = 0;
     // Only for an ownership transfer between queue families: position and state of the other half. Barriers
     // are merged only if these values are equal, so both halves get the same ranges.
-    uint32_t pair_position = 0;
+    Position pair_position = 0;
     AccessState pair_state;
 };
 
@@ -105,9 +105,9 @@ class SingleQueueTracker {
     bool several_ = false;
     bool written_ = false;
     bool touched_ = false;
-    bool previous_frame_ = false;  // True if the last access was in the previous frame.
-    QueueIndex queue_ = 0;         // Queue of the last access to the subresource.
-    uint32_t position_ = 0;
+    bool previous_frame_ = false;        // True if the last access was in the previous frame.
+    QueueIndex queue_ = kGraphicsQueue;  // Queue of the last access to the subresource.
+    Position position_ = 0;
 };
 
 }  // namespace weft

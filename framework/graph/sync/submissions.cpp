@@ -25,12 +25,12 @@ class Batches {
     }
 
     std::vector<Batch> make() {
-        const auto end = static_cast<uint32_t>(order_.order.size());
-        for (uint32_t position = 0; position < end; ++position) {
+        const Position end(order_.order.size());
+        for (Position position(0); position < end; ++position) {
             Batch& batch = batch_for(position, order_.queue[position]);
             batch.positions.push_back(position);
         }
-        batch_for(end, 0).epilogue = true;
+        batch_for(end, kGraphicsQueue).epilogue = true;
         for (uint32_t i = 0; i < waits_.size(); ++i) {
             const QueueDependency& d = waits_[i].dependency;
             batches_[batch_of_[waits_[i].position]].waits.push_back({batch_of_[d.from], d.previous_frame, i});
@@ -39,7 +39,7 @@ class Batches {
     }
 
  private:
-    Batch& batch_for(uint32_t position, QueueIndex queue) {
+    Batch& batch_for(Position position, QueueIndex queue) {
         if (open_[queue] == kNoBatch || waiting_.contains(position)) {
             open_[queue] = static_cast<uint32_t>(batches_.size());
             batches_.emplace_back().queue = queue;
@@ -63,7 +63,7 @@ class Batches {
 
 SubmissionPlan submissions(const Schedule& order, const std::vector<QueueDependency>& dependencies) {
     std::vector<QueueIndex> queue = order.queue;
-    queue.push_back(0);
+    queue.push_back(kGraphicsQueue);
     const std::vector<Wait> waits = minimal_waits(queue, order.queues.size(), dependencies);
     SubmissionPlan plan;
     for (const Wait& wait : waits) plan.dependencies.push_back(wait.dependency);

@@ -14,7 +14,7 @@ namespace {
 // then by age. A resource without a ring has a ring of its own. The rows of older copies are empty.
 std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     std::vector<std::vector<ResourceId>> rings(graph.resources.size());
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDecl& resource = graph.resources[id];
         std::vector<ResourceId>& ring = rings[resource.ring == kNoId ? id : resource.ring];
         ring.resize(std::max<size_t>(ring.size(), resource.age + size_t{1}), kNoId);
@@ -26,7 +26,7 @@ std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
 void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
                      std::vector<QueueDependency>& dependencies) {
     for (const EdgeDecl& edge : graph.edges) {
-        const uint32_t from = order.position[edge.from], to = order.position[edge.to];
+        const Position from = order.position[edge.from], to = order.position[edge.to];
         if (edge.kind != EdgeKind::after || from == kNoId || to == kNoId) continue;
         if (order.queue[from] != order.queue[to]) dependencies.push_back({from, to, false, kNoId});
     }

@@ -112,7 +112,7 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     QueueUsage usage;
     // An import enters and leaves every frame on queue 0. The prologue, which initialises persistent
     // resources, also runs on queue 0.
-    if (decl.import && !queues.empty()) queues.insert(0);
+    if (decl.import && !queues.empty()) queues.insert(kGraphicsQueue);
     if (decl.import) families.insert(decl.import->family);
     if (decl.lifetime == ResourceLifetime::persistent && !queues.empty())
         families.insert(input.order->queues.front().family);
@@ -228,7 +228,7 @@ RingHistory track_resource(const HistoryInput& input) {
     const QueueUsage usage = queue_usage(input, roles);
     const QueueRules rules{input.order->queues, input.resource,
                            input.roles.front().decl->kind == ResourceKind::image, usage.exclusive,
-                           static_cast<uint32_t>(input.order->order.size())};
+                           Position(input.order->order.size())};
     RingHistory ring;
     ring.roles.resize(roles.size());
     ring.concurrent = usage.several_families && !usage.exclusive;

@@ -14,7 +14,7 @@ namespace weft {
 
 struct PlacedBarrier {
     // Schedule position at which the barrier is recorded; kEpiloguePosition means the end of the frame.
-    uint32_t position = 0;
+    Position position = 0;
     bool after = false;  // True if the barrier is recorded after that pass, not before it.
     BarrierDecl barrier;
 };

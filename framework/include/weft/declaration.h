@@ -13,14 +13,14 @@
 #include "weft/access.h"
 #include "weft/device_profile.h"
 #include "weft/format.h"
+#include "weft/id.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
 
 namespace weft {
 
-using ResourceId = uint32_t;
-using PassId = uint32_t;
-inline constexpr uint32_t kNoId = UINT32_MAX;
+using ResourceId = Id<struct ResourceTable>;
+using PassId = Id<struct PassTable>;
 
 struct Extent3D {
     uint32_t width = 1;

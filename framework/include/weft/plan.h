@@ -1,6 +1,6 @@
 // Purpose: defines a compiled frame, the plan. It contains all decisions about a frame: order, queues,
-// barriers, memory and submissions. An executor only records and submits it. Units: bytes. A position is an
-// index into Schedule::order. The barriers of position p are recorded before the pass at p.
+// barriers, memory and submissions. An executor only records and submits it. Units: bytes. The barriers of
+// position p are recorded before the pass at p.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,11 @@
 
 namespace weft {
 
-using QueueIndex = uint32_t;
+using QueueIndex = Id<struct QueueTable>;
+// An index into Schedule::order.
+using Position = Id<struct OrderTable>;
+// The first queue of each plan. It begins and ends each frame.
+inline constexpr QueueIndex kGraphicsQueue(0);
 
 // A queue of a plan. The executor maps it to a device queue of the given family. Several logical queues may
 // use one device queue.
@@ -42,7 +46,7 @@ struct ScheduleCandidate {
 struct Schedule {
     std::vector<PassId> order;  // The live passes in the order in which they run.
     // By PassId: the position of the pass in `order`; kNoId if the pass is culled.
-    std::vector<uint32_t> position;
+    std::vector<Position> position;
     std::vector<QueueIndex> queue;  // By position: the queue on which the pass runs.
     // Vector clocks. clocks[p][q] is 1 + the latest position on queue q that surely runs before position p in
     // the same frame, or 0 if there is none.
@@ -53,16 +57,16 @@ struct Schedule {
 };
 
 struct QueueSpan {
-    QueueIndex queue = 0;
-    uint32_t first = 0;
-    uint32_t last = 0;
+    QueueIndex queue = kGraphicsQueue;
+    Position first = 0;
+    Position last = 0;
 };
 
 // The first and the last schedule position at which a transient resource is used. If the resource is not
 // live, first > last.
 struct LifetimeSpan {
-    uint32_t first = 1;
-    uint32_t last = 0;
+    Position first = 1;
+    Position last = 0;
     // First and last position on each queue that uses the resource, in the order of the first use.
     std::vector<QueueSpan> queues;
 };
@@ -115,7 +119,7 @@ struct MemoryPlan {
     // Sum of the sizes of all transient resources: the memory needed if none were shared.
     uint64_t sum_bytes = 0;
     uint64_t peak_live_bytes = 0;
-    uint32_t peak_position = 0;
+    Position peak_position = 0;
     uint64_t heap_bytes = 0;        // Total size of the heaps for transient resources.
     uint64_t persistent_bytes = 0;  // Total size of the heaps for persistent resources.
 };
@@ -198,8 +202,8 @@ struct BarrierPlan {
 // The pass at position `to` must not start before the pass at position `from` completes, and the two passes
 // run on different queues. If `previous_frame` is true, `from` is a position in the previous frame.
 struct QueueDependency {
-    uint32_t from = 0;
-    uint32_t to = 0;
+    Position from = 0;
+    Position to = 0;
     bool previous_frame = false;
     // The resource that is the reason for the dependency; kNoId if the reason is the key `after` in the
     // graph.
@@ -220,8 +224,8 @@ struct QueueWait {
 // the timeline semaphore of its queue to frame × n + i + 1, where n is the number of batches on this queue, i
 // the index of the batch among them, and `frame` counts from 0.
 struct Batch {
-    QueueIndex queue = 0;
-    std::vector<uint32_t> positions;  // Positions of the passes, in schedule order. All run on `queue`.
+    QueueIndex queue = kGraphicsQueue;
+    std::vector<Position> positions;  // Positions of the passes, in schedule order. All run on `queue`.
     std::vector<QueueWait> waits;
     bool epilogue = false;  // True: the batch records BarrierPlan::epilogue after its passes.
 };

@@ -134,7 +134,7 @@ void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
     const HostInputs none;
     objects_->timer.reset(slot);
     objects_->params.write(plan, frame, {objects_->resources, frames_run_}, slot);
-    for (uint32_t position = 0; position < objects_->passes.size(); ++position) {
+    for (Position position(0); position < objects_->passes.size(); ++position) {
         const PreparedPass& prepared = objects_->passes[position];
         if (!prepared.type) continue;
         objects_->uploads.prepare(position, *prepared.type, plan.graph.passes[plan.schedule.order[position]],
@@ -142,7 +142,7 @@ void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
     }
 }
 
-void ReplayExecutor::record_step(const RecordContext& context, uint32_t position) {
+void ReplayExecutor::record_step(const RecordContext& context, Position position) {
     const FramePlan& plan = objects_->plan;
     const PassStep& step = plan.barriers.steps[position];
     const std::string& name = plan.graph.passes[step.pass].name;
@@ -177,7 +177,7 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
                                     *objects_,
                                     {objects_->resources, frames_run_}};
         objects_->timer.record_batch_start(context.commands, slot, i);
-        for (const uint32_t position : batch.positions) record_step(context, position);
+        for (const Position position : batch.positions) record_step(context, position);
         if (batch.epilogue) record_epilogue(context);
         objects_->readbacks.record_visibility(device_, context.commands, slot, batch);
     }

@@ -33,7 +33,7 @@ class QueueTimelines {
 
  private:
     struct BatchPlace {
-        QueueIndex queue = 0;
+        QueueIndex queue = kGraphicsQueue;
         // Position of this batch among the batches of its queue in a frame, from 0.
         uint64_t rank = 0;
         std::vector<QueueWait> waits;

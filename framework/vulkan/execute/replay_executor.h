@@ -51,7 +51,7 @@ class ReplayExecutor final : public Executor {
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
     void prepare_host_data(const FrameInput& frame, uint32_t slot);
     void record_frame(const FrameInput& frame, uint32_t slot);
-    void record_step(const RecordContext& context, uint32_t position);
+    void record_step(const RecordContext& context, Position position);
     void record_epilogue(const RecordContext& context);
     void record_start(VkCommandBuffer commands) const;
     [[nodiscard]] Status submit_frame(uint32_t slot);

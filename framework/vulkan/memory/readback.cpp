@@ -31,7 +31,7 @@ void host_visibility_barrier(const Device& device, VkCommandBuffer commands, VkB
 Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& plan) {
     ReadbackMemory memory;
     uint64_t size_bytes = 0;
-    for (uint32_t position = 0; position < plan.schedule.order.size(); ++position) {
+    for (Position position(0); position < plan.schedule.order.size(); ++position) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
         if (pass.kind != PassKind::readback) continue;
         if (pass.uses.size() != 1)
@@ -53,7 +53,7 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
     return memory;
 }
 
-void ReadbackMemory::record(const Device& device, VkCommandBuffer commands, uint32_t position, uint32_t slot,
+void ReadbackMemory::record(const Device& device, VkCommandBuffer commands, Position position, uint32_t slot,
                             const FramePlan& plan, const FrameResources& resources) const {
     const UseDecl& use = plan.graph.passes[plan.schedule.order[position]].uses[0];
     for (const Place& place : places_) {

@@ -18,7 +18,7 @@ class ReadbackMemory {
     [[nodiscard]] static Result<ReadbackMemory> create(Device& device, const FramePlan& plan);
 
     // Records the copy commands of the readback pass at index `position` of the execution order.
-    void record(const Device& device, VkCommandBuffer commands, uint32_t position, uint32_t slot,
+    void record(const Device& device, VkCommandBuffer commands, Position position, uint32_t slot,
                 const FramePlan& plan, const FrameResources& resources) const;
     // Records a barrier that makes the readback copies of a batch visible to the host. Call this after all
     // passes of the batch are recorded.
@@ -31,7 +31,7 @@ class ReadbackMemory {
 
  private:
     struct Place {
-        uint32_t position = 0;
+        Position position = 0;
         uint64_t offset_bytes = 0;
         // Size of the buffer that the pass reads, in bytes; 0 if the pass reads an image.
         uint64_t buffer_bytes = 0;

@@ -60,7 +60,7 @@ Result<ResourceTable> bind_resources(const FramePlan& plan, const TransientHeap&
     ResourceTable table{std::vector<VkImage>(count, VK_NULL_HANDLE),
                         std::vector<VkBuffer>(count, VK_NULL_HANDLE), Rings(plan)};
     Diagnostics errors;
-    for (ResourceId id = 0; id < count; ++id) {
+    for (ResourceId id(0); id < count; ++id) {
         table.images[id] = heap.image(id);
         table.buffers[id] = heap.buffer(id);
         if (!used[id] || plan.graph.resources[id].lifetime != ResourceLifetime::imported) continue;

@@ -12,7 +12,7 @@ Rings::Rings(const FramePlan& plan) {
     roles_.resize(resources.size());
     written_.resize(resources.size());
     inherited_.resize(resources.size());
-    for (ResourceId id = 0; id < resources.size(); ++id) {
+    for (ResourceId id(0); id < resources.size(); ++id) {
         const ResourceDecl& decl = resources[id];
         if (decl.ring == kNoId) continue;
         all_[id] = {decl.ring, decl.age};

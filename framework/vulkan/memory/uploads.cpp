@@ -100,7 +100,7 @@ Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan)
     UploadMemory memory;
     uint64_t size_bytes = 0;
     memory.places_.resize(plan.schedule.order.size());
-    for (size_t position = 0; position < plan.schedule.order.size(); ++position) {
+    for (Position position(0); position < plan.schedule.order.size(); ++position) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
         if (pass.kind != PassKind::custom) continue;
         for (uint32_t use = 0; use < pass.uses.size(); ++use) {
@@ -118,7 +118,7 @@ Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan)
     return memory;
 }
 
-void UploadMemory::prepare(uint32_t position, const PassType& type, const PassDecl& pass,
+void UploadMemory::prepare(Position position, const PassType& type, const PassDecl& pass,
                            const HostInputs& host, uint32_t slot) {
     std::vector<uint64_t>& filled = filled_bytes_[slot][position];
     std::fill(filled.begin(), filled.end(), 0);
@@ -126,7 +126,7 @@ void UploadMemory::prepare(uint32_t position, const PassType& type, const PassDe
     if (type.prepare != nullptr) type.prepare(PassContext{pass.custom_params}, host, uploads);
 }
 
-void UploadMemory::record(const Device& device, VkCommandBuffer commands, uint32_t position,
+void UploadMemory::record(const Device& device, VkCommandBuffer commands, Position position,
                           const PassType& type, const PassDecl& pass, uint32_t slot,
                           const FrameResources& resources) const {
     CommandRecorder recorder({device, commands, pass, resources, places_[position],

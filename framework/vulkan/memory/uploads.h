@@ -32,11 +32,11 @@ class UploadMemory {
 
     // Calls the `prepare` function of the pass at index `position` of the execution order. This function
     // fills the upload memory of frame slot `slot`.
-    void prepare(uint32_t position, const PassType& type, const PassDecl& pass, const HostInputs& host,
+    void prepare(Position position, const PassType& type, const PassDecl& pass, const HostInputs& host,
                  uint32_t slot);
     // Calls the `record` function of the pass at index `position` of the execution order. This function
     // records copies from the upload memory of frame slot `slot`.
-    void record(const Device& device, VkCommandBuffer commands, uint32_t position, const PassType& type,
+    void record(const Device& device, VkCommandBuffer commands, Position position, const PassType& type,
                 const PassDecl& pass, uint32_t slot, const FrameResources& resources) const;
 
  private:

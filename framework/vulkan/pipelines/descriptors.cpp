@@ -139,7 +139,7 @@ Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const std::vec
 }
 
 Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool, DescriptorSources sources,
-                                uint32_t position, const ShaderInterface& interface,
+                                Position position, const ShaderInterface& interface,
                                 const PassLayout& layout) {
     const PassDecl& pass = sources.plan.graph.passes[sources.plan.schedule.order[position]];
     if (!layout.has_ports()) return SlotSets{};

@@ -40,7 +40,7 @@ struct SetDemand {
 // Makes the descriptor sets that a pass needs in one frame of its period, one for each frame slot.
 // sources.resources selects the copies of resources with history for that frame.
 [[nodiscard]] Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool,
-                                              DescriptorSources sources, uint32_t position,
+                                              DescriptorSources sources, Position position,
                                               const ShaderInterface& interface, const PassLayout& layout);
 
 }  // namespace weft::vk

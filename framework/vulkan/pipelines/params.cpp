@@ -88,7 +88,7 @@ Result<ParamsMemory> ParamsMemory::create(Device& device, const FramePlan& plan)
     return memory;
 }
 
-VkDescriptorBufferInfo ParamsMemory::descriptor(uint32_t position, uint32_t slot) const {
+VkDescriptorBufferInfo ParamsMemory::descriptor(Position position, uint32_t slot) const {
     return {memory_[slot].handle(), blocks_[position].offset_bytes, blocks_[position].size_bytes};
 }
 

@@ -26,7 +26,7 @@ class ParamsMemory {
 
     // Returns the memory of the Params block of the pass at index `position` of the execution order. Call it
     // only for passes whose Params are in a buffer.
-    [[nodiscard]] VkDescriptorBufferInfo descriptor(uint32_t position, uint32_t slot) const;
+    [[nodiscard]] VkDescriptorBufferInfo descriptor(Position position, uint32_t slot) const;
     // Writes the Params blocks of all passes to the memory of frame slot `slot`. Call it before the frame is
     // submitted.
     void write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,

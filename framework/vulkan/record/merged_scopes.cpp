@@ -5,21 +5,21 @@
 namespace weft::vk {
 namespace {
 
-uint32_t next_on_queue(const FramePlan& plan, uint32_t position) {
+Position next_on_queue(const FramePlan& plan, Position position) {
     const std::vector<QueueIndex>& queue = plan.schedule.queue;
-    for (uint32_t next = position + 1; next < queue.size(); ++next)
+    for (Position next(position + 1); next < queue.size(); ++next)
         if (queue[next] == queue[position]) return next;
     return kNoId;
 }
 
 }  // namespace
 
-bool scope_continues(const FramePlan& plan, uint32_t position) {
-    const uint32_t next = next_on_queue(plan, position);
+bool scope_continues(const FramePlan& plan, Position position) {
+    const Position next = next_on_queue(plan, position);
     return next != kNoId && plan.barriers.steps[next].merges_render_pass;
 }
 
-PassStep step_of_scope(const FramePlan& plan, uint32_t position) {
+PassStep step_of_scope(const FramePlan& plan, Position position) {
     PassStep step = plan.barriers.steps[position];
     while (scope_continues(plan, position)) position = next_on_queue(plan, position);
     const PassStep& last = plan.barriers.steps[position];

@@ -7,10 +7,10 @@
 namespace weft::vk {
 
 // True if the next pass on the same queue continues the rendering scope of the pass at `position`.
-[[nodiscard]] bool scope_continues(const FramePlan& plan, uint32_t position);
+[[nodiscard]] bool scope_continues(const FramePlan& plan, Position position);
 
 // Returns the plan's step at `position`, but with the store operations of the last pass in the same rendering
 // scope, because attachments are stored when the scope ends.
-[[nodiscard]] PassStep step_of_scope(const FramePlan& plan, uint32_t position);
+[[nodiscard]] PassStep step_of_scope(const FramePlan& plan, Position position);
 
 }  // namespace weft::vk

@@ -104,7 +104,7 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
 
 // Makes the descriptor sets and the rendering scope of the pass at index `position` of the execution order
 // for frame `frame` of its period, after which its resources with history are in the same copies again.
-Status prepare_ring_phase(Device& device, PlanObjects& objects, uint32_t position,
+Status prepare_ring_phase(Device& device, PlanObjects& objects, Position position,
                           const ShaderInterface& interface, uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];
     const DescriptorSources sources{objects.plan,  {objects.resources, frame}, objects.params,
@@ -125,7 +125,7 @@ Status prepare_ring_phase(Device& device, PlanObjects& objects, uint32_t positio
 }
 
 Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjects& objects,
-                           uint32_t position) {
+                           Position position) {
     const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
     const ShaderProgram& program = input.shaders->find(pass.shader)->second;
     PreparedPass& prepared = objects.passes[position];
@@ -191,7 +191,7 @@ Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorI
     if (Status made = make_pool(device, input, *objects); !made) return made.take_errors();
     const std::vector<PassId>& order = objects->plan.schedule.order;
     objects->passes.resize(order.size());
-    for (uint32_t position = 0; position < order.size(); ++position) {
+    for (Position position(0); position < order.size(); ++position) {
         const PassDecl& pass = objects->plan.graph.passes[order[position]];
         if (pass.kind == PassKind::custom)
             objects->passes[position].type = input.passes->find(pass.type)->second;

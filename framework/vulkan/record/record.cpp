@@ -92,7 +92,7 @@ void record_raster(const RecordContext& context, const PassDecl& pass, const Pre
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
-void record_pass(const RecordContext& context, uint32_t position) {
+void record_pass(const RecordContext& context, Position position) {
     const PlanObjects& objects = context.objects;
     const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
     const PreparedPass& prepared = objects.passes[position];

@@ -17,7 +17,7 @@ struct RecordContext {
 };
 
 // Records the pass at index `position` of the execution order, without its barriers.
-void record_pass(const RecordContext& context, uint32_t position);
+void record_pass(const RecordContext& context, Position position);
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);
 void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);

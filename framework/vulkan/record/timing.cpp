@@ -13,14 +13,14 @@ Result<PassTimer> PassTimer::create(Device& device, const FramePlan& plan, bool 
     PassTimer timer;
     timer.device_ = &device;
     timer.before_.resize(plan.schedule.order.size(), kNoId);
-    for (uint32_t position = 0; position < plan.schedule.order.size(); ++position)
+    for (Position position(0); position < plan.schedule.order.size(); ++position)
         timer.inside_scope_.push_back(scope_continues(plan, position) ? 1 : 0);
     const std::vector<PlanQueue> queues = map_queues(device, plan.schedule.queues);
     for (const Batch& batch : plan.submissions.batches) {
         uint32_t before = static_cast<uint32_t>(timer.batch_timed_.size());
         timer.batch_timed_.push_back(enabled && queues[batch.queue].timestamps ? 1 : 0);
         if (timer.batch_timed_.back() == 0) continue;
-        for (const uint32_t position : batch.positions) {
+        for (const Position position : batch.positions) {
             timer.before_[position] = before;
             before = static_cast<uint32_t>(plan.submissions.batches.size()) + position;
         }
@@ -64,7 +64,7 @@ void PassTimer::record_batch_start(VkCommandBuffer commands, uint32_t slot, uint
     if (batch_timed_[batch] != 0) write(commands, slot, batch, false);
 }
 
-void PassTimer::record_pass_end(VkCommandBuffer commands, uint32_t slot, uint32_t position) const {
+void PassTimer::record_pass_end(VkCommandBuffer commands, uint32_t slot, Position position) const {
     if (before_[position] != kNoId) write(commands, slot, end_query(position), inside_scope_[position] != 0);
 }
 

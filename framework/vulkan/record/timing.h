@@ -21,7 +21,7 @@ class PassTimer {
     // Resets the queries of a frame slot. Call this after the slot's last frame has finished.
     void reset(uint32_t slot) const;
     void record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) const;
-    void record_pass_end(VkCommandBuffer commands, uint32_t slot, uint32_t position) const;
+    void record_pass_end(VkCommandBuffer commands, uint32_t slot, Position position) const;
     // Returns the time of each pass in ms, indexed by the position of the pass in the execution order. Call
     // this after the slot's frame has finished.
     [[nodiscard]] std::vector<double> read_ms(uint32_t slot) const;

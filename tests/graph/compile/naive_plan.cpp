@@ -15,7 +15,7 @@ std::vector<PassId> topological(const ResolvedGraph& graph) {
     std::vector<uint32_t> waiting(graph.passes.size(), 0);
     for (const EdgeDecl& edge : graph.edges) ++waiting[edge.to];
     std::set<std::pair<uint32_t, PassId>> ready;
-    for (PassId pass = 0; pass < waiting.size(); ++pass)
+    for (PassId pass(0); pass < waiting.size(); ++pass)
         if (waiting[pass] == 0) ready.emplace(graph.passes[pass].order_key, pass);
     std::vector<PassId> order;
     while (!ready.empty()) {
@@ -91,7 +91,7 @@ bool moved_before(const PassDecl& pass, size_t use) {
 // Adds barriers that bring the persistent resources to the same layout before the first frame (in the
 // prologue) and at the end of each frame (in the epilogue).
 void plan_rest(FramePlan& plan, Layouts& layouts) {
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
         const ResourceDecl& decl = plan.graph.resources[id];
         if (decl.lifetime != ResourceLifetime::persistent) continue;
         const AccessState rest{kEveryStage, kEveryAccess, rest_layout(decl)};
@@ -115,7 +115,7 @@ void plan_barriers(FramePlan& plan) {
     const ResolvedGraph& graph = plan.graph;
     Layouts layouts(graph);
     std::vector<uint8_t> touched(graph.resources.size(), 0);
-    for (uint32_t position = 0; position < plan.schedule.order.size(); ++position) {
+    for (Position position(0); position < plan.schedule.order.size(); ++position) {
         const PassId id = plan.schedule.order[position];
         PassStep step;
         step.pass = id;
@@ -130,7 +130,7 @@ void plan_barriers(FramePlan& plan) {
         plan.barriers.emitted += static_cast<uint32_t>(step.barriers.size());
         plan.barriers.steps.push_back(std::move(step));
     }
-    for (ResourceId id = 0; id < graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
         if (!graph.resources[id].import || !touched[id]) continue;
         const ImportState& import = *graph.resources[id].import;
         layouts.move(id, graph.resources[id].whole(), {kEveryStage, kEveryAccess, import.exit.layout},
@@ -158,9 +158,9 @@ void plan_attachments(FramePlan& plan) {
 }
 
 void plan_memory(FramePlan& plan, const MemoryNeeds& needs) {
-    const auto last = static_cast<uint32_t>(plan.schedule.order.size()) - 1;
+    const Position last(plan.schedule.order.size() - 1);
     plan.lifetimes.spans.resize(plan.graph.resources.size());
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
         const ResourceLifetime lifetime = plan.graph.resources[id].lifetime;
         if (lifetime == ResourceLifetime::imported) continue;
         plan.memory.placements.push_back(
@@ -191,7 +191,7 @@ FramePlan naive_plan(const ResolvedGraph& graph, const MemoryNeeds& needs) {
     plan.schedule.order = topological(graph);
     plan.schedule.chosen = "naive";
     plan.schedule.position.resize(graph.passes.size());
-    for (uint32_t p = 0; p < plan.schedule.order.size(); ++p) {
+    for (Position p(0); p < plan.schedule.order.size(); ++p) {
         plan.schedule.position[plan.schedule.order[p]] = p;
         plan.schedule.queue.push_back(0);
         plan.schedule.clocks.push_back({p});
@@ -201,7 +201,7 @@ FramePlan naive_plan(const ResolvedGraph& graph, const MemoryNeeds& needs) {
     plan_attachments(plan);
     Batch batch;
     batch.positions.resize(plan.schedule.order.size());
-    std::iota(batch.positions.begin(), batch.positions.end(), 0u);
+    std::iota(batch.positions.begin(), batch.positions.end(), Position(0));
     batch.epilogue = true;
     plan.submissions.batches.push_back(batch);
     plan.hash = "naive";
@@ -210,7 +210,7 @@ FramePlan naive_plan(const ResolvedGraph& graph, const MemoryNeeds& needs) {
 
 FramePlan naive_plan(const ResolvedGraph& graph) {
     MemoryNeeds needs(graph.resources.size());
-    for (ResourceId id = 0; id < graph.resources.size(); ++id)
+    for (ResourceId id(0); id < graph.resources.size(); ++id)
         needs[id] = {content_bytes(graph.resources[id]), 1, UINT32_MAX};
     return naive_plan(graph, needs);
 }

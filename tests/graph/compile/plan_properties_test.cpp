@@ -96,7 +96,7 @@ TEST(PlanProperties, EveryBarrierIsNeeded) {
     for (uint32_t seed = 0; seed < 15; ++seed) {
         const ResolvedGraph graph = random_graph(seed, {5, 25});
         const FramePlan plan = compile(graph, content_needs(graph), {});
-        for (size_t p = 0; p < plan.barriers.steps.size(); ++p) {
+        for (Position p(0); p < plan.barriers.steps.size(); ++p) {
             for (size_t i = 0; i < plan.barriers.steps[p].barriers.size(); ++i) {
                 FramePlan without = plan;
                 std::vector<BarrierDecl>& barriers = without.barriers.steps[p].barriers;

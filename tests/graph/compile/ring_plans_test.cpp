@@ -76,7 +76,7 @@ void add_kept(ResolvedGraph& graph) {
     look.uses.front().sources.front().producer = first;
     graph.passes.push_back(change);
     graph.passes.push_back(look);
-    graph.edges.push_back({first, first + 1, EdgeKind::raw, kept.ring, {}});
+    graph.edges.push_back({first, PassId(first + 1), EdgeKind::raw, kept.ring, {}});
 }
 
 // Returns true if every part of the resource is written before it is read. Only such a resource can become a
@@ -95,11 +95,11 @@ ResolvedGraph with_history(uint32_t seed) {
     ResolvedGraph graph = random_graph(seed);
     for (ResourceDecl& resource : graph.resources)
         if (resource.import) resource.import->concurrent = true;
-    for (PassId id = 0; id < graph.passes.size(); ++id)
+    for (PassId id(0); id < graph.passes.size(); ++id)
         graph.passes[id].queue = static_cast<QueueKind>(((id * 2654435761u ^ seed * 40503u) >> 7) % 3);
-    const auto count = static_cast<ResourceId>(graph.resources.size());
-    for (ResourceId id = seed % 3; id < count; id += 3)
-        if (wholly_written(graph, id)) remember(graph, id, 1 + (seed + id) % 3);
+    const size_t count = graph.resources.size();
+    for (ResourceId id(0); id < count; ++id)
+        if (id % 3 == seed % 3 && wholly_written(graph, id)) remember(graph, id, 1 + (seed + id) % 3);
     add_kept(graph);
     return graph;
 }
@@ -164,7 +164,7 @@ TEST(RingPlans, HistoryKeepsItsWritersAlive) {
         const ResolvedGraph graph = with_history(seed);
         const FramePlan plan = compile(graph, content_needs(graph), on_queues(1));
         for (const PassId id : plan.schedule.order) ASSERT_TRUE(plan.live.live_passes[id]);
-        for (PassId id = 0; id < graph.passes.size(); ++id) {
+        for (PassId id(0); id < graph.passes.size(); ++id) {
             for (const UseDecl& use : graph.passes[id].uses) {
                 const bool remembered = writes(use.access) && graph.resources[use.resource].history > 0;
                 EXPECT_TRUE(!remembered || plan.live.live_passes[id]) << graph.passes[id].name;

@@ -17,7 +17,7 @@ ResolvedGraph images(uint32_t count) {
     return b.build();
 }
 
-LifetimeSpan span(uint32_t first, uint32_t last, QueueIndex queue = 0) {
+LifetimeSpan span(Position first, Position last, QueueIndex queue = kGraphicsQueue) {
     return {first, last, {{queue, first, last}}};
 }
 
@@ -51,7 +51,7 @@ TEST(Alias, AChainNeedsTwoPlacesAndTakesThemOverInTurn) {
     EXPECT_EQ(plan.peak_position, 1u);
     EXPECT_EQ(plan.heap_bytes, 2048u);
     ASSERT_EQ(plan.heaps.size(), 1u);
-    for (const ResourceId id : {2u, 4u})
+    for (const ResourceId id : {ResourceId(2), ResourceId(4)})
         EXPECT_EQ(place_of(plan, id).offset_bytes, place_of(plan, 0).offset_bytes) << id;
     EXPECT_EQ(place_of(plan, 3).offset_bytes, place_of(plan, 1).offset_bytes);
     EXPECT_NE(place_of(plan, 0).offset_bytes, place_of(plan, 1).offset_bytes);

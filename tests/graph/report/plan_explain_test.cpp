@@ -26,7 +26,7 @@ constexpr uint32_t kSeeds = 24;
 TEST(ExplainRandom, CulledIsWhoDoesNotRun) {
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
         const FramePlan plan = random_plan(seed, 25);
-        for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) {
+        for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) {
             const Result<std::string> answer = explain_culled(plan, plan.graph.passes[pass].name);
             ASSERT_TRUE(answer.ok());
             EXPECT_EQ(has(*answer, " is not culled"), plan.live.live_passes[pass] != 0) << *answer;
@@ -108,7 +108,7 @@ TEST(ExplainRandom, WaitNamesEveryDependencyOfASubmission) {
 TEST(ExplainRandom, AResourceNamesAllItsUsers) {
     for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
         const FramePlan plan = random_plan(seed, 25);
-        for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+        for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
             const Result<std::string> answer = explain_resource(plan, plan.graph.resources[id].name);
             ASSERT_TRUE(answer.ok());
             for (const PassDecl& pass : plan.graph.passes)
@@ -140,7 +140,7 @@ TEST(DiffRandom, TheFewestMovesExplainANewOrder) {
     ASSERT_GE(a.schedule.order.size(), 3u);
     std::rotate(b.schedule.order.begin(), b.schedule.order.begin() + 1, b.schedule.order.end());
     std::rotate(b.barriers.steps.begin(), b.barriers.steps.begin() + 1, b.barriers.steps.end());
-    for (uint32_t p = 0; p < b.schedule.order.size(); ++p) b.schedule.position[b.schedule.order[p]] = p;
+    for (Position p(0); p < b.schedule.order.size(); ++p) b.schedule.position[b.schedule.order[p]] = p;
     const PlanDiff diff = diff_plans(a, b);
     ASSERT_EQ(diff.moved.size(), 1u);
     EXPECT_EQ(diff.moved[0].name, a.graph.passes[a.schedule.order[0]].name);

@@ -76,14 +76,13 @@ class Versions {
     std::vector<std::vector<CellVersion>> cells_;
 };
 
-template <class T>
-std::vector<uint32_t> sort_by_name(std::vector<T>& items) {
-    std::vector<uint32_t> order(items.size()), new_id(items.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](uint32_t a, uint32_t b) { return items[a].name < items[b].name; });
+template <class Index, class T>
+std::vector<Index> sort_by_name(std::vector<T>& items) {
+    std::vector<Index> order(items.size()), new_id(items.size());
+    std::iota(order.begin(), order.end(), Index(0u));
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return items[a].name < items[b].name; });
     std::vector<T> sorted;
-    for (uint32_t i = 0; i < order.size(); ++i) {
+    for (Index i(0); i < order.size(); ++i) {
         new_id[order[i]] = i;
         sorted.push_back(items[order[i]]);
     }
@@ -92,8 +91,8 @@ std::vector<uint32_t> sort_by_name(std::vector<T>& items) {
 }
 
 void sort_everything(ResolvedGraph& graph) {
-    const std::vector<uint32_t> passes = sort_by_name(graph.passes);
-    const std::vector<uint32_t> resources = sort_by_name(graph.resources);
+    const std::vector<PassId> passes = sort_by_name<PassId>(graph.passes);
+    const std::vector<ResourceId> resources = sort_by_name<ResourceId>(graph.resources);
     for (ResourceDecl& resource : graph.resources)
         if (resource.ring != kNoId) resource.ring = resources[resource.ring];
     for (PassDecl& pass : graph.passes) {
@@ -243,7 +242,7 @@ ResolvedGraph GraphBuilder::build() const {
         if (role.ring != kNoId) role.usage = graph.resources[role.ring].usage;
     std::map<std::string, PassId> ids;
     Versions versions(graph);
-    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         ids.emplace(graph.passes[pass].name, pass);
         versions.add(pass);
     }

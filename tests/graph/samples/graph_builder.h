@@ -35,9 +35,9 @@ class GraphBuilder {
     void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);
     // Marks the import as shared between all queue families (VK_SHARING_MODE_CONCURRENT).
     void make_concurrent(ResourceId import);
-    // Changes the resource to the newest one of a ring, and adds the older ones "x[-1]", "x[-2]" and so on.
-    // Returns all of them, newest first. If `history` is 0, the resource only keeps its content from frame to
-    // frame.
+    // Changes the resource to the newest resource of a ring, and adds the older ones "x[-1]", "x[-2]" and so
+    // on. Returns all of them, newest first. If `history` is 0, the resource only keeps its content from
+    // frame to frame.
     std::vector<ResourceId> ring(ResourceId resource, uint32_t history);
     void set_output(ResourceId resource) { graph_.output = resource; }
 

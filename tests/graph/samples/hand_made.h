@@ -39,7 +39,7 @@ inline Schedule in_order(const ResolvedGraph& graph, const std::vector<std::stri
     Schedule order;
     order.position.assign(graph.passes.size(), kNoId);
     for (const std::string& name : passes) {
-        order.position[pass_of(graph, name)] = static_cast<uint32_t>(order.order.size());
+        order.position[pass_of(graph, name)] = Position(order.order.size());
         order.order.push_back(pass_of(graph, name));
     }
     if (!queue.empty()) order.queues = two_queues();

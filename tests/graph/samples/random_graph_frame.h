@@ -181,11 +181,11 @@ class RandomFrame {
     std::mt19937 random_;
     RandomGraphOptions options_;
     GraphBuilder builder_;
-    // Cells of images that passes have written, oldest first.
+    // Mip levels and layers of images that passes have written, oldest first.
     std::vector<RandomCell> images_;
     // Buffers that passes have written.
     std::vector<RandomCell> buffers_;
-    // Cells that no pass has written yet, of images with other cells that are written.
+    // Mip levels and layers that no pass has written yet, of images in which passes have written others.
     std::vector<RandomCell> unwritten_;
     std::vector<std::string> pass_names_;
     ResourceId state_words_ = kNoId;

@@ -11,7 +11,7 @@ namespace {
 
 // Returns the load and store operations of all attachments of the pass at this position, such as "clear/store
 // load/none".
-std::string ops_at(const AttachmentTable& table, uint32_t position) {
+std::string ops_at(const AttachmentTable& table, Position position) {
     std::string text;
     for (const AttachmentOps& ops : table[position])
         text += (text.empty() ? "" : " ") + std::string(enum_name(ops.load)) + "/" + enum_name(ops.store);

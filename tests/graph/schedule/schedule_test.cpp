@@ -83,15 +83,15 @@ TEST(Schedule, EveryCandidateRespectsEveryEdge) {
     for (uint32_t seed = 0; seed < 60; ++seed) {
         const ResolvedGraph graph = random_graph(seed);
         LiveGraph live = all_live(graph);
-        for (PassId pass = 0; pass < graph.passes.size(); ++pass)
+        for (PassId pass(0); pass < graph.passes.size(); ++pass)
             // Culls a quarter of the passes, because schedules must be correct for any set of live passes.
             live.live_passes[pass] = (pass + seed) % 4 != 0;
         const ScheduleProblem problem = schedule_problem(graph, live, content_needs(graph));
         for (const auto& order :
              {program_order(problem), forward_greedy_order(problem), backward_greedy_order(problem)}) {
-            std::vector<uint32_t> position(graph.passes.size(), kNoId);
-            for (uint32_t p = 0; p < order.size(); ++p) position[order[p]] = p;
-            for (PassId pass = 0; pass < graph.passes.size(); ++pass)
+            std::vector<Position> position(graph.passes.size(), kNoId);
+            for (Position p(0); p < order.size(); ++p) position[order[p]] = p;
+            for (PassId pass(0); pass < graph.passes.size(); ++pass)
                 EXPECT_EQ(position[pass] != kNoId, live.live_passes[pass] != 0);
             for (const EdgeDecl& edge : graph.edges) {
                 if (position[edge.from] == kNoId || position[edge.to] == kNoId) continue;

@@ -32,7 +32,7 @@ SyncTable empty_table(const ResolvedGraph& graph) {
     return table;
 }
 
-PlacedBarrier taking_over(uint32_t position) {
+PlacedBarrier taking_over(Position position) {
     BarrierDecl barrier;
     barrier.dst = kWrite;
     barrier.reason = BarrierReason::alias;

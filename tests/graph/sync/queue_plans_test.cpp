@@ -23,7 +23,7 @@ std::vector<LogicalQueue> queues_of(uint32_t count, bool one_family) {
 
 // Sets queue hints that depend only on the seed. About a third of the passes request each kind of queue.
 ResolvedGraph with_hints(ResolvedGraph graph, uint32_t seed) {
-    for (PassId id = 0; id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < graph.passes.size(); ++id) {
         const uint32_t turn = (id * 2654435761u ^ seed * 40503u) >> 7;
         graph.passes[id].queue = static_cast<QueueKind>(turn % 3);
     }
@@ -117,7 +117,7 @@ TEST(QueuePlans, HardlyABarrierIsInVain) {
     uint32_t emitted = 0, redundant = 0;
     for (uint32_t seed = 0; seed < 40; ++seed) {
         const FramePlan plan = planned(seed);
-        for (size_t p = 0; p < plan.barriers.steps.size(); ++p) {
+        for (Position p(0); p < plan.barriers.steps.size(); ++p) {
             emitted += static_cast<uint32_t>(plan.barriers.steps[p].barriers.size() +
                                              plan.barriers.steps[p].after.size());
             redundant += count_redundant(plan, p, &PassStep::barriers);

@@ -127,7 +127,7 @@ TEST(ScopePlans, AnotherMip) {
     const FramePlan plan = compiled(b);
     for (const PassStep& step : plan.barriers.steps)
         if (step.merges_render_pass) {
-            const uint32_t position = plan.schedule.position[step.pass];
+            const Position position = plan.schedule.position[step.pass];
             const std::string& name = plan.graph.passes[step.pass].name;
             const std::string& before = plan.graph.passes[plan.schedule.order[position - 1]].name;
             EXPECT_EQ(name.back(), before.back()) << name << " goes on after " << before;

@@ -11,7 +11,10 @@ namespace {
 
 Schedule on_queues(std::vector<QueueIndex> queue) {
     Schedule order;
-    for (uint32_t p = 0; p < queue.size(); ++p) order.order.push_back(p), order.position.push_back(p);
+    for (uint32_t p = 0; p < queue.size(); ++p) {
+        order.order.push_back(PassId(p));
+        order.position.push_back(Position(p));
+    }
     order.queue = std::move(queue);
     order.queues = two_queues();
     return order;
@@ -23,7 +26,7 @@ std::string submissions_text(const SubmissionPlan& plan) {
     std::string text;
     for (const Batch& batch : plan.batches) {
         text += "q" + std::to_string(batch.queue) + ":";
-        for (const uint32_t position : batch.positions) text += " " + std::to_string(position);
+        for (const Position position : batch.positions) text += " " + std::to_string(position);
         for (const QueueWait& wait : batch.waits)
             text += " after " + std::to_string(wait.batch) + (wait.previous_frame ? "-1" : "");
         text += batch.epilogue ? " end\n" : "\n";

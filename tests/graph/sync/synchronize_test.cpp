@@ -129,7 +129,7 @@ TEST(Synchronize, ACandidateThatNoBarrierDividesKeepsItsScope) {
         const ResolvedGraph graph = two_layers(divided);
         const SyncTable table =
             synchronize(graph, in_order(graph, {"fill", "first", "second"}), ops, {kNoId, kNoId, 1});
-        EXPECT_EQ(table.scopes, (ScopeTable{kNoId, kNoId, divided ? kNoId : 1}));
+        EXPECT_EQ(table.scopes, (ScopeTable{kNoId, kNoId, divided ? Position() : Position(1)}));
         const std::vector<PlacedBarrier>& target = table.histories[resource_of(graph, "target")].barriers;
         ASSERT_EQ(target.size(), divided ? 2u : 1u);
         EXPECT_EQ(target[0].position, 1u);

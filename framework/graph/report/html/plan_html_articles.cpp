@@ -16,7 +16,7 @@ std::string pass_subtitle(const FramePlan& plan, PassId pass) {
     const PassDecl& decl = plan.graph.passes[pass];
     std::string text = decl.type + " pass";
     if (!decl.shader.empty()) text += ", shader " + decl.shader;
-    const uint32_t position = plan.schedule.position[pass];
+    const Position position = plan.schedule.position[pass];
     if (position == kNoId) return text + ", culled";
     return text + ", runs at position " + std::to_string(position) + " on queue " +
            std::to_string(plan.schedule.queue[position]);
@@ -37,7 +37,7 @@ void write_uses(const FramePlan& plan, PassId pass, Markup& out) {
 }
 
 void write_attachments(const FramePlan& plan, PassId pass, Markup& out) {
-    const uint32_t position = plan.schedule.position[pass];
+    const Position position = plan.schedule.position[pass];
     if (position == kNoId) return;
     std::vector<ArticleLink> links;
     for (const AttachmentOps& ops : plan.barriers.steps[position].attachments) {
@@ -49,7 +49,7 @@ void write_attachments(const FramePlan& plan, PassId pass, Markup& out) {
 }
 
 void write_pass_barriers(const PlanPage& page, PassId pass, Markup& out) {
-    const uint32_t position = page.plan->schedule.position[pass];
+    const Position position = page.plan->schedule.position[pass];
     if (position == kNoId) return;
     for (const BarrierPlace place : {BarrierPlace::before_pass, BarrierPlace::after_pass}) {
         std::vector<ArticleLink> links;
@@ -162,9 +162,9 @@ void write_explanations(const PlanPage& page, Markup& out) {
     out.open("section", {{"class", "panel"}, {"id", "words"}, {"aria-label", "All explanations"}});
     out.open("details");
     out.leaf("summary", {}, "All explanations of this page as text");
-    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) write_pass_article(page, pass, out);
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) write_pass_article(page, pass, out);
     for (size_t r = 0; r < page.repeats.size(); ++r) write_repeat_article(page, r, out);
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) write_resource_article(page, id, out);
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) write_resource_article(page, id, out);
     for (size_t b = 0; b < page.barriers.size(); ++b) write_barrier_article(page, b, out);
     for (size_t w = 0; w < page.waits.size(); ++w) write_wait_article(page, w, out);
     for (size_t s = 0; s < plan.submissions.batches.size(); ++s) write_batch_article(page, s, out);

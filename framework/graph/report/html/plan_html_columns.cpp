@@ -29,14 +29,14 @@ bool open_column_panel(const PlanPage& page, Markup& out, const char* id, const 
 int32_t heading_height_px(const PlanPage& page) {
     if (!page.columns.rotated_labels) return kFlatHeading_px;
     int32_t longest_px = 0;
-    for (uint32_t p = 0; p < page.plan->schedule.order.size(); ++p)
+    for (Position p(0); p < page.plan->schedule.order.size(); ++p)
         longest_px = std::max(longest_px, rotated_label_px(pass_at(*page.plan, p)));
     return kFlatHeading_px + longest_px;
 }
 
 void write_heading(const PlanPage& page, Markup& out) {
     const int32_t bottom_px = heading_height_px(page) - 10;
-    for (uint32_t p = 0; p < page.plan->schedule.order.size(); ++p) {
+    for (Position p(0); p < page.plan->schedule.order.size(); ++p) {
         const PageColumn& column = page.columns.passes[p];
         const PassId pass = page.plan->schedule.order[p];
         const std::string& name = page.plan->graph.passes[pass].name;

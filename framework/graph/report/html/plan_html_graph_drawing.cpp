@@ -38,7 +38,7 @@ int32_t port_offset_px(EdgeKind kind) {
 }
 
 std::string type_text(const FramePlan& plan, PassId pass) {
-    const uint32_t position = plan.schedule.position[pass];
+    const Position position = plan.schedule.position[pass];
     if (position == kNoId) return plan.graph.passes[pass].type + ", culled";
     std::string text = std::to_string(position) + "  " + plan.graph.passes[pass].type;
     if (plan.schedule.queues.size() > 1) text += ", queue " + std::to_string(plan.schedule.queue[position]);
@@ -250,7 +250,7 @@ class GraphDrawing {
         const GraphNode& node = graph_.nodes[index];
         const bool repeat = node.repeat != kNoId;
         const PointPx at = corner(index);
-        const uint32_t position = plan_.schedule.position[node.passes[0]];
+        const Position position = plan_.schedule.position[node.passes[0]];
         const std::string style =
             position == kNoId ? "dead" : "q" + std::to_string(plan_.schedule.queue[position]);
         const int32_t width_px = boxes_[index].width_px;

@@ -17,8 +17,8 @@ constexpr int32_t kCell_px = 18;
 
 struct Row {
     ResourceId resource = kNoId;
-    uint32_t first = 0;
-    uint32_t last = 0;
+    Position first = 0;
+    Position last = 0;
     bool unread = false;
 };
 
@@ -26,14 +26,14 @@ struct Row {
 std::vector<Row> make_rows(const PlanPage& page) {
     const FramePlan& plan = *page.plan;
     std::vector<Row> rows;
-    const auto end = static_cast<uint32_t>(plan.schedule.order.size()) - 1;
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+    const Position end(plan.schedule.order.size() - 1);
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
         if (!plan.live.live_resources[id]) continue;
         const LifetimeSpan& span = plan.lifetimes.spans[id];
         const bool frame = plan.graph.resources[id].lifetime != ResourceLifetime::transient;
         if (!frame && span.first > span.last) continue;
         const bool unread = has_no_reader(page, id);
-        rows.push_back(frame ? Row{id, 0, end, unread} : Row{id, span.first, span.last, unread});
+        rows.push_back(frame ? Row{id, Position(0), end, unread} : Row{id, span.first, span.last, unread});
     }
     std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
         const ResourceLifetime x = plan.graph.resources[a.resource].lifetime,

@@ -69,7 +69,7 @@ void write_kept(const PlanPage& page, Markup& out) {
     open_panel(out, "kept", "Kept and imported",
                "Resources that live longer than the frame, and resources that no pass uses.");
     std::vector<ResourceId> ids;
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id)
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id)
         if (plan.graph.resources[id].lifetime != ResourceLifetime::transient || !plan.live.live_resources[id])
             ids.push_back(id);
     if (ids.empty()) {
@@ -91,7 +91,7 @@ void write_culled(const PlanPage& page, Markup& out) {
         return;
     }
     open_table(out, {"pass", "type", "why"});
-    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) {
         if (plan.live.live_passes[pass]) continue;
         const PassDecl& decl = plan.graph.passes[pass];
         out.open("tr");

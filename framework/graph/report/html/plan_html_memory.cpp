@@ -71,7 +71,7 @@ class MemoryDrawing {
 
     // Draws a bar for each pass: the number of bytes that are alive while the pass runs.
     void draw_strip() {
-        for (uint32_t p = 0; p < plan_.schedule.order.size(); ++p) {
+        for (Position p(0); p < plan_.schedule.order.size(); ++p) {
             uint64_t alive_bytes = 0;
             for (const Placement& placement : plan_.memory.placements) {
                 const LifetimeSpan& span = plan_.lifetimes.spans[placement.resource];

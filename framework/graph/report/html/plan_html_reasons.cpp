@@ -29,7 +29,7 @@ std::vector<PassId> waited_for(const PlanPage& page, const BarrierItem& item) {
 }
 
 bool of_frame_before(const PlanPage& page, const BarrierItem& item, PassId pass) {
-    const uint32_t position = page.plan->schedule.position[pass];
+    const Position position = page.plan->schedule.position[pass];
     return item.barrier->from_previous_frame ||
            (item.position != kNoId && item.place == BarrierPlace::before_pass && position >= item.position);
 }
@@ -71,8 +71,8 @@ void write_on_behalf_of(const PlanPage& page, const BarrierItem& item, Markup& o
     const bool before = item.place == BarrierPlace::before_pass;
     std::vector<ArticleLink> links;
     bool writing = false;
-    for (uint32_t p = before ? item.position : item.position + 1; p < plan.schedule.order.size() && !writing;
-         ++p) {
+    const Position first(before ? uint32_t{item.position} : item.position + 1);
+    for (Position p = first; p < plan.schedule.order.size() && !writing; ++p) {
         const PassId pass = plan.schedule.order[p];
         const std::string uses = uses_of(plan, *item.barrier, pass, writing);
         if (before || !uses.empty()) links.push_back({pass_key(pass), plan.graph.passes[pass].name, uses});
@@ -178,7 +178,7 @@ void write_batch_article(const PlanPage& page, size_t batch, Markup& out) {
                  "queue " + std::to_string(decl.queue) + ", " + std::to_string(decl.positions.size()) +
                      " pass" + (decl.positions.size() == 1 ? "" : "es"));
     std::vector<ArticleLink> passes, waits;
-    for (const uint32_t position : decl.positions)
+    for (const Position position : decl.positions)
         passes.push_back({pass_key(plan.schedule.order[position]), pass_at(plan, position), ""});
     for (size_t w = 0; w < page.waits.size(); ++w)
         if (page.waits[w].batch == batch || page.waits[w].wait->batch == batch)

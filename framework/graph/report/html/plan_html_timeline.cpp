@@ -47,8 +47,8 @@ class TimelineDrawing {
         write_heading(page_, out_);
         write_guides(page_, top_px_, height_px, out_);
         for (size_t batch = 0; batch < plan_.submissions.batches.size(); ++batch) draw_batch(batch);
-        for (uint32_t p = 0; p < plan_.schedule.order.size(); ++p) draw_scope(p);
-        for (uint32_t p = 0; p < plan_.schedule.order.size(); ++p) draw_pass(p);
+        for (Position p(0); p < plan_.schedule.order.size(); ++p) draw_scope(p);
+        for (Position p(0); p < plan_.schedule.order.size(); ++p) draw_pass(p);
         draw_end(BarrierPlace::prologue, page_.columns.prologue, queues_[0]);
         draw_end(BarrierPlace::epilogue, page_.columns.epilogue, epilogue_queue());
         draw_waits();
@@ -117,7 +117,7 @@ class TimelineDrawing {
         out_.line();
     }
 
-    void draw_pass(uint32_t position) {
+    void draw_pass(Position position) {
         const PageColumn& column = page_.columns.passes[position];
         const uint32_t queue = plan_.schedule.queue[position];
         const int32_t y_px = lane_px(queue) + kLaneTop_px;
@@ -144,13 +144,13 @@ class TimelineDrawing {
         out_.line();
     }
 
-    std::string below_name(uint32_t position) const {
+    std::string below_name(Position position) const {
         return page_.columns.rotated_labels ? std::to_string(position)
                                             : plan_.graph.passes[plan_.schedule.order[position]].type;
     }
 
     // Draws a bar from the previous pass to this pass if both share a rendering scope.
-    void draw_scope(uint32_t position) {
+    void draw_scope(Position position) {
         const PassId before = continued_pass(plan_, position);
         if (before == kNoId) return;
         const PageColumn& from = page_.columns.passes[plan_.schedule.position[before]];

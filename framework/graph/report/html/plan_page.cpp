@@ -11,7 +11,7 @@
 namespace weft {
 namespace {
 
-void add_barriers(const std::vector<BarrierDecl>& barriers, BarrierPlace place, uint32_t position,
+void add_barriers(const std::vector<BarrierDecl>& barriers, BarrierPlace place, Position position,
                   PlanPage& page) {
     for (const BarrierDecl& b : barriers) page.barriers.push_back({&b, place, position});
 }
@@ -20,7 +20,7 @@ void number_barriers(PlanPage& page) {
     const BarrierPlan& barriers = page.plan->barriers;
     add_barriers(barriers.prologue.before, BarrierPlace::prologue, kNoId, page);
     add_barriers(barriers.prologue.after, BarrierPlace::prologue, kNoId, page);
-    for (uint32_t p = 0; p < barriers.steps.size(); ++p) {
+    for (Position p(0); p < barriers.steps.size(); ++p) {
         add_barriers(barriers.steps[p].barriers, BarrierPlace::before_pass, p, page);
         add_barriers(barriers.steps[p].after, BarrierPlace::after_pass, p, page);
     }
@@ -83,7 +83,7 @@ struct PastRead {
 void add_history(const FramePlan& plan, std::vector<EdgeItem>& edges) {
     // Key: the ring's resource of age 0. Value: all reads of content that the ring kept from earlier frames.
     std::map<ResourceId, std::vector<PastRead>> reads;
-    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass)
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)
         for (const UseDecl& use : plan.graph.passes[pass].uses) {
             const ResourceId ring = plan.graph.resources[use.resource].ring;
             if (ring == kNoId) continue;
@@ -144,7 +144,7 @@ PlanPage make_page(const FramePlan& plan, const PlanPageInfo& info) {
     for (uint32_t b = 0; b < plan.submissions.batches.size(); ++b)
         for (const QueueWait& wait : plan.submissions.batches[b].waits) page.waits.push_back({b, &wait});
     page.users.resize(plan.graph.resources.size());
-    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass)
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)
         for (const UseDecl& use : plan.graph.passes[pass].uses)
             if (page.users[use.resource].empty() || page.users[use.resource].back() != pass)
                 page.users[use.resource].push_back(pass);
@@ -208,7 +208,7 @@ std::string wait_keys(const PlanPage& page, size_t wait) {
     std::string keys = wait_key(wait) + " " + batch_key(item.batch) + " " + batch_key(item.wait->batch);
     if (item.wait->dependency == kNoId) return keys;
     const QueueDependency& d = plan.submissions.dependencies[item.wait->dependency];
-    for (const uint32_t position : {d.from, d.to})
+    for (const Position position : {d.from, d.to})
         if (position < plan.schedule.order.size()) keys += " " + pass_key(plan.schedule.order[position]);
     if (d.resource != kNoId) keys += " " + resource_key(d.resource);
     return keys;
@@ -216,7 +216,7 @@ std::string wait_keys(const PlanPage& page, size_t wait) {
 
 std::string batch_keys(const PlanPage& page, size_t batch) {
     std::string keys = batch_key(batch);
-    for (const uint32_t position : page.plan->submissions.batches[batch].positions)
+    for (const Position position : page.plan->submissions.batches[batch].positions)
         keys += " " + pass_key(page.plan->schedule.order[position]);
     return keys;
 }
@@ -240,7 +240,7 @@ bool has_no_reader(const PlanPage& page, ResourceId resource) {
     const ResourceDecl& decl = plan.graph.resources[resource];
     if (decl.import) return false;
     bool read = false, written = false;
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
         const bool same =
             id == resource || (decl.ring != kNoId && plan.graph.resources[id].ring == decl.ring);
         if (!same) continue;
@@ -256,7 +256,7 @@ bool has_no_reader(const PlanPage& page, ResourceId resource) {
     return written && !read;
 }
 
-std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, uint32_t position) {
+std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, Position position) {
     const auto order = [](const BarrierItem& item) {
         const bool prologue = item.place == BarrierPlace::prologue;
         return std::make_pair(prologue                 ? 0ull
@@ -273,7 +273,7 @@ std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, uint32
     return found;
 }
 
-const std::string& pass_at(const FramePlan& plan, uint32_t position) {
+const std::string& pass_at(const FramePlan& plan, Position position) {
     return plan.graph.passes[plan.schedule.order[position]].name;
 }
 

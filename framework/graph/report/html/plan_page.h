@@ -18,7 +18,7 @@ enum class BarrierPlace : uint8_t { prologue, before_pass, after_pass, epilogue 
 struct BarrierItem {
     const BarrierDecl* barrier = nullptr;
     BarrierPlace place = BarrierPlace::before_pass;
-    uint32_t position = kNoId;  // Position of the barrier's pass; kNoId in the prologue and epilogue.
+    Position position = kNoId;  // Position of the barrier's pass; kNoId in the prologue and epilogue.
 };
 
 // All dependencies of one kind between two passes, shown as one edge: `to` must run after `from`. `resources`
@@ -59,7 +59,7 @@ struct PageColumns {
     bool rotated_labels = false;
 
     // Returns the column of a position. A position after the last pass is the end of the frame.
-    [[nodiscard]] const PageColumn& at(uint32_t position) const {
+    [[nodiscard]] const PageColumn& at(Position position) const {
         return position < passes.size() ? passes[position] : epilogue;
     }
 };
@@ -102,7 +102,7 @@ struct PlanPage {
 [[nodiscard]] bool has_no_reader(const PlanPage& page, ResourceId resource);
 // Returns the barriers at a place, as indices into PlanPage::barriers. With `before_pass` or `after_pass`,
 // they belong to the pass at `position`.
-[[nodiscard]] std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, uint32_t position);
-[[nodiscard]] const std::string& pass_at(const FramePlan& plan, uint32_t position);
+[[nodiscard]] std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, Position position);
+[[nodiscard]] const std::string& pass_at(const FramePlan& plan, Position position);
 
 }  // namespace weft

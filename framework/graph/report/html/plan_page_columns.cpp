@@ -37,13 +37,13 @@ PageColumn end_column(const PlanPage& page, BarrierPlace place, int32_t left_px)
 
 int32_t boxes_width_px(const FramePlan& plan) {
     int32_t width_px = 0;
-    for (uint32_t p = 0; p < plan.schedule.order.size(); ++p)
+    for (Position p(0); p < plan.schedule.order.size(); ++p)
         width_px += name_width_px(pass_at(plan, p)) + kGap_px;
     return width_px;
 }
 
 // Returns true if a batch that waits for another queue begins at this position.
-bool waits_before(const FramePlan& plan, uint32_t position) {
+bool waits_before(const FramePlan& plan, Position position) {
     return std::any_of(
         plan.submissions.batches.begin(), plan.submissions.batches.end(), [&](const Batch& batch) {
             return !batch.waits.empty() && !batch.positions.empty() && batch.positions.front() == position;
@@ -58,9 +58,9 @@ int32_t roomy_box_px(const PlanPage& page) {
     int32_t rest_px = kRoomyWidth_px - 2 * kGap_px - count * 2 * kGap_px;
     for (const BarrierPlace place : {BarrierPlace::prologue, BarrierPlace::epilogue})
         rest_px -= end_column(page, place, 0).width_px;
-    for (uint32_t p = 0; p < page.plan->schedule.order.size(); ++p)
+    for (Position p(0); p < page.plan->schedule.order.size(); ++p)
         rest_px -= waits_before(*page.plan, p) ? kWaitGap_px : 0;
-    for (uint32_t p = 0; p < page.plan->schedule.order.size(); ++p)
+    for (Position p(0); p < page.plan->schedule.order.size(); ++p)
         for (const BarrierPlace place : {BarrierPlace::before_pass, BarrierPlace::after_pass})
             rest_px -= marks_width_px(barriers_at(page, place, p).size());
     return std::clamp(rest_px / count, 0, kRoomyBox_px);
@@ -100,7 +100,7 @@ PageColumns make_columns(const PlanPage& page) {
     columns.prologue = end_column(page, BarrierPlace::prologue, 0);
     const int32_t roomy_px = roomy_box_px(page);
     int32_t x_px = columns.prologue.width_px + kGap_px;
-    for (uint32_t p = 0; p < plan.schedule.order.size(); ++p) {
+    for (Position p(0); p < plan.schedule.order.size(); ++p) {
         const int32_t before_px = marks_width_px(barriers_at(page, BarrierPlace::before_pass, p).size());
         const int32_t after_px = marks_width_px(barriers_at(page, BarrierPlace::after_pass, p).size());
         const int32_t box_px =
@@ -115,8 +115,7 @@ PageColumns make_columns(const PlanPage& page) {
     columns.width_px = x_px + columns.epilogue.width_px + kGap_px;
     if (columns.rotated_labels) {
         const PageColumn& last = columns.passes.back();
-        const int32_t name_px =
-            rotated_label_px(pass_at(plan, static_cast<uint32_t>(columns.passes.size()) - 1));
+        const int32_t name_px = rotated_label_px(pass_at(plan, Position(columns.passes.size() - 1)));
         columns.width_px = std::max(columns.width_px, last.box_left_px + last.box_width_px + name_px);
     }
     return columns;

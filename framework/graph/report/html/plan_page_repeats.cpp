@@ -70,7 +70,7 @@ std::vector<uint32_t> add_nodes(const PlanPage& page, const std::vector<RepeatIt
         graph.nodes.push_back(std::move(node));
     };
     for (const PassId pass : plan.schedule.order) add(pass);
-    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) add(pass);
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) add(pass);
     return node_of;
 }
 

@@ -64,7 +64,7 @@ void suspect_outputs(PassId id, const BoundPass& pass, Suspects& suspects) {
 BoundPasses bind(const Declared& declared, Reporter& reporter) {
     BoundPasses bound = bind_references(declared, reporter);
     PassReporter report(declared.shapes, declared.expansion, bound.suspects, reporter);
-    for (PassId id = 0; id < bound.passes.size(); ++id) {
+    for (PassId id(0); id < bound.passes.size(); ++id) {
         PassBinding pass{.declared = declared,
                          .id = id,
                          .draft = declared.expansion.passes[id],
@@ -75,7 +75,7 @@ BoundPasses bind(const Declared& declared, Reporter& reporter) {
                          .reporter = reporter};
         bind_pass(pass);
     }
-    for (PassId id = 0; id < bound.passes.size(); ++id) suspect_outputs(id, bound.passes[id], bound.suspects);
+    for (PassId id(0); id < bound.passes.size(); ++id) suspect_outputs(id, bound.passes[id], bound.suspects);
     return bound;
 }
 

@@ -25,15 +25,15 @@ class ReferenceBinder {
     BoundPasses run() {
         const auto count = static_cast<PassId>(result_.passes.size());
         BoundPorts outputs;
-        for (PassId id = 0; id < count; ++id) outputs.push_back(bind_outputs(id));
+        for (PassId id(0); id < count; ++id) outputs.push_back(bind_outputs(id));
         const Presence presence(declared_, outputs, result_.suspects, report_, reporter_);
-        for (PassId id = 0; id < count; ++id) {
+        for (PassId id(0); id < count; ++id) {
             for (BoundPort& output : outputs[id]) {
                 const RefDesc& ref = output.draft.desc->ref;
                 if (!ref.pass.empty()) presence.find_pins(id, ref, output);
             }
         }
-        for (PassId id = 0; id < count; ++id) {
+        for (PassId id(0); id < count; ++id) {
             std::vector<BoundPort> ports = bind_inputs(id, presence);
             ports.insert(ports.end(), outputs[id].begin(), outputs[id].end());
             store_ports(id, std::move(ports));

@@ -40,7 +40,7 @@ bool share_mips_and_layers(const SubresourceRange& a, const SubresourceRange& b)
 
 std::set<std::string> Presence::writers_of(const std::string& resource, PassId except) const {
     std::set<std::string> names;
-    for (PassId pass = 0; pass < outputs_.size(); ++pass) {
+    for (PassId pass(0); pass < outputs_.size(); ++pass) {
         if (declared_.author_name(pass) == declared_.author_name(except)) continue;
         for (const BoundPort& port : outputs_[pass]) {
             if (declared_.resource_name(port.use.resource) == resource)
@@ -82,7 +82,7 @@ bool Presence::is_present(PassId pass, const BoundPort& input) const {
     const ResourceId resource = input.use.resource;
     if (declared_.shapes.origins[resource].has_content || suspects_.writers[resource]) return true;
     if (!dropped_writer(declared_.expansion, declared_.resource_name(resource), reporter_)) return true;
-    for (PassId writer = 0; writer < outputs_.size(); ++writer) {
+    for (PassId writer(0); writer < outputs_.size(); ++writer) {
         reporter_.spend(1 + outputs_[writer].size(), input.use.loc);
         if (writer == pass) continue;
         for (const BoundPort& output : outputs_[writer]) {

@@ -64,13 +64,13 @@ class ClearCheck {
 
     void run() {
         const Evaluator evaluator = declared_.evaluator(suspects_, reporter_);
-        for (ResourceId id = 0; id < graph_.resources.size(); ++id) {
+        for (ResourceId id(0); id < graph_.resources.size(); ++id) {
             const ResourceDesc* desc = declared_.shapes.origins[id].desc;
             if (!desc || graph_.resources[id].age > 0) continue;
             if (desc->clear) check(evaluator, *desc->clear, id);
             if (desc->first_frame) check(evaluator, *desc->first_frame, id);
         }
-        for (PassId pass = 0; pass < graph_.passes.size(); ++pass) check_pass(pass);
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass) check_pass(pass);
     }
 
  private:

@@ -95,7 +95,7 @@ void run_type_check(const CustomPass& pass, const ResolvedGraph& graph, const Su
 ResolvedGraph check_custom_passes(const Declared& declared, ResolvedGraph graph, Suspects suspects,
                                   Reporter& reporter) {
     PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
-    for (PassId id = 0; id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < graph.passes.size(); ++id) {
         const PassDraft& draft = declared.expansion.passes[id];
         if (!draft.custom) continue;
         const Evaluator evaluator = declared.evaluator(id, suspects, reporter);

@@ -42,7 +42,7 @@ Suspects check_frame_slices(const Declared& declared, const FormattedGraph& grap
                             Reporter& reporter) {
     PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
     for (const auto& [name, desc] : declared.input.graph.passes) check_repeat(desc, reporter);
-    for (PassId id = 0; id < graph.passes.size(); ++id)
+    for (PassId id(0); id < graph.passes.size(); ++id)
         if (declared.expansion.passes[id].decl.frame_slices > 0) check_outputs(declared, graph, id, report);
     return suspects;
 }

@@ -296,7 +296,7 @@ Suspects check_interfaces(const Declared& declared, const FormattedGraph& graph,
     Suspects suspects = graph.suspects;
     for (const BoundPass& pass : graph.passes) suspects.uses.emplace_back(pass.uses.size());
     PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
-    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         InterfaceCheck(declared, graph, pass, suspects, report).run();
         if (!suspects.passes[pass]) check_layouts(declared, graph, pass, report);
     }

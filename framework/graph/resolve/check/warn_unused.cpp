@@ -19,7 +19,7 @@ void warn_unused(const Declared& declared, Reporter& reporter) {
         for (const PortDesc* port : written_ports(desc)) add_names(*port, used);
     }
     const Shapes& shapes = declared.shapes;
-    for (ResourceId id = 0; id < shapes.resources.size(); ++id) {
+    for (ResourceId id(0); id < shapes.resources.size(); ++id) {
         const ResourceDecl& resource = shapes.resources[id];
         if (used.contains(resource.name) || !shapes.origins[id].desc || resource.age > 0) continue;
         if (is_included(reporter.sources(), resource.loc)) continue;

@@ -23,7 +23,7 @@ class UselessSearch {
 
     void run() {
         gather();
-        for (ResourceId id = 0; id < graph_.resources.size(); ++id) judge_resource(id);
+        for (ResourceId id(0); id < graph_.resources.size(); ++id) judge_resource(id);
         for (const auto& [name, ids] : declared_.expansion.instances) judge_pass(name, ids);
     }
 
@@ -38,7 +38,7 @@ class UselessSearch {
         }
         seen_.assign(graph_.resources.size(), 0);
         written_ = seen_;
-        for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass) {
             const PassDecl& decl = graph_.passes[pass];
             for (size_t i = 0; i < decl.uses.size(); ++i) {
                 const UseDecl& use = decl.uses[i];

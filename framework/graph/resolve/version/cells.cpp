@@ -105,14 +105,14 @@ int Cell::writer_index(PassId pass) const {
 
 std::vector<Cell> make_cells(const VersionedGraph& graph, Reporter& reporter) {
     std::vector<std::vector<CellUse>> uses_of(graph.resources.size());
-    for (PassId pass = 0; pass < graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         const std::vector<UseDecl>& uses = graph.passes[pass].uses;
         for (uint32_t i = 0; i < uses.size(); ++i) {
             if (uses[i].access != Access::none) uses_of[uses[i].resource].push_back({pass, i});
         }
     }
     std::vector<Cell> cells;
-    for (ResourceId resource = 0; resource < uses_of.size(); ++resource) {
+    for (ResourceId resource(0); resource < uses_of.size(); ++resource) {
         if (!uses_of[resource].empty()) cut_resource(graph, resource, uses_of[resource], cells, reporter);
     }
     return cells;

@@ -36,11 +36,10 @@ class VersionConnector {
 
     void run() {
         seen_.resize(graph_.passes.size());
-        for (PassId pass = 0; pass < seen_.size(); ++pass)
-            seen_[pass].resize(graph_.passes[pass].uses.size());
+        for (PassId pass(0); pass < seen_.size(); ++pass) seen_[pass].resize(graph_.passes[pass].uses.size());
         for (const Cell& cell : cells_) gather(cell);
         const size_t known = reporter_.error_count();
-        for (PassId pass = 0; pass < seen_.size(); ++pass) finish_pass(pass);
+        for (PassId pass(0); pass < seen_.size(); ++pass) finish_pass(pass);
         // The passes were examined in the order of their names, so the new errors are sorted by their place
         // in the file.
         reporter_.sort_errors(known);
@@ -212,7 +211,7 @@ class VersionConnector {
     }
 
     bool written_at_all(ResourceId resource, PassId except) const {
-        for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass) {
             if (pass == except) continue;
             for (const UseDecl& other : graph_.passes[pass].uses) {
                 if (other.resource == resource && writes(other.access)) return true;

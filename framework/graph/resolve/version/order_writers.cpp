@@ -85,7 +85,7 @@ class WriterOrder {
     }
 
     void add_after() {
-        for (PassId pass = 0; pass < drafts().size(); ++pass) {
+        for (PassId pass(0); pass < drafts().size(); ++pass) {
             const PassDesc& desc = *drafts()[pass].desc;
             for (size_t i = 0; i < desc.after.size(); ++i) {
                 const SourceLoc loc = i < desc.after_locs.size() ? desc.after_locs[i] : desc.loc;

@@ -17,7 +17,7 @@ bool PassOrder::sort() {
     work_ += out_.size() + 2 * arcs_.size();
     for (const OrderArc& arc : arcs_) ++waits_for[arc.to];
     std::vector<PassId> ready;
-    for (PassId pass = 0; pass < out_.size(); ++pass) {
+    for (PassId pass(0); pass < out_.size(); ++pass) {
         if (waits_for[pass] == 0) ready.push_back(pass);
     }
     for (size_t next = 0; next < ready.size(); ++next) {

@@ -22,7 +22,7 @@ class CycleReport {
 
     void run() {
         peel();
-        for (PassId pass = 0; pass < done_.size(); ++pass) {
+        for (PassId pass(0); pass < done_.size(); ++pass) {
             if (done_[pass]) continue;
             reporter_.spend(order_.arcs().size() + done_.size(), declared_.expansion.passes[pass].desc->loc);
             const std::vector<PassId> knot = knot_of(pass);
@@ -39,7 +39,7 @@ class CycleReport {
         std::vector<uint32_t> waits_for(done_.size(), 0);
         for (const OrderArc& arc : order_.arcs()) ++waits_for[arc.to];
         std::vector<PassId> ready;
-        for (PassId pass = 0; pass < done_.size(); ++pass) {
+        for (PassId pass(0); pass < done_.size(); ++pass) {
             if (waits_for[pass] == 0) ready.push_back(pass);
         }
         while (!ready.empty()) {
@@ -98,7 +98,7 @@ class CycleReport {
             }
         }
         std::vector<PassId> knot;
-        for (PassId p = 0; p < done_.size(); ++p) {
+        for (PassId p(0); p < done_.size(); ++p) {
             if (!done_[p] && after[p] && leads[p]) knot.push_back(p);
         }
         return knot;
@@ -142,7 +142,7 @@ class CycleReport {
     // read its version with `@pass`. Returns an empty text if there is none.
     std::string writer_outside(const std::vector<PassId>& knot, ResourceId resource) const {
         for (const WriteRank rank : {WriteRank::fresh, WriteRank::resumes, WriteRank::in_place}) {
-            for (PassId pass = 0; pass < graph_.passes.size(); ++pass) {
+            for (PassId pass(0); pass < graph_.passes.size(); ++pass) {
                 if (std::ranges::binary_search(knot, pass)) continue;
                 const std::vector<UseDecl>& uses = graph_.passes[pass].uses;
                 for (size_t i = 0; i < uses.size(); ++i) {

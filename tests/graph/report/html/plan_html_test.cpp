@@ -53,14 +53,14 @@ void expect_all_of(const FramePlan& plan, const ReadPage& page) {
     const std::set<std::string> articles = ids(page, "article");
     const std::multiset<std::string> passes = items(page, "pass"), barriers = items(page, "barrier"),
                                      waits = items(page, "wait"), edges = items(page, "edge");
-    for (PassId pass = 0; pass < plan.graph.passes.size(); ++pass) {
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) {
         EXPECT_EQ(articles.count(pass_key(pass)), 1u);
         EXPECT_EQ(passes.count(pass_key(pass)), plan.live.live_passes[pass] ? 2u : 1u) << "graph, timeline";
         EXPECT_EQ(items(page, "cellname").count(pass_key(pass)), plan.live.live_passes[pass] ? 0u : 1u);
     }
     const std::multiset<std::string> rows = items(page, "row"), blocks = items(page, "block"),
                                      names = items(page, "cellname");
-    for (ResourceId id = 0; id < plan.graph.resources.size(); ++id) {
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
         EXPECT_EQ(articles.count(resource_key(id)), 1u);
         const bool transient = plan.graph.resources[id].lifetime == ResourceLifetime::transient;
         EXPECT_EQ(rows.count(resource_key(id)), plan.live.live_resources[id] ? 1u : 0u)
