@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "graph/memory/alias_conflicts.h"
+#include "weft/plan.h"
 
 namespace weft {
 namespace {
