@@ -125,20 +125,17 @@ void read_face_choice(ParseContext& context, const JsonNode& node, FaceDraft& dr
     for (const auto face : draft.faces) (draft.pass.state.*face).*Member = value;
 }
 
+template <uint8_t StencilFaceState::*Member, StencilFaceState RasterState::*... Faces>
+void set_face_byte(RasterState& state, double value) {
+    (((state.*Faces).*Member = static_cast<uint8_t>(value)), ...);
+}
+
 template <uint8_t StencilFaceState::*Member>
 void read_face_byte(ParseContext& context, const JsonNode& node, FaceDraft& draft) {
-    const StateSetter set_front = [](RasterState& s, double v) {
-        s.stencil_front.*Member = static_cast<uint8_t>(v);
-    };
-    const StateSetter set_back = [](RasterState& s, double v) {
-        s.stencil_back.*Member = static_cast<uint8_t>(v);
-    };
-    const StateSetter set_both = [](RasterState& s, double v) {
-        s.stencil_front.*Member = s.stencil_back.*Member = static_cast<uint8_t>(v);
-    };
-    const StateSetter set = draft.faces.size() == 2                             ? set_both
-                            : draft.faces.front() == &RasterState::stencil_back ? set_back
-                                                                                : set_front;
+    constexpr auto kFront = &RasterState::stencil_front, kBack = &RasterState::stencil_back;
+    const StateSetter set = draft.faces.size() == 2         ? set_face_byte<Member, kFront, kBack>
+                            : draft.faces.front() == kFront ? set_face_byte<Member, kFront>
+                                                            : set_face_byte<Member, kBack>;
     read_state_number(context, node, kByte, draft.pass, set);
 }
 

@@ -22,7 +22,7 @@ struct Walk {
 
 std::vector<uint32_t> row_sizes(const Rows<PassId>& rows) {
     std::vector<uint32_t> sizes(rows.offsets.size() - 1);
-    for (uint32_t row = 0; row < sizes.size(); ++row) sizes[row] = rows.offsets[row + 1] - rows.offsets[row];
+    for (uint32_t row = 0; row < sizes.size(); ++row) sizes[row] = static_cast<uint32_t>(rows[row].size());
     return sizes;
 }
 
@@ -88,10 +88,10 @@ class Greedy {
         order_.push_back(pass);
         const ScheduleProblem& problem = walk_.problem;
         for (const ResourceId r : problem.resources[pass]) {
-            const uint32_t users = problem.users.offsets[r + 1] - problem.users.offsets[r];
+            const std::span<const PassId> users = problem.users[r];
             const uint64_t bytes = problem.size_bytes[r];
-            if (users_left_[r] == users)
-                for (const PassId user : problem.users[r])
+            if (users_left_[r] == users.size())
+                for (const PassId user : users)
                     if (user != pass) fall(user, bytes);
             user_sum_[r] -= pass;
             if (--users_left_[r] == 1) fall(static_cast<PassId>(user_sum_[r]), bytes);
@@ -155,8 +155,7 @@ uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassI
     for (const PassId pass : order) {
         uint64_t freed = 0;
         for (const ResourceId r : problem.resources[pass]) {
-            if (left[r] == problem.users.offsets[r + 1] - problem.users.offsets[r])
-                bytes += problem.size_bytes[r];
+            if (left[r] == problem.users[r].size()) bytes += problem.size_bytes[r];
             if (--left[r] == 0) freed += problem.size_bytes[r];
         }
         peak = std::max(peak, bytes);
