@@ -22,10 +22,10 @@ if(WEFT_SANITIZE)
   target_link_options(weft_options INTERFACE -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr)
 endif()
 
-# Most code of tests runs only once after it is compiled, so that full optimisation costs more time than it saves.
+# Most code of tests runs only once after it is compiled, so that optimisation costs more time than it saves.
 add_library(weft_test_options INTERFACE)
 target_link_libraries(weft_test_options INTERFACE weft_options)
-target_compile_options(weft_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
+target_compile_options(weft_test_options INTERFACE $<$<CONFIG:Release>:-O0>)
 # Precompiles the headers of the standard library, which take half of the time to compile a source. Weft's own headers
 # are not precompiled, because then a change of one header would compile all sources again. To find a source in which
 # an #include is missing, build with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
