@@ -41,9 +41,9 @@ std::vector<std::string> all_tiers(const JsonDoc& document) {
 bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& skipped) {
     bool changed = false;
     for (const auto& [name, resource] : desc.resources) {
-        const ResourceDecl* decl = find_resource(graph, name);
-        if (decl == nullptr || resource.formats.size() < 2) continue;
-        const std::string chosen(format_info(decl->format).name);
+        const ResourceId id = find_resource(graph, name);
+        if (id == kNoId || resource.formats.size() < 2) continue;
+        const std::string chosen(format_info(graph.resources[id].format).name);
         const auto at =
             static_cast<size_t>(std::ranges::find(resource.formats, chosen) - resource.formats.begin());
         size_t& least = skipped[name];

@@ -45,13 +45,8 @@ class PlantedFault : public ResolveTest {
         plan = compile(good(kGraph), content_needs(good(kGraph)), {});
     }
 
-    PassId pass(const char* name) const {
-        const PassDecl* found = find_pass(plan.graph, name);
-        return found ? static_cast<PassId>(found - plan.graph.passes.data()) : kNoId;
-    }
-    ResourceId resource(const char* name) const {
-        return static_cast<ResourceId>(find_resource(plan.graph, name) - plan.graph.resources.data());
-    }
+    PassId pass(const char* name) const { return find_pass(plan.graph, name); }
+    ResourceId resource(const char* name) const { return find_resource(plan.graph, name); }
     PassStep& step(const char* name) { return plan.barriers.steps[plan.schedule.position[pass(name)]]; }
     BarrierDecl& barrier(const char* before, const char* on) {
         for (BarrierDecl& b : step(before).barriers)

@@ -31,10 +31,7 @@ class ScopeFault : public testing::Test {
         plan = compile(graph, content_needs(graph, 1), {});
     }
 
-    Position position(const char* name) const {
-        const auto id = static_cast<PassId>(find_pass(plan.graph, name) - plan.graph.passes.data());
-        return plan.schedule.position[id];
-    }
+    Position position(const char* name) const { return plan.schedule.position[find_pass(plan.graph, name)]; }
     PassStep& step(const char* name) { return plan.barriers.steps[position(name)]; }
     PassDecl& pass(const char* name) { return plan.graph.passes[step(name).pass]; }
     UseDecl& use(const char* name, const char* port) {

@@ -69,7 +69,8 @@ class TierFormats : public ShaderFolder {
         Diagnostics warnings;
         const Result<LoadedGraph> loaded = load_graph(document, input(tier, common), warnings);
         EXPECT_TRUE(loaded.ok()) << to_text(loaded.errors());
-        return loaded ? find_resource(loaded->graph, "color")->format : Format::undefined;
+        if (!loaded) return Format::undefined;
+        return loaded->graph.resources[find_resource(loaded->graph, "color")].format;
     }
 
     std::string path_ = (base_ / "graph/g.json").string();

@@ -45,9 +45,9 @@ class NullExecutor : public testing::Test {
     }
 
     PassStep& step(const char* name) {
-        const PassDecl* pass = find_pass(plan.graph, name);
-        return *std::find_if(plan.barriers.steps.begin(), plan.barriers.steps.end(),
-                             [&](const PassStep& s) { return &plan.graph.passes[s.pass] == pass; });
+        return *std::find_if(
+            plan.barriers.steps.begin(), plan.barriers.steps.end(),
+            [pass = find_pass(plan.graph, name)](const PassStep& s) { return s.pass == pass; });
     }
     BarrierDecl& barrier(const char* pass, const char* resource) {
         for (BarrierDecl& b : step(pass).barriers)

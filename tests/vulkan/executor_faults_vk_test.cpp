@@ -63,7 +63,7 @@ TEST_F(ExecutorFaultsVk, a_missing_or_misshapen_import_is_named) {
     EXPECT_EQ(fault.code, "V414");
     EXPECT_TRUE(message_mentions(fault, "\"backdrop\"")) << fault.message;
 
-    ResourceDecl smaller = *find_resource(plan.graph, "backdrop");
+    ResourceDecl smaller = plan.graph.resources[find_resource(plan.graph, "backdrop")];
     smaller.extent = {4, 8, 1};
     const Result<Image> other = Image::create(device(), smaller);
     ASSERT_TRUE(other.ok());

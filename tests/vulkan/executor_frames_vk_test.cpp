@@ -49,7 +49,7 @@ class ImportedOutputVk : public ExecutorTest {
     }
 
     static Image make_output(Device& device, const FramePlan& plan) {
-        ResourceDecl decl = *find_resource(plan.graph, "output");
+        ResourceDecl decl = plan.graph.resources[find_resource(plan.graph, "output")];
         decl.usage |= usage::kTransferSrc;
         Result<Image> image = Image::create(device, decl);
         EXPECT_TRUE(image.ok());

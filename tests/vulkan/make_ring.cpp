@@ -6,10 +6,9 @@ namespace weft::test {
 namespace {
 
 ResourceId role_of(const ResolvedGraph& graph, const std::string& name, uint32_t age) {
-    const ResourceDecl* decl =
-        find_resource(graph, age == 0 ? name : name + "[-" + std::to_string(age) + "]");
-    assert(decl != nullptr);
-    return static_cast<ResourceId>(decl - graph.resources.data());
+    const ResourceId id = find_resource(graph, age == 0 ? name : name + "[-" + std::to_string(age) + "]");
+    assert(id != kNoId);
+    return id;
 }
 
 }  // namespace

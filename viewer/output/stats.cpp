@@ -63,7 +63,8 @@ Json validation_json(vk::Device& device) {
 }
 
 const ResourceDecl* resource_behind(const FramePlan& plan, const std::string& reference) {
-    return find_resource(plan.graph, reference.substr(0, reference.find_first_of("@[.")));
+    const ResourceId id = find_resource(plan.graph, reference.substr(0, reference.find_first_of("@[.")));
+    return id == kNoId ? nullptr : &plan.graph.resources[id];
 }
 
 }  // namespace

@@ -13,11 +13,11 @@ bool spans_overlap(uint32_t a, uint32_t a_count, uint32_t b, uint32_t b_count) {
     return a < b + b_count && b < a + a_count;
 }
 
-template <class T>
-const T* find_by_name(const std::vector<T>& sorted, std::string_view name) {
+template <class Index, class T>
+Index find_by_name(const std::vector<T>& sorted, std::string_view name) {
     const auto it = std::lower_bound(sorted.begin(), sorted.end(), name,
                                      [](const T& item, std::string_view n) { return item.name < n; });
-    return it != sorted.end() && it->name == name ? &*it : nullptr;
+    return it != sorted.end() && it->name == name ? Index(it - sorted.begin()) : Index(kNoId);
 }
 
 }  // namespace
@@ -102,12 +102,12 @@ uint64_t content_bytes(const ResourceDecl& resource) {
     return texels * resource.layers * resource.samples * format_info(resource.format).bytes_per_texel;
 }
 
-const ResourceDecl* find_resource(const ResolvedGraph& graph, std::string_view name) {
-    return find_by_name(graph.resources, name);
+ResourceId find_resource(const ResolvedGraph& graph, std::string_view name) {
+    return find_by_name<ResourceId>(graph.resources, name);
 }
 
-const PassDecl* find_pass(const ResolvedGraph& graph, std::string_view name) {
-    return find_by_name(graph.passes, name);
+PassId find_pass(const ResolvedGraph& graph, std::string_view name) {
+    return find_by_name<PassId>(graph.passes, name);
 }
 
 bool runs_in_frame(const PassDecl& pass, uint64_t frame) {

@@ -53,10 +53,10 @@ NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, con
 std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
     std::vector<PassMove> common;  // Passes that are in both plans, in the order of the old plan.
     for (Position p(0); p < from.schedule.order.size(); ++p) {
-        const PassDecl* other = find_pass(to.graph, from.graph.passes[from.schedule.order[p]].name);
-        if (other == nullptr) continue;
-        const Position position = to.schedule.position[static_cast<size_t>(other - to.graph.passes.data())];
-        if (position != kNoId) common.push_back({other->name, p, position});
+        const PassId other = find_pass(to.graph, from.graph.passes[from.schedule.order[p]].name);
+        if (other == kNoId) continue;
+        const Position position = to.schedule.position[other];
+        if (position != kNoId) common.push_back({to.graph.passes[other].name, p, position});
     }
     // `ends[n]` is the last pass of the best sequence of n + 1 passes; `previous[i]` is the pass before pass
     // i in its sequence. Both contain indices into `common`.

@@ -33,9 +33,9 @@ std::string name_one_of(const std::vector<T>& items, const std::vector<Index>& r
 }
 
 template <class Index, class T>
-Result<Index> find_named(const FramePlan& plan, const std::vector<T>& items, const T* found,
+Result<Index> find_named(const FramePlan& plan, const std::vector<T>& items, Index found,
                          const std::string& name, const char* what, const char* code) {
-    if (found != nullptr) return Index(found - items.data());
+    if (found != kNoId) return found;
     std::vector<std::string> known;
     for (const T& item : items) known.push_back(item.name);
     Diagnostic d;
@@ -87,12 +87,11 @@ std::string describe_state(const AccessState& state, bool image) {
 }
 
 Result<PassId> named_pass(const FramePlan& plan, const std::string& name) {
-    return find_named<PassId>(plan, plan.graph.passes, find_pass(plan.graph, name), name, "pass", "W104");
+    return find_named(plan, plan.graph.passes, find_pass(plan.graph, name), name, "pass", "W104");
 }
 
 Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name) {
-    return find_named<ResourceId>(plan, plan.graph.resources, find_resource(plan.graph, name), name,
-                                  "resource", "W103");
+    return find_named(plan, plan.graph.resources, find_resource(plan.graph, name), name, "resource", "W103");
 }
 
 Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name) {

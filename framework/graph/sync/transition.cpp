@@ -51,11 +51,10 @@ class Builder {
  private:
     void add(ResourceId id) {
         const ResourceDecl& decl = new_.graph.resources[id];
-        const ResourceDecl* namesake = find_resource(old_.graph, decl.name);
-        const auto from =
-            namesake == nullptr ? kNoId : static_cast<ResourceId>(namesake - old_.graph.resources.data());
+        const ResourceId from = find_resource(old_.graph, decl.name);
         const bool lived = from != kNoId && old_.live.live_resources[from] != 0;
-        const ContentAction action = lived ? choose_action(*namesake, decl) : ContentAction::clear;
+        const ContentAction action =
+            lived ? choose_action(old_.graph.resources[from], decl) : ContentAction::clear;
         // The first new frame overwrites the ring's resource of age 0, so its old content is not needed.
         const bool forgotten = decl.history > 0 && decl.age == 0;
         AccessState written = transfer_state(decl, Access::clear_write);

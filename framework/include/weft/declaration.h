@@ -388,7 +388,8 @@ struct ResolvedGraph {
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };
 
-[[nodiscard]] const ResourceDecl* find_resource(const ResolvedGraph& graph, std::string_view name);
-[[nodiscard]] const PassDecl* find_pass(const ResolvedGraph& graph, std::string_view name);
+// Each returns kNoId if the graph has nothing of this name.
+[[nodiscard]] ResourceId find_resource(const ResolvedGraph& graph, std::string_view name);
+[[nodiscard]] PassId find_pass(const ResolvedGraph& graph, std::string_view name);
 
 }  // namespace weft

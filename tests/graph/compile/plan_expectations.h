@@ -23,11 +23,11 @@ inline FramePlan compiled(const GraphBuilder& builder) {
 }
 
 inline PassId pass_id(const FramePlan& plan, const std::string& name) {
-    return static_cast<PassId>(find_pass(plan.graph, name) - plan.graph.passes.data());
+    return find_pass(plan.graph, name);
 }
 
 inline ResourceId resource_id(const FramePlan& plan, const std::string& name) {
-    return static_cast<ResourceId>(find_resource(plan.graph, name) - plan.graph.resources.data());
+    return find_resource(plan.graph, name);
 }
 
 inline const PassStep& step_of(const FramePlan& plan, const std::string& pass) {

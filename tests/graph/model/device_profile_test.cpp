@@ -113,7 +113,7 @@ TEST(DeviceProfile, OnATilerAttachmentsThatNobodyReadsGoIntoLazyMemory) {
         for (const UseDecl& use : pass.uses) graph.resources[use.resource].usage |= usage_of(use.access);
     const MemoryNeeds needs = profile_needs(graph, *profile);
     const auto lazy = [&](const char* name) {
-        const auto id = static_cast<size_t>(find_resource(graph, name) - graph.resources.data());
+        const ResourceId id = find_resource(graph, name);
         return profile->memory_types[static_cast<size_t>(std::countr_zero(needs[id].type_bits))]
             .lazily_allocated;
     };

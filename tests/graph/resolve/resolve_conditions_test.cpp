@@ -27,7 +27,7 @@ class ResolveConditions : public ResolveTest {
                shader + R"j(", "in": {"src": )j" + src + R"j(}, "out": {"dst": "y"}}})j";
     }
     static uint32_t constant(const ResolvedGraph& g, const char* pass, uint32_t id) {
-        for (const SpecValue& value : find_pass(g, pass)->spec_values) {
+        for (const SpecValue& value : pass_in(g, pass).spec_values) {
             if (value.id == id) return value.bits;
         }
         ADD_FAILURE() << "no constant " << id;
@@ -37,10 +37,10 @@ class ResolveConditions : public ResolveTest {
 
 TEST_F(ResolveConditions, AFalseConditionLeavesThePassOut) {
     observed = {"y"};
-    EXPECT_EQ(find_pass(good(graph(R"j("z")j")), "maker"), nullptr);
+    EXPECT_EQ(find_pass(good(graph(R"j("z")j")), "maker"), kNoId);
     EXPECT_TRUE(warnings.empty()) << "its resources are not unused for good";
     params["on"] = 1;
-    EXPECT_NE(find_pass(good(graph(R"j("z")j")), "maker"), nullptr);
+    EXPECT_NE(find_pass(good(graph(R"j("z")j")), "maker"), kNoId);
 }
 
 TEST_F(ResolveConditions, ConditionsAreNumbers) {
@@ -49,9 +49,9 @@ TEST_F(ResolveConditions, ConditionsAreNumbers) {
 "a": {"type": "clear", "out": ["x"], "if": )j" +
                condition + "}}";
     };
-    EXPECT_NE(find_pass(good(with("true")), "a"), nullptr);
-    EXPECT_EQ(find_pass(good(with("0")), "a"), nullptr);
-    EXPECT_EQ(find_pass(good(with("\"max(0, output.x - 640)\"")), "a"), nullptr);
+    EXPECT_NE(find_pass(good(with("true")), "a"), kNoId);
+    EXPECT_EQ(find_pass(good(with("0")), "a"), kNoId);
+    EXPECT_EQ(find_pass(good(with("\"max(0, output.x - 640)\"")), "a"), kNoId);
     const Diagnostic size = bad(with("\"output\""));
     EXPECT_EQ(size.code, "W106");
     expect_help(size, ".x or .y");
@@ -91,11 +91,11 @@ TEST_F(ResolveConditions, ElseMustBeThere) {
 TEST_F(ResolveConditions, OptionalPortsAreLeftOut) {
     const std::string body = graph(R"j({"ref": "x", "optional": true})j", "", "maybe.comp");
     const ResolvedGraph off = good(body);
-    EXPECT_EQ(find_pass(off, "reader")->uses.size(), 1u);
+    EXPECT_EQ(pass_in(off, "reader").uses.size(), 1u);
     EXPECT_EQ(constant(off, "reader", 0), 0u);
     params["on"] = 1;
     const ResolvedGraph on = good(body);
-    EXPECT_EQ(find_pass(on, "reader")->uses.size(), 2u);
+    EXPECT_EQ(pass_in(on, "reader").uses.size(), 2u);
     EXPECT_EQ(constant(on, "reader", 0), 1u);
 }
 
@@ -116,10 +116,10 @@ TEST_F(ResolveConditions, MembersOfAnAbsentPort) {
     shaders["maybe.comp"] =
         with_params(std::move(shaders["maybe.comp"]), {member("srcSize", 2), member("srcValid")});
     const ResolvedGraph g = good(graph(R"j({"ref": "x", "optional": true})j", "", "maybe.comp"));
-    ASSERT_EQ(find_pass(g, "reader")->params.size(), 2u);
-    EXPECT_EQ(find_pass(g, "reader")->params[0].value[0], 0.0);
-    EXPECT_EQ(find_pass(g, "reader")->params[1].value[0], 0.0);
-    EXPECT_EQ(find_pass(g, "reader")->params[1].builtin, Builtin::none);
+    ASSERT_EQ(pass_in(g, "reader").params.size(), 2u);
+    EXPECT_EQ(pass_in(g, "reader").params[0].value[0], 0.0);
+    EXPECT_EQ(pass_in(g, "reader").params[1].value[0], 0.0);
+    EXPECT_EQ(pass_in(g, "reader").params[1].builtin, Builtin::none);
 }
 
 TEST_F(ResolveConditions, SkippingAnInPlacePassPassesTheVersionOn) {

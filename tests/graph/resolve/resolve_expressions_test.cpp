@@ -30,7 +30,7 @@ TEST_F(ResolveExpressions, OfStates) {
         R"j({"scissor": ["half.x", 0, "half.x", "half.y"], "viewport": [0, "-n", 64, "n * 8"],
              "depthBias": {"constant": "n / 2", "slope": 0.5},
              "depth": "none", "stencil": {"reference": "n + 1", "pass": "replace"}})j"));
-    const RasterState& state = find_pass(g, "p")->state;
+    const RasterState& state = pass_in(g, "p").state;
     EXPECT_EQ(state.scissor, (RectPx{320, 0, 320, 180}));
     EXPECT_EQ(state.viewport, (RectPx{0, -3, 64, 24}));
     EXPECT_EQ(state.depth_bias_constant, 1.5f);
@@ -41,9 +41,9 @@ TEST_F(ResolveExpressions, OfStates) {
 }
 
 TEST_F(ResolveExpressions, OfColoursFollowParameters) {
-    EXPECT_EQ(find_pass(good(drawing("{}")), "c")->clear, (std::array<float, 4>{0.75f, 0, 6, 1}));
+    EXPECT_EQ(pass_in(good(drawing("{}")), "c").clear, (std::array<float, 4>{0.75f, 0, 6, 1}));
     params = {{"n", 4}};
-    EXPECT_EQ(find_pass(good(drawing("{}")), "c")->clear, (std::array<float, 4>{1, 0, 8, 1}));
+    EXPECT_EQ(pass_in(good(drawing("{}")), "c").clear, (std::array<float, 4>{1, 0, 8, 1}));
 }
 
 TEST_F(ResolveExpressions, OutOfRangeOnceKnown) {
@@ -63,11 +63,11 @@ TEST_F(ResolveExpressions, OfHistorySamplesAndFrames) {
       "passes": {"p": {"type": "compute", "shader": "make.comp", "out": {"dst": "a"}}, "q": {"type": "clear", "out": ["m"]}})j";
     const ResolvedGraph g = good(body);
     EXPECT_EQ(g.frames, 16u);
-    EXPECT_EQ(find_resource(g, "a")->history, 2u);
-    EXPECT_NE(find_resource(g, "a[-2]"), nullptr);
-    EXPECT_EQ(find_resource(g, "a[-1]")->first_frame, (std::array<float, 4>{4, 4, 4, 4}));
+    EXPECT_EQ(resource_in(g, "a").history, 2u);
+    EXPECT_NE(find_resource(g, "a[-2]"), kNoId);
+    EXPECT_EQ(resource_in(g, "a[-1]").first_frame, (std::array<float, 4>{4, 4, 4, 4}));
     params = {{"back", 0}};
-    EXPECT_EQ(find_resource(g, "a[-3]"), nullptr);
+    EXPECT_EQ(find_resource(g, "a[-3]"), kNoId);
     params = {{"back", 17}};
     const Diagnostic d = bad(body);
     EXPECT_EQ(d.code, "W109");
@@ -79,7 +79,7 @@ TEST_F(ResolveExpressions, AHistoryOfNoneIsNone) {
     const ResolvedGraph g = good(R"j("params": {"back": 2},
       "resources": {"a": {"format": "rgba16f", "history": "back"}},
       "passes": {"p": {"type": "compute", "shader": "make.comp", "out": {"dst": "a"}}})j");
-    EXPECT_EQ(find_resource(g, "a")->lifetime, ResourceLifetime::transient);
+    EXPECT_EQ(resource_in(g, "a").lifetime, ResourceLifetime::transient);
 }
 
 TEST_F(ResolveExpressions, ConstantsInACircleAndOfSizes) {

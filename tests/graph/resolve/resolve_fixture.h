@@ -99,14 +99,25 @@ class ResolveTest : public ::testing::Test {
         return graph.errors().front();
     }
 
+    static const PassDecl& pass_in(const ResolvedGraph& graph, const char* name) {
+        static const PassDecl none;
+        const PassId pass = find_pass(graph, name);
+        if (pass != kNoId) return graph.passes[pass];
+        ADD_FAILURE() << "no pass " << name;
+        return none;
+    }
+
+    static const ResourceDecl& resource_in(const ResolvedGraph& graph, const char* name) {
+        static const ResourceDecl none;
+        const ResourceId resource = find_resource(graph, name);
+        if (resource != kNoId) return graph.resources[resource];
+        ADD_FAILURE() << "no resource " << name;
+        return none;
+    }
+
     static const UseDecl& use(const ResolvedGraph& graph, const char* pass, const char* port) {
         static const UseDecl none;
-        const PassDecl* found = find_pass(graph, pass);
-        if (!found) {
-            ADD_FAILURE() << "no pass " << pass;
-            return none;
-        }
-        for (const UseDecl& u : found->uses) {
+        for (const UseDecl& u : pass_in(graph, pass).uses) {
             if (u.port == port) return u;
         }
         ADD_FAILURE() << pass << " has no port " << port;

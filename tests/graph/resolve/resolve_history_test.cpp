@@ -166,7 +166,7 @@ TEST_F(ResolveHistory, KeptContentIsReadWithoutAWriter) {
       "passes": {
       "c": {"type": "compute", "shader": "copy.comp", "in": {"src": "x.mip(0)"}, "out": {"dst": "y"}}})j");
     EXPECT_EQ(seen(g, "c", "src"), "before");
-    EXPECT_EQ(use(g, "c", "src").sources.front().range, find_resource(g, "x")->whole());
+    EXPECT_EQ(use(g, "c", "src").sources.front().range, resource_in(g, "x").whole());
 }
 
 TEST_F(ResolveHistory, BuffersToo) {
@@ -174,8 +174,8 @@ TEST_F(ResolveHistory, BuffersToo) {
     const ResolvedGraph g =
         good(R"j("resources": {"b": {"buffer": "vec4", "count": 8, "history": 1}}, "passes": {
       "s": {"type": "compute", "shader": "step.comp", "groups": 1, "in": {"prev": "b[-1]"}, "out": {"next": "b"}}})j");
-    EXPECT_EQ(find_resource(g, "b[-1]")->size_bytes, 128u);
-    EXPECT_EQ(find_resource(g, "b[-1]")->usage, usage::kStorage | usage::kTransferSrc | usage::kTransferDst);
+    EXPECT_EQ(resource_in(g, "b[-1]").size_bytes, 128u);
+    EXPECT_EQ(resource_in(g, "b[-1]").usage, usage::kStorage | usage::kTransferSrc | usage::kTransferDst);
 }
 
 TEST_F(ResolveHistory, ObserversMayAskForThePast) {
@@ -189,7 +189,7 @@ TEST_F(ResolveHistory, ValidMembers) {
                                       {member("prevValid", 1, ScalarType::boolean),
                                        member("dstValid", 1, ScalarType::u32), member("prevSize", 2)});
     const ResolvedGraph g = good(temporal());
-    const std::vector<ParamWrite>& params_written = find_pass(g, "mix")->params;
+    const std::vector<ParamWrite>& params_written = pass_in(g, "mix").params;
     ASSERT_EQ(params_written.size(), 3u);
     EXPECT_EQ(params_written[0].builtin, Builtin::valid);
     EXPECT_EQ(g.resources[params_written[0].resource].name, "acc[-1]");

@@ -52,9 +52,9 @@ TEST_F(ResolveInterface, OptionalBinding) {
     p.interface.spec_constants = {has};
     shaders["f.comp"] = p;
     const ResolvedGraph g = good(filter_pass("f.comp"));
-    ASSERT_EQ(find_pass(g, "f")->spec_values.size(), 1u);
-    EXPECT_EQ(find_pass(g, "f")->spec_values[0].id, 3u);
-    EXPECT_EQ(find_pass(g, "f")->spec_values[0].bits, 0u);
+    ASSERT_EQ(pass_in(g, "f").spec_values.size(), 1u);
+    EXPECT_EQ(pass_in(g, "f").spec_values[0].id, 3u);
+    EXPECT_EQ(pass_in(g, "f").spec_values[0].bits, 0u);
 }
 
 TEST_F(ResolveInterface, FailedShaderIsNotReportedAgain) {
@@ -143,7 +143,7 @@ TEST_F(ResolveInterface, ParamsByName) {
          member("frameIndex", 1, ScalarType::u32), member("tint", 3)});
     const ResolvedGraph g =
         good(filter_pass("p.comp", R"j(, "params": {"strength": "gain * 2", "tint": [1, 0.5, 0.25]})j"));
-    const PassDecl& f = *find_pass(g, "f");
+    const PassDecl& f = pass_in(g, "f");
     ASSERT_EQ(f.params.size(), 6u);
     EXPECT_EQ(f.params[0].value[0], 4.0);
     EXPECT_EQ(f.params[1].value[0], 2.0);
@@ -186,9 +186,9 @@ TEST_F(ResolveInterface, DispatchFromTheOutput) {
       "a": {"type": "compute", "shader": "make.comp", "out": {"dst": "x.mip(1)"}},
       "b": {"type": "compute", "shader": "make.comp", "out": {"dst": "x.mip(0)"}, "threads": "output / 2"},
       "c": {"type": "compute", "shader": "make.comp", "out": {"dst": "x.mip(2)"}, "groups": [3, 2, 1]}})j");
-    EXPECT_EQ(find_pass(g, "a")->groups, (std::array<uint32_t, 3>{40, 23, 1}));
-    EXPECT_EQ(find_pass(g, "b")->groups, (std::array<uint32_t, 3>{41, 23, 1}));
-    EXPECT_EQ(find_pass(g, "c")->groups, (std::array<uint32_t, 3>{3, 2, 1}));
+    EXPECT_EQ(pass_in(g, "a").groups, (std::array<uint32_t, 3>{40, 23, 1}));
+    EXPECT_EQ(pass_in(g, "b").groups, (std::array<uint32_t, 3>{41, 23, 1}));
+    EXPECT_EQ(pass_in(g, "c").groups, (std::array<uint32_t, 3>{3, 2, 1}));
 }
 
 TEST_F(ResolveInterface, DispatchUnknown) {
@@ -243,11 +243,11 @@ TEST_F(ResolveInterface, CppPasses) {
                more + "}}";
     };
     const ResolvedGraph g = good(body(R"j(, "params": {"limit": 4})j"));
-    EXPECT_EQ(find_pass(g, "u")->kind, PassKind::custom);
+    EXPECT_EQ(pass_in(g, "u").kind, PassKind::custom);
     EXPECT_EQ(use(g, "u", "lights").access, Access::copy_write);
     EXPECT_EQ(use(g, "u", "lights").state.stages, stage::kCopy);
-    ASSERT_EQ(find_pass(g, "u")->custom_params.size(), 1u);
-    EXPECT_EQ(find_pass(g, "u")->custom_params[0].value, 4.0);
+    ASSERT_EQ(pass_in(g, "u").custom_params.size(), 1u);
+    EXPECT_EQ(pass_in(g, "u").custom_params[0].value, 4.0);
     EXPECT_EQ(good(body("")).passes[0].custom_params[0].value, 8.0);
     EXPECT_EQ(bad(body(R"j(, "params": {"limit": 99})j")).code, "W113");
     EXPECT_EQ(bad(body(R"j(, "params": {"limt": 9})j")).code, "W113");

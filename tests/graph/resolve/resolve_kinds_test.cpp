@@ -96,7 +96,7 @@ TEST_F(ResolveKinds, MultisampledImagesAreNoStorage) {
 TEST_F(ResolveKinds, AttachmentsAreResolvedWhenThePassEnds) {
     const ResolvedGraph g = good(resolving(ms(), R"j("format": "rgba16f")j", R"j(,
 "show": {"type": "readback", "in": ["one"]})j"));
-    const PassDecl& draw = *find_pass(g, "draw");
+    const PassDecl& draw = pass_in(g, "draw");
     ASSERT_EQ(draw.colors.size(), 1u);
     ASSERT_NE(draw.colors[0].resolve_use, kNoId);
     const UseDecl& target = draw.uses[draw.colors[0].resolve_use];
@@ -105,7 +105,7 @@ TEST_F(ResolveKinds, AttachmentsAreResolvedWhenThePassEnds) {
     EXPECT_EQ(target.state.stages, stage::kColorOutput);
     EXPECT_EQ(target.state.layout, Layout::color_attachment);
     EXPECT_TRUE(target.is_output);
-    EXPECT_EQ(find_resource(g, "one")->usage & usage::kColorAttachment, usage::kColorAttachment);
+    EXPECT_EQ(resource_in(g, "one").usage & usage::kColorAttachment, usage::kColorAttachment);
     EXPECT_EQ(seen(g, "show", "one"), "draw");
 }
 
@@ -158,7 +158,7 @@ TEST_F(ResolveKinds, IndirectDispatches) {
 "d": {"type": "compute", "shader": "make.comp", "groups": {"indirect": "args"}, "out": {"dst": "y"}}})j";
     };
     const ResolvedGraph g = good(body(R"j("buffer": "u32", "count": 3)j"));
-    const PassDecl& d = *find_pass(g, "d");
+    const PassDecl& d = pass_in(g, "d");
     ASSERT_NE(d.indirect_use, kNoId);
     const UseDecl& args = d.uses[d.indirect_use];
     EXPECT_EQ(args.access, Access::indirect_read);
@@ -166,7 +166,7 @@ TEST_F(ResolveKinds, IndirectDispatches) {
     EXPECT_EQ(args.binding, kNoId);
     EXPECT_EQ(d.groups, (std::array<uint32_t, 3>{0, 0, 0}));
     EXPECT_EQ(seen(g, "d", "indirect"), "c");
-    EXPECT_TRUE(find_resource(g, "args")->usage & usage::kIndirect);
+    EXPECT_TRUE(resource_in(g, "args").usage & usage::kIndirect);
     EXPECT_EQ(bad(body(R"j("buffer": "u32", "count": 2)j")).code, "W114");
     EXPECT_EQ(bad(body(R"j("format": "r32u")j")).code, "W114");
 }
@@ -231,9 +231,9 @@ class ResolveIndirectDraws : public ResolveKinds {
 
 TEST_F(ResolveIndirectDraws, ReadTheirCommandsFromABuffer) {
     const ResolvedGraph g = good(body(R"j("buffer": "DrawCommand", "count": "opaqueDraws")j"));
-    EXPECT_EQ(find_resource(g, "commands")->size_bytes, 60u);
-    EXPECT_TRUE(find_resource(g, "commands")->usage & usage::kIndirect);
-    const PassDecl& d = *find_pass(g, "d");
+    EXPECT_EQ(resource_in(g, "commands").size_bytes, 60u);
+    EXPECT_TRUE(resource_in(g, "commands").usage & usage::kIndirect);
+    const PassDecl& d = pass_in(g, "d");
     EXPECT_EQ(d.draw_lists, std::vector<std::string>{"opaque"});
     EXPECT_EQ(d.indirect_use, kNoId);
     ASSERT_NE(d.draw_commands_use, kNoId);
@@ -242,7 +242,7 @@ TEST_F(ResolveIndirectDraws, ReadTheirCommandsFromABuffer) {
     EXPECT_EQ(commands.state.stages, stage::kDrawIndirect);
     EXPECT_EQ(commands.binding, kNoId);
     EXPECT_EQ(seen(g, "d", "indirect"), "c");
-    EXPECT_EQ(find_pass(good(resolving(ms(), R"j("format": "rgba16f")j")), "draw")->draw_commands_use, kNoId);
+    EXPECT_EQ(pass_in(good(resolving(ms(), R"j("format": "rgba16f")j")), "draw").draw_commands_use, kNoId);
 }
 
 TEST_F(ResolveIndirectDraws, NeedACommandForEachDraw) {
@@ -265,11 +265,11 @@ TEST_F(ResolveIndirectDraws, ListsCountTheirDrawsInExpressionsAndParams) {
 "m": {"type": "compute", "shader": "make.comp", "groups": "opaqueDraws + 4", "out": {"dst": "x"}}})j";
     };
     const ResolvedGraph g = good(graph(""));
-    EXPECT_EQ(find_pass(g, "m")->groups[0], 7u);
-    ASSERT_EQ(find_pass(g, "m")->params.size(), 1u);
-    EXPECT_EQ(find_pass(g, "m")->params[0].value[0], 3.0);
+    EXPECT_EQ(pass_in(g, "m").groups[0], 7u);
+    ASSERT_EQ(pass_in(g, "m").params.size(), 1u);
+    EXPECT_EQ(pass_in(g, "m").params[0].value[0], 3.0);
     // A constant that the author declares takes precedence over a built-in name such as `opaqueDraws`.
-    EXPECT_EQ(find_pass(good(graph(R"j("consts": {"opaqueDraws": 20},)j")), "m")->groups[0], 24u);
+    EXPECT_EQ(pass_in(good(graph(R"j("consts": {"opaqueDraws": 20},)j")), "m").groups[0], 24u);
 }
 
 }  // namespace

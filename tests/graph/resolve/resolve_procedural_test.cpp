@@ -18,7 +18,7 @@ class ResolveProcedural : public ResolveTest {
 "stars": {"type": "raster", "shader": "star", "out": ["hdr"], "draws": )j" +
                draws + more + "}}";
     }
-    PassDecl stars(const std::string& draws) { return *find_pass(good(graph(draws)), "stars"); }
+    PassDecl stars(const std::string& draws) { return pass_in(good(graph(draws)), "stars"); }
 };
 
 TEST_F(ResolveProcedural, CountsAreExpressions) {

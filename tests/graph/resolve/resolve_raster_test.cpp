@@ -29,7 +29,7 @@ TEST_F(ResolveRaster, ColoursByLocationAndDepthCleared) {
     const ResolvedGraph g = good(graph(
         R"j("albedo": "rgba8_srgb", "normal": "rg16f", "depth": "d32f")j",
         R"j("g": )j" + raster(R"j("shader": "gbuffer", "depth": "depth", "out": ["albedo", "normal"])j")));
-    const PassDecl& pass = *find_pass(g, "g");
+    const PassDecl& pass = pass_in(g, "g");
     ASSERT_EQ(pass.colors.size(), 2u);
     EXPECT_EQ(pass.uses[pass.colors[0].use].port, "normal");
     EXPECT_EQ(pass.uses[pass.colors[1].use].port, "albedo");
@@ -55,7 +55,7 @@ TEST_F(ResolveRaster, SecondPassLoadsAndDepthIsTestedOnly) {
     EXPECT_EQ(use(g, "b", "depth").access, Access::depth_read);
     EXPECT_EQ(seen(g, "b", "depth"), "a");
     EXPECT_EQ(use(g, "b", "depth").state.layout, Layout::depth_read_only);
-    EXPECT_TRUE(find_pass(g, "b")->colors[0].blend.enabled);
+    EXPECT_TRUE(pass_in(g, "b").colors[0].blend.enabled);
 }
 
 TEST_F(ResolveRaster, BlendOfNothingClears) {
@@ -63,16 +63,16 @@ TEST_F(ResolveRaster, BlendOfNothingClears) {
         graph(R"j("hdr": {"format": "rgba16f", "clear": [0, 0, 0, 1]})j",
               R"j("a": )j" + raster(R"j("shader": "mesh", "out": ["hdr"], "state": {"blend": "add"})j")));
     EXPECT_EQ(use(g, "a", "hdr").access, Access::color_write);
-    EXPECT_EQ(find_pass(g, "a")->colors[0].clear, (std::array<float, 4>{0, 0, 0, 1}));
-    EXPECT_FALSE(find_pass(g, "a")->colors[0].covers);
+    EXPECT_EQ(pass_in(g, "a").colors[0].clear, (std::array<float, 4>{0, 0, 0, 1}));
+    EXPECT_FALSE(pass_in(g, "a").colors[0].covers);
 }
 
 TEST_F(ResolveRaster, FullscreenCoversUnlessItDiscards) {
     const std::string body = graph(R"j("hdr": "rgba16f")j",
                                    R"j("a": {"type": "fullscreen", "shader": "full.frag", "out": ["hdr"]})j");
-    EXPECT_TRUE(find_pass(good(body), "a")->colors[0].covers);
+    EXPECT_TRUE(pass_in(good(body), "a").colors[0].covers);
     shaders["full.frag"].interface.discards = true;
-    EXPECT_FALSE(find_pass(good(body), "a")->colors[0].covers);
+    EXPECT_FALSE(pass_in(good(body), "a").colors[0].covers);
 }
 
 TEST_F(ResolveRaster, DepthMayBeTestedAndSampledAtOnce) {
@@ -86,7 +86,7 @@ TEST_F(ResolveRaster, DepthMayBeTestedAndSampledAtOnce) {
     };
     const Result<ResolvedGraph> g = run(sky("equal"));
     if (!g) FAIL() << to_text(g.errors());
-    EXPECT_EQ(find_pass(*g, "s")->uses.size(), 3u);
+    EXPECT_EQ(pass_in(*g, "s").uses.size(), 3u);
     const Diagnostic d = bad(sky("equal_write"));
     EXPECT_EQ(d.code, "W163");
     EXPECT_NE(d.message.find("different layouts"), std::string::npos);
@@ -157,7 +157,7 @@ TEST_F(ResolveRaster, DrawListsAndViews) {
     const Diagnostic view = bad(body(R"j(["opaque"])j", "camra"));
     EXPECT_EQ(view.code, "W118");
     expect_help(view, "did you mean \"camera\"");
-    EXPECT_EQ(find_pass(good(body(R"j(["opaque", "masked"])j", "sun")), "a")->view, "sun");
+    EXPECT_EQ(pass_in(good(body(R"j(["opaque", "masked"])j", "sun")), "a").view, "sun");
 }
 
 TEST_F(ResolveRaster, VertexInputsComeFromTheDrawList) {
@@ -182,7 +182,7 @@ TEST_F(ResolveRaster, DeferredShape) {
             R"j(, "light": {"type": "compute", "shader": "light.comp", "in": ["albedo"], "out": ["hdr"]})j"));
     EXPECT_EQ(use(g, "light", "hdr").access, Access::storage_read_write);
     EXPECT_EQ(seen(g, "light", "hdr"), "g");
-    EXPECT_EQ(find_pass(g, "light")->groups, (std::array<uint32_t, 3>{80, 45, 1}));
+    EXPECT_EQ(pass_in(g, "light").groups, (std::array<uint32_t, 3>{80, 45, 1}));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST_F(ResolveRepeat, OnePassForEachIndex) {
     EXPECT_EQ(use(g, "down#3", "dst").range.mip, 3u);
     EXPECT_EQ(seen(g, "down#1", "src"), "make");
     EXPECT_EQ(seen(g, "down#9", "src"), "down#8");
-    EXPECT_EQ(find_pass(g, "down#1")->groups, (std::array<uint32_t, 3>{40, 23, 1}));
+    EXPECT_EQ(pass_in(g, "down#1").groups, (std::array<uint32_t, 3>{40, 23, 1}));
 }
 
 TEST_F(ResolveRepeat, EmptyRangesAndSteps) {
@@ -115,7 +115,7 @@ TEST_F(ResolveRepeat, IndicesAreNamesLikeOthers) {
     const ResolvedGraph g = good(R"j("resources": {"x": {"format": "rgba16f", "layers": 4}}, "passes": {
       "p": {"type": "compute", "shader": "make.comp", "repeat": {"i": "0..3"}, "params": {"twice": "2 * i"},
             "groups": ["i + 1", 1, 1], "out": {"dst": "x.layer(i)"}}})j");
-    const PassDecl& p = *find_pass(g, "p#3");
+    const PassDecl& p = pass_in(g, "p#3");
     EXPECT_EQ(p.params[0].value[0], 3.0);
     EXPECT_EQ(p.params[1].value[0], 6.0);
     EXPECT_EQ(p.groups[0], 4u);

@@ -25,15 +25,15 @@ class ResolveResources : public ResolveTest {
 };
 
 TEST_F(ResolveResources, DefaultSizeIsRenderElseOutput) {
-    EXPECT_EQ(find_resource(good(image(R"j("mips": 1)j")), "x")->extent, (Extent3D{640, 360, 1}));
+    EXPECT_EQ(resource_in(good(image(R"j("mips": 1)j")), "x").extent, (Extent3D{640, 360, 1}));
     const ResolvedGraph g = good(image(R"j("mips": 1)j", R"j("sizes": {"render": "ceil(output * 0.5)"},)j"));
-    EXPECT_EQ(find_resource(g, "x")->extent, (Extent3D{320, 180, 1}));
+    EXPECT_EQ(resource_in(g, "x").extent, (Extent3D{320, 180, 1}));
 }
 
 TEST_F(ResolveResources, SizesMayReferToEachOtherInAnyOrder) {
     const ResolvedGraph g =
         good(image(R"j("size": "a")j", R"j("sizes": {"a": "b / 2", "b": "c / 2", "c": "output"},)j"));
-    EXPECT_EQ(find_resource(g, "x")->extent, (Extent3D{160, 90, 1}));
+    EXPECT_EQ(resource_in(g, "x").extent, (Extent3D{160, 90, 1}));
 }
 
 TEST_F(ResolveResources, SizesInACircle) {
@@ -44,10 +44,10 @@ TEST_F(ResolveResources, SizesInACircle) {
 
 TEST_F(ResolveResources, ExtentsAndMipsAreClamped) {
     const ResolvedGraph g = good(image(R"j("size": "output / 10000", "mips": 9)j"));
-    EXPECT_EQ(find_resource(g, "x")->extent, (Extent3D{1, 1, 1}));
-    EXPECT_EQ(find_resource(g, "x")->mips, 1u);
-    EXPECT_EQ(find_resource(good(image(R"j("mips": "full")j")), "x")->mips, 10u);
-    EXPECT_EQ(find_resource(good(image(R"j("mips": 99)j")), "x")->mips, 10u);
+    EXPECT_EQ(resource_in(g, "x").extent, (Extent3D{1, 1, 1}));
+    EXPECT_EQ(resource_in(g, "x").mips, 1u);
+    EXPECT_EQ(resource_in(good(image(R"j("mips": "full")j")), "x").mips, 10u);
+    EXPECT_EQ(resource_in(good(image(R"j("mips": 99)j")), "x").mips, 10u);
 }
 
 TEST_F(ResolveResources, MipsOfAnotherResource) {
@@ -55,7 +55,7 @@ TEST_F(ResolveResources, MipsOfAnotherResource) {
         "z": {"format": "r32f", "mips": "full"},
         "a": {"format": "rgba16f", "mips": "mips(z) - 2"}},
       "passes": {"c": {"type": "clear", "out": ["z", "a"]}})j");
-    EXPECT_EQ(find_resource(g, "a")->mips, 8u);
+    EXPECT_EQ(resource_in(g, "a").mips, 8u);
 }
 
 TEST_F(ResolveResources, TooLargeForTheDevice) {
@@ -88,11 +88,11 @@ TEST_F(ResolveResources, BuffersHaveNoMips) {
 }
 
 TEST_F(ResolveResources, BufferBytes) {
-    EXPECT_EQ(find_resource(good(buffer_of("u32", "n")), "x")->size_bytes, 400u);
-    EXPECT_EQ(find_resource(good(buffer_of("vec4", "n * 2")), "x")->size_bytes, 3200u);
+    EXPECT_EQ(resource_in(good(buffer_of("u32", "n")), "x").size_bytes, 400u);
+    EXPECT_EQ(resource_in(good(buffer_of("vec4", "n * 2")), "x").size_bytes, 3200u);
     const ResolvedGraph g = good(buffer_of("Light", "output.x / 64"));
-    EXPECT_EQ(find_resource(g, "x")->stride_bytes, 48u);
-    EXPECT_EQ(find_resource(g, "x")->size_bytes, 480u);
+    EXPECT_EQ(resource_in(g, "x").stride_bytes, 48u);
+    EXPECT_EQ(resource_in(g, "x").size_bytes, 480u);
 }
 
 TEST_F(ResolveResources, BufferFaults) {
@@ -108,7 +108,7 @@ TEST_F(ResolveResources, ParametersAndTheirOverrides) {
                                    R"j("params": {"scale": {"default": 1, "range": [0.25, 1]}},)j");
     params["scale"] = 0.5;
     const ResolvedGraph g = good(body);
-    EXPECT_EQ(find_resource(g, "x")->extent, (Extent3D{320, 180, 1}));
+    EXPECT_EQ(resource_in(g, "x").extent, (Extent3D{320, 180, 1}));
     ASSERT_EQ(g.params.size(), 1u);
     EXPECT_EQ(g.params[0].value, 0.5);
     params["scale"] = 2;
@@ -155,8 +155,8 @@ TEST_F(ResolveResources, FirstFormatThatServesAllUsages) {
     const ResolvedGraph g = good(R"j("resources": {"x": "rgba8_srgb|rgba8", "y": "rgba16f"}, "passes": {
       "a": {"type": "compute", "shader": "any.comp", "out": {"dst": "x"}},
       "b": {"type": "compute", "shader": "read.comp", "in": {"src": "x"}, "out": {"dst": "y"}}})j");
-    EXPECT_EQ(find_resource(g, "x")->format, Format::rgba8);
-    EXPECT_EQ(find_resource(g, "x")->usage, usage::kStorage | usage::kSampled);
+    EXPECT_EQ(resource_in(g, "x").format, Format::rgba8);
+    EXPECT_EQ(resource_in(g, "x").usage, usage::kStorage | usage::kSampled);
 }
 
 TEST_F(ResolveResources, NoFormatServes) {

@@ -124,7 +124,7 @@ TEST_F(ResolveVersions, PinOfAnInPlaceWriterOrdersItAfterThat) {
         "two":  {"type": "compute", "shader": "change.comp", "out": ["x"]}})j");
     EXPECT_EQ(seen(g, "one", "x"), "two");
     EXPECT_EQ(use(g, "one", "x").access, Access::storage_read_write);
-    EXPECT_EQ(find_pass(g, "one")->uses.size(), 1u);
+    EXPECT_EQ(pass_in(g, "one").uses.size(), 1u);
 }
 
 // "zr" reads the first version of y, so it must run before "y2", which writes y again. This also orders the
@@ -151,8 +151,8 @@ TEST_F(ResolveVersions, ImportsHaveContentFromBeforeTheFrame) {
     EXPECT_EQ(seen(g, "a", "src"), "before");
     EXPECT_EQ(seen(g, "b", "instances"), "before");
     EXPECT_EQ(use(g, "b", "instances").state.layout, Layout::undefined);
-    EXPECT_EQ(find_resource(g, "noise")->lifetime, ResourceLifetime::imported);
-    EXPECT_EQ(find_resource(g, "noise")->usage, usage::kSampled);
+    EXPECT_EQ(resource_in(g, "noise").lifetime, ResourceLifetime::imported);
+    EXPECT_EQ(resource_in(g, "noise").usage, usage::kSampled);
 }
 
 TEST_F(ResolveVersions, ObservedReferencesBecomeReadbackPasses) {
@@ -161,14 +161,13 @@ TEST_F(ResolveVersions, ObservedReferencesBecomeReadbackPasses) {
       "passes": {
         "make": {"type": "compute", "shader": "make.comp", "out": {"dst": "x"}},
         "later": {"type": "compute", "shader": "change.comp", "out": ["x"]}})j");
-    const PassDecl* pass = find_pass(g, "observe:x@make");
-    ASSERT_NE(pass, nullptr);
-    EXPECT_EQ(pass->kind, PassKind::readback);
-    EXPECT_TRUE(pass->side_effect);
-    ASSERT_EQ(pass->uses.size(), 1u);
-    EXPECT_EQ(pass->uses[0].access, Access::copy_read);
-    EXPECT_EQ(g.passes[pass->uses[0].sources.at(0).producer].name, "make");
-    EXPECT_NE(find_resource(g, "x")->usage & usage::kTransferSrc, 0u);
+    const PassDecl& pass = pass_in(g, "observe:x@make");
+    EXPECT_EQ(pass.kind, PassKind::readback);
+    EXPECT_TRUE(pass.side_effect);
+    ASSERT_EQ(pass.uses.size(), 1u);
+    EXPECT_EQ(pass.uses[0].access, Access::copy_read);
+    EXPECT_EQ(g.passes[pass.uses[0].sources.at(0).producer].name, "make");
+    EXPECT_NE(resource_in(g, "x").usage & usage::kTransferSrc, 0u);
 }
 
 // Resolves the same graph with its passes and resources declared in two orders. The results must be equal.

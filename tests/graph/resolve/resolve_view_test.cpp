@@ -23,15 +23,15 @@ class ResolveView : public ResolveTest {
 };
 
 TEST_F(ResolveView, OfAPassIsTheCameraOrWhatItSays) {
-    EXPECT_EQ(find_pass(good(graph("camera")), "a")->view, "camera");
-    EXPECT_EQ(find_pass(good(graph("sun(2)")), "a")->view, "sun(2)");
-    EXPECT_EQ(find_pass(good(graph("sun( 4 / 2 - 1 )")), "a")->view, "sun(1)");
+    EXPECT_EQ(pass_in(good(graph("camera")), "a").view, "camera");
+    EXPECT_EQ(pass_in(good(graph("sun(2)")), "a").view, "sun(2)");
+    EXPECT_EQ(pass_in(good(graph("sun( 4 / 2 - 1 )")), "a").view, "sun(1)");
 }
 
 TEST_F(ResolveView, OfARepeatFollowsItsIndex) {
     const ResolvedGraph g = good(graph("sun(2-i)", R"j(, "repeat": {"i": "0..suns"}, "partial": true)j"));
-    EXPECT_EQ(find_pass(g, "a#0")->view, "sun(2)");
-    EXPECT_EQ(find_pass(g, "a#2")->view, "sun(0)");
+    EXPECT_EQ(pass_in(g, "a#0").view, "sun(2)");
+    EXPECT_EQ(pass_in(g, "a#2").view, "sun(0)");
 }
 
 TEST_F(ResolveView, ThatIsNotThere) {
@@ -64,9 +64,9 @@ TEST_F(ResolveView, NumberCostsAGraph) {
 }
 
 TEST_F(ResolveView, NumbersOfTheProgramGiveWayToTheAuthors) {
-    EXPECT_EQ(find_pass(good(graph("sun(suns)")), "a")->view, "sun(2)");
-    EXPECT_EQ(find_pass(good(graph("sun(suns)", "", R"j("params": {"suns": 1}, )j")), "a")->view, "sun(1)");
-    EXPECT_EQ(find_pass(good(graph("sun(suns)", "", R"j("consts": {"suns": 0}, )j")), "a")->view, "sun(0)");
+    EXPECT_EQ(pass_in(good(graph("sun(suns)")), "a").view, "sun(2)");
+    EXPECT_EQ(pass_in(good(graph("sun(suns)", "", R"j("params": {"suns": 1}, )j")), "a").view, "sun(1)");
+    EXPECT_EQ(pass_in(good(graph("sun(suns)", "", R"j("consts": {"suns": 0}, )j")), "a").view, "sun(0)");
 }
 
 }  // namespace

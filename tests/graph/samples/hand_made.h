@@ -11,11 +11,11 @@
 namespace weft::test {
 
 inline PassId pass_of(const ResolvedGraph& graph, const std::string& name) {
-    return static_cast<PassId>(find_pass(graph, name) - graph.passes.data());
+    return find_pass(graph, name);
 }
 
 inline ResourceId resource_of(const ResolvedGraph& graph, const std::string& name) {
-    return static_cast<ResourceId>(find_resource(graph, name) - graph.resources.data());
+    return find_resource(graph, name);
 }
 
 inline LiveGraph all_live(const ResolvedGraph& graph) {

@@ -117,9 +117,9 @@ ResolvedGraph random_graph(uint32_t seed, const RandomGraphOptions& options) {
 }
 
 ResourceId random_graph_result(const ResolvedGraph& graph) {
-    const PassDecl* pass = find_pass(graph, "read_back");
-    assert(pass != nullptr);
-    return pass->uses.front().resource;
+    const PassId pass = find_pass(graph, "read_back");
+    assert(pass != kNoId);
+    return graph.passes[pass].uses.front().resource;
 }
 
 }  // namespace weft::test

@@ -139,7 +139,8 @@ TEST(BarrierPlans, RangesOfEqualFateAreOne) {
     read_back(b, "out", color);
     const FramePlan plan = compiled(b);
 
-    EXPECT_EQ(barrier_before(plan, "draw", "image").range, find_resource(plan.graph, "image")->whole());
+    EXPECT_EQ(barrier_before(plan, "draw", "image").range,
+              plan.graph.resources[find_resource(plan.graph, "image")].whole());
     EXPECT_EQ(barrier_before(plan, "part", "image").range, one_cell(1, 1));
 }
 

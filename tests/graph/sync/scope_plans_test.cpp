@@ -140,8 +140,7 @@ TEST(ScopePlans, AMultisampledTargetThatIsResolvedInBetween) {
         layers.draw("second");
         read_back(layers.builder, "read", layers.target);
         ResolvedGraph graph = layers.builder.build();
-        PassDecl& pass = graph.passes[static_cast<size_t>(find_pass(graph, first ? "first" : "second") -
-                                                          graph.passes.data())];
+        PassDecl& pass = graph.passes[find_pass(graph, first ? "first" : "second")];
         pass.colors.front().resolve_use = 0;
         const FramePlan plan = compile(graph, content_needs(graph, 1), {});
         EXPECT_FALSE(merged(plan, "second"));
