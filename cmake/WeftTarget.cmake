@@ -22,10 +22,13 @@ if(WEFT_SANITIZE)
   target_link_options(weft_options INTERFACE -fsanitize=${WEFT_SANITIZE} -fno-sanitize=vptr)
 endif()
 
-# Most code of tests runs only once after it is compiled, so that optimisation costs more time than it saves.
-add_library(weft_test_options INTERFACE)
-target_link_libraries(weft_test_options INTERFACE weft_options)
-target_compile_options(weft_test_options INTERFACE $<$<CONFIG:Release>:-O0>)
+# Most code of tests runs only once after it is compiled, so that optimisation costs more time than it saves. The tests
+# that compute reference pictures are optimised.
+foreach(level 0 1)
+  add_library(weft_test_options_${level} INTERFACE)
+  target_link_libraries(weft_test_options_${level} INTERFACE weft_options)
+  target_compile_options(weft_test_options_${level} INTERFACE $<$<CONFIG:Release>:-O${level}>)
+endforeach()
 # Precompiles the headers of the standard library, which take half of the time to compile a source. Weft's own headers
 # are not precompiled, because then a change of one header would compile all sources again. To find a source in which
 # an #include is missing, build with -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
@@ -35,10 +38,12 @@ add_library(weft_precompiled OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
 target_link_libraries(weft_precompiled PRIVATE weft_options)
 target_precompile_headers(weft_precompiled PRIVATE ${WEFT_PRECOMPILED})
 if(WEFT_TESTS)
-  add_library(weft_precompiled_tests OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
-  target_link_libraries(weft_precompiled_tests PRIVATE weft_test_options GTest::gtest)
-  target_precompile_headers(weft_precompiled_tests PRIVATE ${WEFT_PRECOMPILED} <filesystem> <fstream> <random> <sstream>
-    <gtest/gtest.h>)
+  foreach(level 0 1)
+    add_library(weft_precompiled_tests_${level} OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
+    target_link_libraries(weft_precompiled_tests_${level} PRIVATE weft_test_options_${level} GTest::gtest)
+    target_precompile_headers(weft_precompiled_tests_${level} PRIVATE ${WEFT_PRECOMPILED} <filesystem> <fstream>
+      <random> <sstream> <gtest/gtest.h>)
+  endforeach()
 endif()
 
 # With WEFT_UNITY, all sources of a folder are compiled as one source, so that the headers that they include are
@@ -72,15 +77,20 @@ endfunction()
 # any test takes on a busy machine, so that results do not depend on time.
 set(WEFT_HANG_S 1800)
 
-# weft_test(NAME LIBS lib... [LABELS label...] SOURCES file...) adds a test program that uses GoogleTest. The program
-# is asked for its tests when the tests are run, not during the build. So a program that hangs cannot hang the build.
+# weft_test(NAME [OPTIMISED] LIBS lib... [LABELS label...] SOURCES file...) adds a test program that uses GoogleTest.
+# OPTIMISED compiles the program with -O1: for tests that compute reference pictures. The program is asked for its tests
+# when the tests are run, not during the build. So a program that hangs cannot hang the build.
 function(weft_test name)
-  cmake_parse_arguments(ARG "" "" "LIBS;LABELS;SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "OPTIMISED" "" "LIBS;LABELS;SOURCES" ${ARGN})
+  set(level 0)
+  if(ARG_OPTIMISED)
+    set(level 1)
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/framework ${PROJECT_SOURCE_DIR})
   target_compile_definitions(${name} PRIVATE WEFT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${name} PRIVATE weft_test_options ${ARG_LIBS} GTest::gtest_main)
-  target_precompile_headers(${name} REUSE_FROM weft_precompiled_tests)
+  target_link_libraries(${name} PRIVATE weft_test_options_${level} ${ARG_LIBS} GTest::gtest_main)
+  target_precompile_headers(${name} REUSE_FROM weft_precompiled_tests_${level})
   if(WEFT_UNITY)
     weft_unity(${name})
   endif()
