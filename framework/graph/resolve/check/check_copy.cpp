@@ -1,5 +1,7 @@
 #include "graph/resolve/check/check_copy.h"
 
+#include <optional>
+
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
 
@@ -27,23 +29,42 @@ bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, co
            from.samples == to.samples;
 }
 
-// Returns the reason why an image cannot be blitted to another image, or an empty text if a blit is possible.
-std::string blit_fault(const std::vector<ResourceDecl>& resources, const UseDecl& from, const UseDecl& to) {
+struct BlitFault {
+    std::string reason;
+    std::string remedy;
+};
+
+// Returns why an image cannot be blitted to another image, or nullopt if a blit is possible.
+std::optional<BlitFault> blit_fault(const std::vector<ResourceDecl>& resources, const UseDecl& from,
+                                    const UseDecl& to) {
     const ResourceDecl& source = resources[from.resource];
     const ResourceDecl& target = resources[to.resource];
     if (source.kind == ResourceKind::buffer || target.kind == ResourceKind::buffer)
-        return "a buffer cannot be blitted";
+        return BlitFault{"a buffer cannot be blitted", "set \"type\": \"copy\" to copy a buffer"};
     if (source.samples > 1 || target.samples > 1)
-        return "multisampled images can only be resolved, not blitted";
+        return BlitFault{"multisampled images can only be resolved, not blitted",
+                         "resolve the image in a raster pass, or read its samples in a fullscreen pass"};
     const NumericClass numeric = format_info(source.format).numeric;
-    if (numeric != format_info(target.format).numeric) return "their formats have different numeric types";
+    if (numeric != format_info(target.format).numeric)
+        return BlitFault{"their formats have different numeric types",
+                         "use a fullscreen pass, whose shader converts the values"};
     if (numeric == NumericClass::depth && source.format != target.format)
-        return "depth images need the same format";
+        return BlitFault{"depth images need the same format",
+                         "give both the same format, or use a fullscreen pass"};
     const bool linear = from.sampler.filter == SamplerFilter::linear;
-    if (linear && numeric != NumericClass::float_like) return "linear filtering needs a format of floats";
-    if (from.range.mips != 1 || to.range.mips != 1) return "a blit copies only one mip to one mip";
-    if (from.range.layers != to.range.layers) return "they have different numbers of layers";
-    return "";
+    if (linear && numeric != NumericClass::float_like)
+        return BlitFault{"linear filtering needs a format of floats",
+                         "set \"sampler\": { \"filter\": \"nearest\" } for the input"};
+    if (from.range.mips != 1 || to.range.mips != 1)
+        return BlitFault{
+            "a blit copies only one mip to one mip",
+            "select one mip: " + quote((from.range.mips != 1 ? source : target).name + ".mip(0)")};
+    if (from.range.layers != to.range.layers)
+        return BlitFault{
+            "they have different numbers of layers",
+            "select layers: " +
+                quote((from.range.layers > to.range.layers ? source : target).name + ".layer(0)")};
+    return std::nullopt;
 }
 
 void check_blit(const VersionedGraph& graph, const PassDecl& decl, PassId pass, const Suspects& suspects,
@@ -51,15 +72,14 @@ void check_blit(const VersionedGraph& graph, const PassDecl& decl, PassId pass, 
     const UseDecl& from = graph.passes[pass].uses[0];
     const UseDecl& to = graph.passes[pass].uses[1];
     if (suspects.shapes[from.resource] || suspects.shapes[to.resource]) return;
-    const std::string fault = blit_fault(graph.resources, from, to);
-    if (fault.empty()) return;
-    Diagnostic& d = report.error(pass, to.loc, "W183",
-                                 "blit pass " + quote(decl.name) + " cannot copy from " +
-                                     quote(range_of(graph.resources[from.resource], from.range)) + " to " +
-                                     quote(range_of(graph.resources[to.resource], to.range)) + ": " + fault);
-    add_help(d,
-             "select one mip and the same layers, set \"sampler\": { \"filter\": \"nearest\" }, or use a "
-             "fullscreen pass");
+    const std::optional<BlitFault> fault = blit_fault(graph.resources, from, to);
+    if (!fault) return;
+    Diagnostic& d =
+        report.error(pass, to.loc, "W183",
+                     "blit pass " + quote(decl.name) + " cannot copy from " +
+                         quote(range_of(graph.resources[from.resource], from.range)) + " to " +
+                         quote(range_of(graph.resources[to.resource], to.range)) + ": " + fault->reason);
+    add_help(d, fault->remedy);
 }
 
 }  // namespace
