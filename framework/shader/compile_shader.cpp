@@ -30,7 +30,8 @@ struct StageFile {
     bool shared = false;  // True if the file is in the include root, such as fullscreen.vert.
 };
 
-// Index: ProgramKind. A raster program has two files with other names.
+// Index: ProgramKind. File extension of the shader. It is empty for a raster program, which has two files:
+// stage_files() chooses their names.
 constexpr std::array kExtensions{".comp", ".frag", ""};
 static_assert(kExtensions.size() == static_cast<size_t>(ProgramKind::raster) + 1);
 

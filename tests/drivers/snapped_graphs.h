@@ -21,9 +21,9 @@ enum class Triangles { all, whole };
 // Counts the replacements in the copies. A text that is not found would stay unchanged without an error, so
 // tests compare these counts with the expected ones.
 struct SnappedShaders {
-    // Number of changed vertex shaders, which project vertices with the view.
+    // Number of changed vertex shaders: those that project vertices with the view.
     int vertex = 0;
-    // Number of changed fragment shaders, which read material textures.
+    // Number of changed fragment shaders: those that read material textures.
     int fragment = 0;
     // True if the lines image of the graph `edges` has a float format instead of 8 bits.
     bool has_wide_lines = false;

@@ -64,7 +64,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     add_size(command, raw);
     command
         .add_option("--frames", o.frames,
-                    "number of frames to render; the last frame is written [the graph's, else 1]")
+                    "number of frames to render; only the last one is written [`frames` of the graph, or 1]")
         ->transform(whole_number_in(1, 1'000'000));
     command
         .add_option("--fixed-dt", o.fixed_dt_s,

@@ -22,7 +22,7 @@ inline constexpr float kMaxCoordinateM = 1e12f;
 [[nodiscard]] std::optional<AccessorReader> open_accessor(const Document& document, uint32_t accessor,
                                                           const std::string& pointer, Report& report);
 
-// The data that all functions that read an attribute need.
+// Common parameters of the functions that read a vertex attribute.
 struct StreamSource {
     const Document& document;
     Report& report;

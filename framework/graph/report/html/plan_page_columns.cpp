@@ -1,5 +1,5 @@
 // Computes the width of the column of every pass. A column has the marks of the pass's barriers and the box
-// with its name.
+// with the name of the pass.
 #include <algorithm>
 
 #include "graph/report/html/plan_page.h"
