@@ -44,7 +44,8 @@ constexpr const char* kRay = "march along the ray in a buffer or a depth image; 
 constexpr const char* kSubgroupOld = "use GL_KHR_shader_subgroup_vote and GL_KHR_shader_subgroup_ballot";
 constexpr const char* kOverlap = "use the blend state of the pass, or atomics on a storage buffer";
 constexpr const char* kFeedback = "write the data to a storage buffer";
-constexpr const char* kMemory = "remove the pragma; barrier() and memoryBarrierShared() work without it";
+constexpr const char* kMemory =
+    "remove `#pragma use_vulkan_memory_model`; `barrier()` and `memoryBarrierShared()` work without it";
 constexpr const char* kSharedBlock = "declare `shared` variables instead of a block";
 constexpr const char* kVendor = "use features of core GLSL 4.60; extensions of vendors are not supported";
 constexpr const char* kStencil = "write the stencil value with the stencil state of the pass";
