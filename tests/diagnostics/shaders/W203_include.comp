@@ -1,6 +1,6 @@
 #version 460
 #include "nowhere.glsl"
-// <- W203
+// the line above has the error W203
 layout(local_size_x = 8, local_size_y = 8) in;
 writeonly uniform image2D image;
 

@@ -1,5 +1,5 @@
 #version 460
-// <- W204
+// the line above has the error W204
 #extension GL_KHR_memory_scope_semantics : require
 layout(local_size_x = 8, local_size_y = 8) in;
 writeonly uniform image2D image;

@@ -1,5 +1,5 @@
 #version 460
-// <- W207
+// the line above has the error W207
 #define TWICE(x) x + x
 #define A(x) TWICE(TWICE(TWICE(TWICE(x))))
 #define B(x) A(A(A(A(x))))

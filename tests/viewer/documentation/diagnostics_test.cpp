@@ -80,7 +80,7 @@ std::set<Place> marks_in(const fs::path& path) {
         const bool comment = begin != std::string::npos && line.compare(begin, 2, "//") == 0;
         if (const auto codes = after_mark(line, "// nowhere: "); comment && codes)
             for (const std::string& code : words_of(*codes)) marks.insert({code, "", 0, 0});
-        const auto whole = after_mark(line, "// <- ");
+        const auto whole = after_mark(line, "// the line above has the error ");
         if (comment && whole)
             marks.insert({*whole, file, last, 1});
         else if (comment && line.find("^ W") != std::string::npos)
