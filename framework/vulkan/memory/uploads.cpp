@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
@@ -10,10 +11,11 @@
 namespace weft::vk {
 namespace {
 
-const UploadPlace* find_place(const std::vector<UploadPlace>& places, std::string_view port) {
-    for (const UploadPlace& place : places)
-        if (place.port == port) return &place;
-    return nullptr;
+// Returns the index of the place of `port`.
+std::optional<size_t> find_place(const std::vector<UploadPlace>& places, std::string_view port) {
+    for (size_t n = 0; n < places.size(); ++n)
+        if (places[n].port == port) return n;
+    return std::nullopt;
 }
 
 class SlotUploads final : public Uploads {
@@ -23,15 +25,16 @@ class SlotUploads final : public Uploads {
         : places_(places), filled_bytes_(filled_bytes), memory_(memory) {}
 
     void put(std::string_view port, std::span<const std::byte> bytes) override {
-        const UploadPlace* place = find_place(places_, port);
-        if (place == nullptr) return;
-        const uint64_t kept = std::min<uint64_t>(bytes.size(), place->capacity_bytes);
-        if (kept != 0) std::memcpy(memory_.data() + place->offset_bytes, bytes.data(), kept);
-        filled_bytes_[static_cast<size_t>(place - places_.data())] = kept;
+        const std::optional<size_t> n = find_place(places_, port);
+        if (!n) return;
+        const UploadPlace& place = places_[*n];
+        const uint64_t kept = std::min<uint64_t>(bytes.size(), place.capacity_bytes);
+        if (kept != 0) std::memcpy(memory_.data() + place.offset_bytes, bytes.data(), kept);
+        filled_bytes_[*n] = kept;
     }
     [[nodiscard]] uint64_t capacity(std::string_view port) const override {
-        const UploadPlace* place = find_place(places_, port);
-        return place != nullptr ? place->capacity_bytes : 0;
+        const std::optional<size_t> n = find_place(places_, port);
+        return n ? places_[*n].capacity_bytes : 0;
     }
 
  private:
@@ -54,21 +57,22 @@ class CommandRecorder final : public Recorder {
     explicit CommandRecorder(Target target) : target_(target) {}
 
     void copy_upload(std::string_view port) override {
-        const UploadPlace* place = find_place(target_.places, port);
-        if (place == nullptr) return;
-        const uint64_t bytes = target_.filled_bytes[static_cast<size_t>(place - target_.places.data())];
+        const std::optional<size_t> n = find_place(target_.places, port);
+        if (!n) return;
+        const UploadPlace& place = target_.places[*n];
+        const uint64_t bytes = target_.filled_bytes[*n];
         if (bytes == 0) return;
-        const UseDecl& use = target_.pass.uses[place->use];
+        const UseDecl& use = target_.pass.uses[place.use];
         const DeviceFunctions& fn = target_.device.fn();
-        if (place->regions.copies.empty()) {
-            const VkBufferCopy copy{place->offset_bytes, 0, bytes};
+        if (place.regions.copies.empty()) {
+            const VkBufferCopy copy{place.offset_bytes, 0, bytes};
             fn.vkCmdCopyBuffer(target_.commands, target_.memory, target_.resources.buffer(use.resource), 1,
                                &copy);
             return;
         }
-        fn.vkCmdCopyBufferToImage(
-            target_.commands, target_.memory, target_.resources.image(use.resource), to_vk(use.state.layout),
-            static_cast<uint32_t>(place->regions.copies.size()), place->regions.copies.data());
+        fn.vkCmdCopyBufferToImage(target_.commands, target_.memory, target_.resources.image(use.resource),
+                                  to_vk(use.state.layout), static_cast<uint32_t>(place.regions.copies.size()),
+                                  place.regions.copies.data());
     }
     void fill_buffer(std::string_view port, uint32_t word) override {
         for (const UseDecl& use : target_.pass.uses) {
