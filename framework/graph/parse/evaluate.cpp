@@ -89,9 +89,11 @@ Diagnostic unknown(const ExprNode& node, const ExprNames& names, const SourceMap
         std::string(image ? "unknown image \"" : "unknown name \"") + node.name + "\" in an expression");
     const std::vector<std::string> known = image ? names.known_resources() : names.known_names();
     const std::string near = did_you_mean_text(node.name, known);
-    error.help.push_back(!near.empty() ? near
-                         : image       ? "give mips() the name of an image of \"resources\" or \"imports\""
-                                       : "use a name of \"params\", \"consts\" or \"sizes\", or \"output\"");
+    error.help.push_back(
+        !near.empty() ? near
+        : image       ? "give mips() the name of an image of \"resources\" or \"imports\""
+                      : "use a name of \"params\", \"consts\" or \"sizes\", or a built-in name such as "
+                        "\"output\"");
     return error;
 }
 

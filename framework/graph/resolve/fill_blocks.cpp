@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/diagnostics/quantity_text.h"
 #include "graph/diagnostics/whole_number.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
@@ -193,9 +194,11 @@ class BlockFiller : PassStage<Blocks> {
         if (values.size() != member.rows) {
             error(loc,
                   "Params." + member.name + " of shader " + quote(draft_.desc->shader) + " has " +
-                      std::to_string(member.rows) + " components, but its value has " +
+                      count_text(member.rows, "component") + ", but its value has " +
                       std::to_string(values.size()),
-                  {"write the same number of components: [x, y, …] in \"params\""});
+                  {member.rows == 1
+                       ? "write one number in \"params\""
+                       : "write an array of " + std::to_string(member.rows) + " numbers in \"params\""});
             return;
         }
         const bool fits =
