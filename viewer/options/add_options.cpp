@@ -90,10 +90,12 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->check(param_validator());
     command.add_option(
         "--resource", o.resource,
-        "write this resource instead of the output, for example hdr, hdr@lighting or hiz.mip(2)");
+        "write the unchanged values of this resource instead of the output, for example hdr, hdr@lighting or "
+        "hiz.mip(2)");
     command
         .add_option("--debug", o.request.debug,
-                    "write this debug view of the graph, or a view of any resource")
+                    "write this debug view of the graph instead of the output: the name of an entry of "
+                    "`debug`, or of a resource, which is then shown with suitable colours")
         ->excludes("--resource");
     command.add_flag("--validate", o.validate,
                      "run under the Vulkan validation layer; any message gives exit code 5");
