@@ -42,26 +42,27 @@ Taps taps_for(uint32_t index, uint32_t source_px, uint32_t target_px) {
 
 class Decoder {
  public:
-    explicit Decoder(TexelMeaning meaning) : meaning_(meaning) {
+    explicit Decoder(TexelMeaning meaning) {
         for (uint32_t i = 0; i < 256; ++i) {
             const float value = static_cast<float>(i) / 255.0f;
-            linear_[i] = meaning == TexelMeaning::srgb_color ? srgb_to_linear(value) : value;
+            alpha_[i] = value;
+            color_[i] = meaning == TexelMeaning::srgb_color ? srgb_to_linear(value)
+                        : meaning == TexelMeaning::normal   ? value * 2.0f - 1.0f
+                                                            : value;
         }
     }
     [[nodiscard]] glm::vec4 decode(const uint8_t* texel) const {
-        const glm::vec4 value(linear_[texel[0]], linear_[texel[1]], linear_[texel[2]],
-                              static_cast<float>(texel[3]) / 255.0f);
-        if (meaning_ != TexelMeaning::normal) return value;
-        return {glm::vec3(value) * 2.0f - 1.0f, value.a};
+        return {color_[texel[0]], color_[texel[1]], color_[texel[2]], alpha_[texel[3]]};
     }
 
  private:
-    TexelMeaning meaning_;
-    std::array<float, 256> linear_{};
+    // The value of each byte in the space in which texels are filtered.
+    std::array<float, 256> color_{}, alpha_{};
 };
 
+// Rounds to the nearest byte. The sum is exact in double precision, so this is std::lround(), but faster.
 uint8_t to_byte(float value) {
-    return static_cast<uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+    return static_cast<uint8_t>(static_cast<double>(std::clamp(value, 0.0f, 1.0f) * 255.0f) + 0.5);
 }
 
 void encode(const glm::vec4& value, TexelMeaning meaning, float alpha_scale, uint8_t* texel) {
