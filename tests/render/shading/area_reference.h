@@ -24,8 +24,8 @@ void visit_patch(const glm::dvec3& from, const glm::dvec3& facing, double area, 
 }
 
 template <class Visit>
-void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int columns = 500,
-                     int rows = 500) {
+void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int columns = 250,
+                     int rows = 250) {
     const glm::dvec3 middle(light.position), side(light.side), facing(light.direction);
     const glm::dvec3 up = glm::cross(side, facing);
     const double a = light.half_size_m.x, b = light.half_size_m.y;
@@ -40,8 +40,8 @@ void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Vis
 // Visits patches of a capsule's surface. On the cylinder, they are equal steps around the axis and along it.
 // The half spheres are divided in equal steps of height, because a sphere's area is uniform in height.
 template <class Visit>
-void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int turns = 720,
-                   int steps = 300) {
+void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int turns = 360,
+                   int steps = 150) {
     constexpr double kTurn = 6.283185307179586;
     const glm::dvec3 middle(light.position), axis = glm::normalize(glm::dvec3(light.direction));
     const glm::dvec3 steep = std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
