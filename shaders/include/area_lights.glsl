@@ -20,9 +20,10 @@ struct AreaIncident {
     vec3 along;         // Axis along the length of the light.
 };
 
-// Returns atan(y, x) with an error of 2e-7. The built-in function may have errors of 2e-4. These would be visible,
-// because the light above the horizon is a small difference of angles. The polynomial is atanf() of Moshier's Cephes
-// library, 1992.
+// Returns atan(y, x) with an error of 2e-7. The error of the built-in function can be 2e-4. This would be visible: when
+// only a small part of the light is above the horizon, its light is the difference of two nearly equal angles, so the
+// errors of the angles are large compared with the difference. The polynomial is atanf() of Moshier's Cephes library,
+// 1992.
 float angle_of(float y, float x) {
     const float longer = max(max(abs(x), abs(y)), 1e-30), shorter = min(abs(x), abs(y));
     const bool steep = shorter > 0.41421356 * longer;

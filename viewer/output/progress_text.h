@@ -24,7 +24,8 @@ class ProgressText {
     bool terminal_;
     std::string what_;    // The unit that was printed last, such as "frames".
     uint64_t tenth_ = 0;  // The last tenth of the task for which a line was printed.
-    // Seconds after the start of the last update of the terminal's line; negative if no line is visible.
+    // Time of the last update of the line on the terminal, in seconds since the task started. Negative if no
+    // line is visible.
     double last_line_s_ = -1;
 };
 

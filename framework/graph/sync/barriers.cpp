@@ -39,11 +39,13 @@ struct AliasTransitionRows {
     }
 };
 
-// Finds the resources that used the same bytes before the direct previous owner, and for which the alias
-// barrier must also wait. If the direct owner wrote only a part of its memory, only that owner's barrier
-// waited for the users of the other bytes. The order is then a chain through barriers on other resources,
-// which the validation layer of Vulkan 1.3.239 does not follow. The layer also does not see that a buffer
-// overwrites an image, or an image a buffer.
+// Resources A, B and C use the same memory, one after the other. The alias barrier before C waits for B, the
+// direct previous owner. This class finds the earlier owners, such as A, for which this barrier must wait
+// too:
+// - B wrote only a part of the memory. Only the barrier before B waited for the accesses to the rest of A. So
+//   the order of A and C depends on a barrier of another resource, and the validation layer of
+//   Vulkan 1.3.239 does not follow such a chain.
+// - B is a buffer and C is an image, or the reverse. The layer does not see that they overwrite each other.
 class EarlierOwners {
  public:
     EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const AliasTransitionRows& rows)
