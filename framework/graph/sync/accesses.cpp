@@ -19,6 +19,19 @@ void add_attachment_access(const AttachmentOps& ops, const UseDecl& use, AccessE
 
 }  // namespace
 
+void append_access(const AccessEvent& event, std::vector<AccessEvent>& accesses) {
+    if (accesses.empty() || accesses.back().position != event.position) {
+        accesses.push_back(event);
+        return;
+    }
+    AccessEvent& same = accesses.back();
+    same.state.stages |= event.state.stages;
+    same.state.access |= event.state.access;
+    same.writes = same.writes || event.writes;
+    same.reads = same.reads || event.reads;
+    if (event.merged_position != same.merged_position) same.merged_position = kNoId;
+}
+
 AccessTable collect_accesses(const ResolvedGraph& graph, const Schedule& order,
                              const AttachmentTable& attachments, const std::vector<Position>& scopes) {
     AccessTable events(graph.resources.size());

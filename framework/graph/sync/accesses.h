@@ -28,6 +28,11 @@ struct RangeAccess {
     AccessEvent event;
 };
 
+// Adds an access to the accesses of one subresource, sorted by schedule position. If several ports of one
+// pass use the subresource, their accesses become one event; resolve() has already checked that they need the
+// same layout.
+void append_access(const AccessEvent& event, std::vector<AccessEvent>& accesses);
+
 // Index: ResourceId. The accesses to the resource, sorted by schedule position. For collect_accesses(),
 // `scopes[p]` is the position of the pass whose rendering scope the pass at position p continues, or kNoId.
 using AccessTable = std::vector<std::vector<RangeAccess>>;

@@ -1,22 +1,25 @@
 // Computes the history (all barriers and last uses) of every resource, and the dependencies between queues
 // that result from the accesses.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "graph/sync/accesses.h"
 #include "graph/sync/queue_clocks.h"
 #include "graph/sync/synchronize.h"
+#include "graph/sync/track_whole.h"
 
 namespace weft {
 namespace {
 
 // Returns the resources of each ring, indexed by the ring's resource of age 0 (the current frame's copy),
-// then by age. A resource without a ring has a ring of its own. The rows of older copies are empty.
+// then by age. The rows of older copies, and of resources without a ring, are empty.
 std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     std::vector<std::vector<ResourceId>> rings(graph.resources.size());
     for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDecl& resource = graph.resources[id];
-        std::vector<ResourceId>& ring = rings[resource.ring == kNoId ? id : resource.ring];
+        if (resource.ring == kNoId) continue;
+        std::vector<ResourceId>& ring = rings[resource.ring];
         ring.resize(std::max<size_t>(ring.size(), resource.age + size_t{1}), kNoId);
         ring[resource.age] = id;
     }
@@ -32,6 +35,27 @@ void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
     }
 }
 
+// Tracks the resources of one ring, or a single resource, and adds the result to the table.
+void track_ring(const std::vector<ResourceId>& ring, const ResolvedGraph& graph, const Schedule& order,
+                const AccessTable& events, SyncTable& table) {
+    HistoryInput input;
+    input.order = &order;
+    input.resource = ring.front();
+    bool touched = false;
+    for (const ResourceId id : ring) {
+        input.roles.push_back({&graph.resources[id], &events[id]});
+        touched = touched || !events[id].empty();
+    }
+    if (!touched) return;
+    RingHistory history = track_resource(input);
+    for (size_t age = 0; age < ring.size(); ++age) {
+        table.histories[ring[age]] = std::move(history.roles[age]);
+        table.concurrent[ring[age]] = history.concurrent ? 1 : 0;
+    }
+    table.dependencies.insert(table.dependencies.end(), history.dependencies.begin(),
+                              history.dependencies.end());
+}
+
 SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const AttachmentTable& attachments,
                       ScopeTable scopes) {
     const AccessTable events = collect_accesses(graph, order, attachments, scopes);
@@ -40,23 +64,17 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
     table.scopes = std::move(scopes);
     table.histories.resize(graph.resources.size());
     table.concurrent.assign(graph.resources.size(), 0);
-    for (const std::vector<ResourceId>& ring : rings) {
-        HistoryInput input;
-        input.order = &order;
-        bool touched = false;
-        for (const ResourceId id : ring) {
-            input.roles.push_back({&graph.resources[id], &events[id]});
-            touched = touched || !events[id].empty();
+    for (ResourceId id(0); id < graph.resources.size(); ++id) {
+        const ResourceDecl& resource = graph.resources[id];
+        if (resource.ring != kNoId) {
+            if (!rings[id].empty()) track_ring(rings[id], graph, order, events, table);
+            continue;
         }
-        if (!touched) continue;
-        input.resource = ring.front();
-        RingHistory history = track_resource(input);
-        for (size_t age = 0; age < ring.size(); ++age) {
-            table.histories[ring[age]] = std::move(history.roles[age]);
-            table.concurrent[ring[age]] = history.concurrent ? 1 : 0;
-        }
-        table.dependencies.insert(table.dependencies.end(), history.dependencies.begin(),
-                                  history.dependencies.end());
+        if (events[id].empty()) continue;
+        if (std::optional<ResourceHistory> history = track_whole(resource, events[id], order))
+            table.histories[id] = std::move(*history);
+        else
+            track_ring({id}, graph, order, events, table);
     }
     add_after_edges(graph, order, table.dependencies);
     return table;

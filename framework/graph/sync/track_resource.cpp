@@ -23,38 +23,14 @@ auto merge_key(const CellBarrier& b) {
                            b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
 }
 
-// Returns the accesses to each cell, indexed by cell. If several ports of one pass use a cell, their accesses
-// become one event; resolve() has already checked that they need the same layout.
+// Returns the accesses to each cell, indexed by cell.
 std::vector<std::vector<AccessEvent>> events_by_cell(const SubresourceGrid& grid,
                                                      const std::vector<RangeAccess>& events) {
     std::vector<std::vector<AccessEvent>> cells(grid.cell_count());
     for (const RangeAccess& t : events) {
-        for (const uint32_t cell : grid.cells_of(t.range)) {
-            std::vector<AccessEvent>& history = cells[cell];
-            if (history.empty() || history.back().position != t.event.position) {
-                history.push_back(t.event);
-                continue;
-            }
-            AccessEvent& same = history.back();
-            same.state.stages |= t.event.state.stages;
-            same.state.access |= t.event.state.access;
-            same.writes = same.writes || t.event.writes;
-            same.reads = same.reads || t.event.reads;
-            if (t.event.merged_position != same.merged_position) same.merged_position = kNoId;
-        }
+        for (const uint32_t cell : grid.cells_of(t.range)) append_access(t.event, cells[cell]);
     }
     return cells;
-}
-
-BarrierDecl to_decl(const CellBarrier& barrier, const SubresourceRange& range) {
-    return {.range = range,
-            .src = barrier.src,
-            .dst = barrier.dst,
-            .src_family = barrier.src_family,
-            .dst_family = barrier.dst_family,
-            .reason = barrier.reason,
-            .from = barrier.from,
-            .from_previous_frame = barrier.previous_frame};
 }
 
 std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<CellBarrier> barriers) {
@@ -68,9 +44,8 @@ std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<
         std::vector<uint32_t> cells;
         for (; i < barriers.size() && merge_key(barriers[i]) == merge_key(barrier); ++i)
             cells.push_back(barriers[i].cell);
-        for (const SubresourceRange& range : grid.merge(cells)) {
-            result.push_back({barrier.position, barrier.after, to_decl(barrier, range)});
-        }
+        for (const SubresourceRange& range : grid.merge(cells))
+            result.push_back(placed_barrier(barrier, range));
     }
     return result;
 }
@@ -220,6 +195,19 @@ SubresourceGrid grid_of(const HistoryInput& input) {
 }
 
 }  // namespace
+
+PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange& range) {
+    return {barrier.position,
+            barrier.after,
+            {.range = range,
+             .src = barrier.src,
+             .dst = barrier.dst,
+             .src_family = barrier.src_family,
+             .dst_family = barrier.dst_family,
+             .reason = barrier.reason,
+             .from = barrier.from,
+             .from_previous_frame = barrier.previous_frame}};
+}
 
 RingHistory track_resource(const HistoryInput& input) {
     const SubresourceGrid grid = grid_of(input);

@@ -49,6 +49,8 @@ struct RingHistory {
     bool concurrent = false;
 };
 
+[[nodiscard]] PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange& range);
+
 // Computes the barriers and dependencies of a ring or of a single resource. For an import, they include the
 // barrier into the exit state at the end of the frame.
 [[nodiscard]] RingHistory track_resource(const HistoryInput& input);
