@@ -64,10 +64,17 @@ std::string RunResult::text() const {
     return text.str();
 }
 
+std::vector<std::string> with_long_timeout(std::vector<std::string> arguments) {
+    const bool draws = !arguments.empty() && (arguments.front() == "render" || arguments.front() == "view");
+    if (draws && std::ranges::find(arguments, "--timeout") == arguments.end())
+        arguments.insert(arguments.end(), {"--timeout", std::to_string(kMostCpu_s)});
+    return arguments;
+}
+
 RunResult run_weft(const std::vector<std::string>& arguments, const Environment& environment,
                    const std::filesystem::path& folder) {
-    std::vector<std::string> words{WEFT_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> words = with_long_timeout(arguments);
+    words.insert(words.begin(), WEFT_PROGRAM);
     return run_program(words, environment, folder);
 }
 

@@ -45,6 +45,10 @@ void reset_signals();
 // limits.
 void limit_time(unsigned most_cpu_s = kMostCpu_s);
 
+// Adds --timeout with many minutes to `render` and `view`, unless the arguments have --timeout. With the
+// default of 60 s, a frame fails on a very busy machine.
+[[nodiscard]] std::vector<std::string> with_long_timeout(std::vector<std::string> arguments);
+
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
 // Runs `weft` in `folder` and waits for its end. `environment` is added to the environment of the test. The

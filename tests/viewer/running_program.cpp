@@ -15,8 +15,8 @@ namespace weft::test {
 
 RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const Environment& environment,
                                unsigned most_cpu_s) {
-    std::vector<std::string> words{WEFT_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> words = with_long_timeout(arguments);
+    words.insert(words.begin(), WEFT_PROGRAM);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
