@@ -5,15 +5,18 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "graph/memory/alias_pack.h"
 
 namespace weft {
 
-struct ByteSpan {
+// The bytes of an item that has a place.
+struct TakenSpan {
     uint64_t begin_bytes = 0;
     uint64_t end_bytes = 0;
+    uint32_t item = 0;
 };
 
 class Conflicts {
@@ -22,34 +25,30 @@ class Conflicts {
 
     void clear();
     void place(uint32_t item, uint64_t offset_bytes);
+    void remove(uint32_t item);
     // Returns the bytes that `item` must not use, sorted by offset. The reference is valid until the next
     // call.
-    [[nodiscard]] const std::vector<ByteSpan>& taken(uint32_t item);
+    [[nodiscard]] const std::vector<TakenSpan>& taken(uint32_t item);
     [[nodiscard]] bool dense() const { return dense_; }
-    // Returns the number of placements that must be visited to pack all items once. The number is an estimate
-    // of the cost.
-    [[nodiscard]] size_t visits() const;
 
  private:
-    struct Placed {
-        uint64_t offset_bytes = 0;
-        uint32_t item = 0;
-    };
+    using Pair = std::pair<uint32_t, uint32_t>;
 
-    void find_neighbours();
-    void find_neighbours(const Unordered& unordered);
+    void store(const std::vector<Pair>& pairs);
+    [[nodiscard]] std::span<const uint32_t> neighbours(uint32_t item) const {
+        return std::span(neighbours_).subspan(rows_[item], rows_[item + 1] - rows_[item]);
+    }
 
     const std::vector<PackItem>& items_;
     bool dense_ = false;
     // Used if many items are alive together: the placed items, sorted by offset.
-    std::vector<Placed> placed_;
-    // Used if few items are alive together. Index: item. Its offset in bytes, or kUnplaced if the item has no
-    // place yet.
+    std::vector<TakenSpan> placed_;
+    // Index: item. Its offset in bytes, or kUnplaced if the item has no place yet.
     std::vector<uint64_t> offsets_bytes_;
-    // Used if few items are alive together. Index: item. The items that are alive at the same time as this
-    // item.
-    std::vector<std::vector<uint32_t>> neighbours_;
-    std::vector<ByteSpan> taken_;
+    // Used if few items are alive together. neighbours_[rows_[i]] to neighbours_[rows_[i + 1] - 1] are the
+    // items that are alive at the same time as item i.
+    std::vector<uint32_t> rows_, neighbours_;
+    std::vector<TakenSpan> taken_;
 };
 
 }  // namespace weft

@@ -1,61 +1,29 @@
 #include "graph/memory/alias_pack.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
 #include "graph/memory/alias_conflicts.h"
+#include "graph/memory/alias_eject.h"
 #include "weft/plan.h"
 
 namespace weft {
 namespace {
 
-// If more items than this are to be packed and most of them overlap in time, only the sweep is used: the
-// best-fit orders would take too much time for the memory that they save.
-constexpr size_t kMaxDenseItems = 4096;
-// Limits the local search by the number of placements that it visits in all iterations together. One
-// iteration packs all items once.
-constexpr size_t kSearchVisits = 12'000'000;
-constexpr size_t kMaxSearchRounds = 200;
-// The local search stops when the heap is at most this percentage of the smallest possible size. The limit
-// rises by 1 % every kRoundsPerPercent iterations, so a long search accepts a larger heap.
-constexpr uint64_t kGoodEnoughPercent = 102;
-constexpr size_t kRoundsPerPercent = 16;
+// The sweeps of a dense graph are good enough if the heap exceeds the smallest possible size by at most this
+// percentage.
+constexpr uint64_t kGoodSweepPercent = 5;
+// Limits the time for dense graphs (see Conflicts). With more items, only the sweeps are used.
+constexpr size_t kMaxDenseItems = 1024;
+// The local search packs all items in each round. It is for few items, where one unlucky place is a large
+// share of the heap.
+constexpr size_t kMaxSearchedItems = 300;
+constexpr size_t kMaxSearchRounds = 16;
 
-uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
-    return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
-}
-
-// Returns the offset of the smallest gap between the bytes in `taken` into which the item fits. If it fits
-// into no gap, returns the offset after all taken bytes. `taken` must be sorted by offset.
-uint64_t best_fit(const PackItem& item, const std::vector<ByteSpan>& taken) {
-    uint64_t best = 0, best_slack = UINT64_MAX, cursor = 0;
-    for (const ByteSpan& span : taken) {
-        const uint64_t start = aligned(cursor, item.alignment_bytes);
-        if (start + item.size_bytes <= span.begin_bytes) {
-            const uint64_t slack = span.begin_bytes - cursor - item.size_bytes;
-            if (slack < best_slack) {
-                best_slack = slack;
-                best = start;
-            }
-        }
-        cursor = std::max(cursor, span.end_bytes);
-    }
-    return best_slack == UINT64_MAX ? aligned(cursor, item.alignment_bytes) : best;
-}
-
-Packing pack_in_order(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
-                      Conflicts& conflicts) {
-    Packing packing;
-    packing.offsets_bytes.assign(items.size(), 0);
-    conflicts.clear();
-    for (const uint32_t i : order) {
-        const uint64_t offset = best_fit(items[i], conflicts.taken(i));
-        packing.offsets_bytes[i] = offset;
-        packing.height_bytes = std::max(packing.height_bytes, offset + items[i].size_bytes);
-        conflicts.place(i, offset);
-    }
-    return packing;
+uint64_t with_percent(uint64_t bytes, uint64_t percent) {
+    return bytes + bytes * percent / 100;
 }
 
 std::vector<uint32_t> size_descending_order(const std::vector<PackItem>& items) {
@@ -100,10 +68,6 @@ std::vector<uint32_t> peak_first_order(const std::vector<PackItem>& items) {
     return order;
 }
 
-bool is_good_enough(const Packing& packing, uint64_t lower_bound_bytes, size_t round = 0) {
-    return packing.height_bytes <= lower_bound_bytes / 100 * (kGoodEnoughPercent + round / kRoundsPerPercent);
-}
-
 // Returns the items sorted by (size × lifetime), largest first. Such items conflict with many others, so they
 // are placed while there is still free space.
 std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) {
@@ -115,13 +79,12 @@ std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) 
     return order;
 }
 
-// Improves a packing by local search. Each iteration moves the item with the highest end to the front of the
+// Improves a packing by local search. Each round moves the item with the highest end to the front of the
 // order and packs all items again.
-Packing search(const std::vector<PackItem>& items, std::vector<uint32_t> order, Packing best,
-               uint64_t lower_bound, Conflicts& conflicts) {
-    const size_t rounds = std::min(kMaxSearchRounds, kSearchVisits / std::max<size_t>(conflicts.visits(), 1));
-    Packing current = best;
-    for (size_t round = 0; round < rounds && !is_good_enough(best, lower_bound, round); ++round) {
+Packing search(const std::vector<PackItem>& items, std::vector<uint32_t> order, uint64_t target_bytes,
+               Conflicts& conflicts) {
+    Packing current = pack_in_order(items, order, conflicts), best = current;
+    for (size_t round = 0; round < kMaxSearchRounds && best.height_bytes > target_bytes; ++round) {
         const auto highest = std::max_element(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
             return current.offsets_bytes[a] + items[a].size_bytes <
                    current.offsets_bytes[b] + items[b].size_bytes;
@@ -133,6 +96,31 @@ Packing search(const std::vector<PackItem>& items, std::vector<uint32_t> order, 
     return best;
 }
 
+void keep_smaller(Packing packing, Packing& best) {
+    if (packing.height_bytes < best.height_bytes) best = std::move(packing);
+}
+
+// An order of placing the items, and the height to reach: the percentage above the smallest possible size.
+struct Attempt {
+    std::vector<uint32_t> (*order_of)(const std::vector<PackItem>& items);
+    uint64_t percent = 0;
+};
+constexpr std::array kAttempts{Attempt{size_descending_order, 3}, Attempt{area_descending_order, 4},
+                               Attempt{peak_first_order, 5}};
+
+// Improves a packing until it reaches the target of one of the attempts.
+void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
+             Packing& best) {
+    for (const auto& [order_of, percent] : kAttempts) {
+        const uint64_t target = with_percent(lower_bound_bytes, percent);
+        if (best.height_bytes <= target) return;
+        const std::vector<uint32_t> order = order_of(items);
+        keep_smaller(pack_below(items, order, target, conflicts), best);
+        if (best.height_bytes <= target) return;
+        if (items.size() <= kMaxSearchedItems) keep_smaller(search(items, order, target, conflicts), best);
+    }
+}
+
 }  // namespace
 
 Packing pack_size_descending(const std::vector<PackItem>& items) {
@@ -142,19 +130,18 @@ Packing pack_size_descending(const std::vector<PackItem>& items) {
 
 Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, const Unordered& unordered) {
     if (items.empty()) return {};
+    const bool few = items.size() <= kMaxSearchedItems;
+    Conflicts conflicts(items, unordered);
     Packing best;
     best.height_bytes = UINT64_MAX;
-    if (!unordered) best = pack_sweep(items);
-    if (best.height_bytes <= lower_bound_bytes) return best;
-    Conflicts conflicts(items, unordered);
-    if (conflicts.dense() && items.size() > kMaxDenseItems) return best;
-    for (std::vector<uint32_t> order :
-         {size_descending_order(items), area_descending_order(items), peak_first_order(items)}) {
-        Packing packing = pack_in_order(items, order, conflicts);
-        packing = search(items, std::move(order), std::move(packing), lower_bound_bytes, conflicts);
-        if (packing.height_bytes < best.height_bytes) best = std::move(packing);
-        if (is_good_enough(best, lower_bound_bytes)) break;
-    }
+    const bool sweeps = conflicts.dense() || (few && !unordered);
+    if (sweeps) keep_smaller(pack_sweep(items), best);
+    if (few) keep_smaller(pack_in_order(items, size_descending_order(items), conflicts), best);
+    if (sweeps) keep_smaller(pack_sweep_back(items), best);
+    const bool good = best.height_bytes <= with_percent(lower_bound_bytes, kGoodSweepPercent);
+    if (!few && conflicts.dense() && !good && items.size() <= kMaxDenseItems)
+        keep_smaller(pack_in_order(items, size_descending_order(items), conflicts), best);
+    if (!conflicts.dense() || (few && !good)) improve(items, lower_bound_bytes, conflicts, best);
     return best;
 }
 

@@ -2,8 +2,8 @@
 // Units: bytes; `first` and `last` are schedule positions, both included.
 // Source: best fit in order of decreasing size is the usual heuristic for offline dynamic storage allocation
 // (Y. Pisarchyk, J. Lee, "Efficient Memory Management for Deep Neural Net Inference", 2020). pack_sweep()
-// simulates a best-fit heap over time; its run time is nearly linear, where the other heuristic's is
-// quadratic.
+// simulates a best-fit heap over time. Items that fit nowhere take the place of others: an ejection, as in
+// the search for bin packings and timetables.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +35,13 @@ using Unordered = std::function<bool(uint32_t, uint32_t)>;
 // Places the items by the start of their lifetimes. When a lifetime ends, its bytes become a free gap; a new
 // item takes the smallest sufficient gap.
 [[nodiscard]] Packing pack_sweep(const std::vector<PackItem>& items);
-// Returns the packing with the smallest heap size that the sweep, the best-fit orders and a bounded local
-// search find. No packing can be smaller than `lower_bound_bytes`, so the search stops near it. The sweep
-// uses positions only, so it is skipped if `unordered` is given.
+// Does the same backwards in time, from the last position to the first.
+[[nodiscard]] Packing pack_sweep_back(std::vector<PackItem> items);
+// A height that no packing reaches.
+inline constexpr uint64_t kNoTop = UINT64_MAX / 2;
+// Returns a packing whose heap is a few percent larger than `lower_bound_bytes` at most, if it finds one in a
+// time that is nearly linear in the number of overlapping lifetimes. No packing can be smaller than the lower
+// bound. The sweeps use positions only, so they are skipped if `unordered` is given.
 [[nodiscard]] Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes,
                            const Unordered& unordered = {});
 

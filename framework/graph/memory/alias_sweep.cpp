@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "graph/memory/alias_pack.h"
 
@@ -14,53 +16,50 @@ class FreeList {
     explicit FreeList(uint64_t& height_bytes) : height_bytes_(height_bytes) {}
 
     uint64_t take(const PackItem& item) {
-        auto best = holes_.end();
-        uint64_t best_slack = UINT64_MAX;
-        for (auto hole = holes_.begin(); hole != holes_.end(); ++hole) {
-            const uint64_t start = aligned(hole->first, item.alignment_bytes);
-            if (start + item.size_bytes > hole->second) continue;
-            const uint64_t slack = hole->second - hole->first - item.size_bytes;
-            if (slack >= best_slack) continue;
-            best_slack = slack;
-            best = hole;
+        for (auto hole = by_size_.lower_bound({item.size_bytes, 0}); hole != by_size_.end(); ++hole) {
+            const auto [size, begin] = *hole;
+            const uint64_t start = aligned(begin, item.alignment_bytes);
+            if (start + item.size_bytes > begin + size) continue;
+            remove(by_begin_.find(begin));
+            give(begin, start);
+            give(start + item.size_bytes, begin + size);
+            return start;
         }
-        return best == holes_.end() ? grow(item) : split(best, item);
+        return grow(item);
     }
 
     void give(uint64_t begin, uint64_t end) {
         if (begin == end) return;
-        auto next = holes_.lower_bound(begin);
-        if (next != holes_.end() && next->first == end) {
+        auto next = by_begin_.lower_bound(begin);
+        if (next != by_begin_.end() && next->first == end) {
             end = next->second;
-            next = holes_.erase(next);
+            next = remove(next);
         }
-        if (next != holes_.begin() && std::prev(next)->second == begin)
-            std::prev(next)->second = end;
-        else
-            holes_.emplace(begin, end);
+        if (next != by_begin_.begin() && std::prev(next)->second == begin) {
+            begin = std::prev(next)->first;
+            remove(std::prev(next));
+        }
+        by_begin_.emplace(begin, end);
+        by_size_.emplace(end - begin, begin);
     }
 
  private:
-    using Holes = std::map<uint64_t, uint64_t>;  // The free gaps. Key: begin of a gap; value: its end.
+    using Holes = std::map<uint64_t, uint64_t>;
 
     static uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
         return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
     }
 
-    uint64_t split(Holes::iterator hole, const PackItem& item) {
-        const auto [begin, end] = *hole;
-        const uint64_t start = aligned(begin, item.alignment_bytes);
-        holes_.erase(hole);
-        give(begin, start);
-        give(start + item.size_bytes, end);
-        return start;
+    Holes::iterator remove(Holes::iterator hole) {
+        by_size_.erase({hole->second - hole->first, hole->first});
+        return by_begin_.erase(hole);
     }
 
     uint64_t grow(const PackItem& item) {
         uint64_t begin = height_bytes_;
-        if (!holes_.empty() && holes_.rbegin()->second == height_bytes_) {
-            begin = holes_.rbegin()->first;
-            holes_.erase(begin);
+        if (!by_begin_.empty() && by_begin_.rbegin()->second == height_bytes_) {
+            begin = by_begin_.rbegin()->first;
+            remove(std::prev(by_begin_.end()));
         }
         const uint64_t start = aligned(begin, item.alignment_bytes);
         give(begin, start);
@@ -68,7 +67,8 @@ class FreeList {
         return start;
     }
 
-    Holes holes_;
+    Holes by_begin_;                                   // The free gaps. Key: begin of a gap; value: its end.
+    std::set<std::pair<uint64_t, uint64_t>> by_size_;  // The same gaps: size and begin of each.
     uint64_t& height_bytes_;
 };
 
@@ -96,6 +96,17 @@ Packing pack_sweep(const std::vector<PackItem>& items) {
         packing.offsets_bytes[i] = free_list.take(items[i]);
     }
     return packing;
+}
+
+Packing pack_sweep_back(std::vector<PackItem> items) {
+    uint32_t end = 0;
+    for (const PackItem& item : items) end = std::max(end, item.last);
+    for (PackItem& item : items) {
+        const uint32_t first = item.first;
+        item.first = end - item.last;
+        item.last = end - first;
+    }
+    return pack_sweep(items);
 }
 
 }  // namespace weft

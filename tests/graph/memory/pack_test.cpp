@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 #include <random>
+
+#include "graph/memory/alias_eject.h"
 
 namespace weft::test {
 namespace {
@@ -49,12 +52,66 @@ TEST(Pack, NothingThatLivesTogetherSharesBytes) {
         // for dense conflicts.
         const std::vector<PackItem> items = random_items(seed, 40 + seed, seed % 2 ? 4 : 40);
         EXPECT_TRUE(sound(items, pack_sweep(items))) << "seed " << seed;
+        EXPECT_TRUE(sound(items, pack_sweep_back(items))) << "seed " << seed;
         EXPECT_TRUE(sound(items, pack_size_descending(items))) << "seed " << seed;
         const Packing best = pack(items, peak_bytes(items));
         EXPECT_TRUE(sound(items, best)) << "seed " << seed;
         EXPECT_LE(best.height_bytes, pack_sweep(items).height_bytes);
         EXPECT_LE(best.height_bytes, pack_size_descending(items).height_bytes);
     }
+}
+
+// B is placed above A, so the four bytes of C, which is alive together with B, fit only above B. With a
+// target of six bytes, C takes the place of B, and B is placed above C.
+TEST(Pack, AnItemThatDoesNotFitTakesThePlaceOfAnother) {
+    const std::vector<PackItem> a_b_c{{2, 1, 0, 0}, {2, 1, 0, 1}, {4, 1, 1, 1}};
+    Conflicts conflicts(a_b_c);
+    const Packing simple = pack_in_order(a_b_c, {0, 1, 2}, conflicts);
+    EXPECT_EQ(simple.offsets_bytes, (std::vector<uint64_t>{0, 2, 4}));
+    EXPECT_EQ(simple.height_bytes, 8u);
+    const Packing below = pack_below(a_b_c, {0, 1, 2}, 6, conflicts);
+    EXPECT_EQ(below.offsets_bytes, (std::vector<uint64_t>{0, 4, 0}));
+    EXPECT_EQ(below.height_bytes, 6u);
+}
+
+// Eight items that are alive together are stored without lists of conflicts (dense). Among 40 items, two that
+// are alive together have lists.
+TEST(Conflicts, ARemovedItemTakesNoBytes) {
+    std::vector<PackItem> together(8, {4, 1, 0, 0}), apart;
+    for (uint32_t i = 0; i < 40; ++i) apart.push_back({4, 1, i / 2, i / 2});
+    for (const std::vector<PackItem>& items : {together, apart}) {
+        Conflicts conflicts(items);
+        EXPECT_EQ(conflicts.dense(), items.size() == 8);
+        conflicts.place(1, 12);
+        ASSERT_EQ(conflicts.taken(0).size(), 1u);
+        EXPECT_EQ(conflicts.taken(0)[0].begin_bytes, 12u);
+        EXPECT_EQ(conflicts.taken(0)[0].end_bytes, 16u);
+        EXPECT_EQ(conflicts.taken(0)[0].item, 1u);
+        conflicts.remove(1);
+        EXPECT_TRUE(conflicts.taken(0).empty());
+    }
+}
+
+// Checks pack_below() with lists of conflicts (short lifetimes) and without (long lifetimes), and with a
+// target that it cannot reach.
+TEST(Pack, EjectionReachesTheTargetOrPlacesTheRestAboveIt) {
+    size_t reached = 0, smaller = 0;
+    for (uint32_t seed = 0; seed < 60; ++seed) {
+        std::vector<PackItem> items = random_items(seed, 80, seed % 2 ? 6 : 60);
+        std::vector<uint32_t> order(items.size());
+        std::iota(order.begin(), order.end(), 0u);
+        Conflicts conflicts(items);
+        const uint64_t peak = peak_bytes(items), target = peak + peak / 20;
+        const Packing packing = pack_below(items, order, target, conflicts);
+        EXPECT_TRUE(sound(items, packing)) << "seed " << seed;
+        reached += packing.height_bytes <= target ? 1 : 0;
+        smaller += packing.height_bytes < pack_in_order(items, order, conflicts).height_bytes ? 1 : 0;
+        EXPECT_TRUE(sound(items, pack_below(items, order, peak / 2, conflicts))) << "seed " << seed;
+    }
+    std::printf("%zu of 60 packings reach the target, %zu are smaller than without ejection\n", reached,
+                smaller);
+    EXPECT_GT(reached, 20u);
+    EXPECT_GT(smaller, 30u);
 }
 
 TEST(Pack, StaysNearTheLowerBound) {
