@@ -12,8 +12,8 @@
 #include "viewer/files/files.h"
 #include "viewer/options/add_options.h"
 #include "viewer/options/arguments.h"
+#include "viewer/options/help_format.h"
 #include "viewer/options/usage_hint.h"
-#include "viewer/options/value_names.h"
 #include "viewer/options/validators.h"
 #include "viewer/output/output.h"
 #include "viewer/output/report.h"
@@ -87,7 +87,7 @@ CommandLine::CommandLine() {
     add_compare(*compare, compare_options, raw);
     add_doctor(*doctor, doctor_options);
     add_bench(app, bench, raw);
-    name_values(app);
+    format_help(app);
 }
 
 // Completes the options after parsing: converts texts such as "1280x720" to values, and copies options that

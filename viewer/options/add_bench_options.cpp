@@ -48,7 +48,9 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
     command->add_option("--seed", o.seed, "seed of the random lights")
         ->transform(whole_number_in(0, kMostSeed))
         ->capture_default_str();
-    command->add_option("--rounds", o.rounds, "number of measured frames of each graph")
+    command
+        ->add_option("--rounds", o.rounds,
+                     "number of rounds; in each round, each graph renders one measured frame")
         ->transform(whole_number_in(1, 1000))
         ->capture_default_str();
     command

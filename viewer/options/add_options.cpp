@@ -33,7 +33,7 @@ void add_queues(CLI::App& command, uint32_t& count) {
 // Adds the options of commands that compile a graph without a device.
 void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     command.add_option("--profile", o.profile,
-                       "a device profile: a file, or the name of a shipped profile [lavapipe]");
+                       "a device profile: a file, or the name of a shipped profile [default: lavapipe]");
     add_size(command, raw);
     add_queues(command, o.queues);
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
@@ -43,7 +43,7 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
 
 void add_tier(CLI::App& command, OfflineOptions& o, const char* otherwise) {
     command.add_option("--tier", o.request.tier,
-                       std::string("the quality tier of the graph [") + otherwise + "]");
+                       std::string("the quality tier of the graph [default: ") + otherwise + "]");
 }
 
 }  // namespace
@@ -59,12 +59,14 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "the picture file to write: .png, .exr or .pfm")
         ->capture_default_str();
-    command.add_option("--graph", o.request.path, "the graph file (JSON) [the shipped graphs/deferred.json]");
-    command.add_option("--tier", o.request.tier, "the quality tier of the graph [none]");
+    command.add_option("--graph", o.request.path,
+                       "the graph file (JSON) [default: the shipped graphs/deferred.json]");
+    command.add_option("--tier", o.request.tier, "the quality tier of the graph [default: none]");
     add_size(command, raw);
     command
-        .add_option("--frames", o.frames,
-                    "number of frames to render; only the last one is written [`frames` of the graph, or 1]")
+        .add_option(
+            "--frames", o.frames,
+            "number of frames to render; only the last one is written [default: `frames` of the graph, or 1]")
         ->transform(whole_number_in(1, 1'000'000));
     command
         .add_option("--fixed-dt", o.fixed_dt_s,
@@ -84,7 +86,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("--seed", o.seed, "seed of the random lights of --lights")
         ->transform(whole_number_in(0, kMostSeed))
         ->capture_default_str();
-    command.add_option("--exposure", raw.exposure, "exposure of the camera in EV [the scene's]")
+    command
+        .add_option("--exposure", raw.exposure,
+                    "exposure of the camera in EV [default: the exposure of the scene]")
         ->transform(number_in({-40, 40, "EV"}));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
@@ -121,7 +125,7 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
                        "write the last frame to this picture file: .png, .exr or .pfm");
     command
         .add_option("--frames", o.render.frames,
-                    "end after this many frames [end on SIGINT, SIGTERM, or when stdin closes]")
+                    "end after this many frames [default: end on SIGINT, SIGTERM, or when stdin closes]")
         ->transform(whole_number_in(1, 100'000'000));
     command.add_option("--stats", o.render.stats,
                        "write numbers of frames, reloads and validation messages to this JSON file");
@@ -154,7 +158,7 @@ void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
 void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
     command.add_option(
         "FILE", o.file,
-        "a graph file; the schema then proposes the names in this graph [a schema for all graphs]");
+        "a graph file; the schema then proposes the names in this graph [default: a schema for all graphs]");
     command.add_option("-o,--output", o.output, "write to this file instead of stdout");
     add_limits(command, raw);
 }

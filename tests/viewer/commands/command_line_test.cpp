@@ -173,7 +173,8 @@ TEST(CommandLine, HelpNamesTheValueOfEachOption) {
         command.emplace_back("--help");
         const std::string help = run_weft(command).out;
         EXPECT_FALSE(help.empty());
-        EXPECT_EQ(help.find(" TEXT "), std::string::npos) << help;
+        EXPECT_EQ(help.find("TEXT"), std::string::npos) << help;
+        EXPECT_EQ(help.find("=1280x720"), std::string::npos) << help;
     }
 }
 

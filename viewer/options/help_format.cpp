@@ -1,0 +1,74 @@
+#include "viewer/options/help_format.h"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace weft::viewer {
+namespace {
+
+struct ValueName {
+    std::string_view option;
+    const char* value;
+};
+constexpr std::array kValueNames{
+    ValueName{"camera", "NAME|NUMBERS"}, ValueName{"debug", "NAME"},        ValueName{"device", "INDEX|NAME"},
+    ValueName{"graph", "FILE"},          ValueName{"graphs", "NAME|FILE"},  ValueName{"limits", "FILE"},
+    ValueName{"output", "FILE"},         ValueName{"profile", "FILE|NAME"}, ValueName{"resource", "REF"},
+    ValueName{"stats", "FILE"},          ValueName{"tier", "NAME"},         ValueName{"format", "NAME"},
+    ValueName{"metric", "NAME"},         ValueName{"shape", "NAME"},
+};
+
+// Returns an empty text for a positional argument, because its own name says what to write.
+const char* value_name(const CLI::Option& option) {
+    for (const std::string& name : option.get_lnames())
+        for (const ValueName& row : kValueNames)
+            if (row.option == name) return row.value;
+    return "";
+}
+
+std::string erased(std::string text, const std::string& part) {
+    const size_t at = part.empty() ? std::string::npos : text.find(part);
+    return at == std::string::npos ? text : text.erase(at, part.size());
+}
+
+// Returns the default value of an option, without the brackets around a list.
+std::string default_value(const CLI::Option& option) {
+    const std::string& value = option.get_default_str();
+    return value.starts_with('[') ? value.substr(1, value.size() - 2) : value;
+}
+
+class HelpFormatter final : public CLI::Formatter {
+ public:
+    // A validator describes the value, as in "TEXT:WxH", so the type before the colon says nothing more.
+    std::string make_option_opts(const CLI::Option* option) const override {
+        std::string text = CLI::Formatter::make_option_opts(option);
+        for (const char* type : {"TEXT:", "UINT:", "FLOAT:"}) text = erased(std::move(text), type);
+        const std::string& value = option->get_default_str();
+        return value.empty() ? text : erased(std::move(text), "=" + value);
+    }
+    std::string make_option_desc(const CLI::Option* option) const override {
+        const std::string value = default_value(*option);
+        return option->get_description() + (value.empty() ? "" : " [default: " + value + "]");
+    }
+};
+
+void format_help(CLI::App& app, const std::shared_ptr<CLI::FormatterBase>& formatter) {
+    app.formatter(formatter);
+    for (CLI::Option* option : app.get_options())
+        if (option->get_type_name() == "TEXT") option->type_name(value_name(*option));
+    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+        format_help(*command, formatter);
+}
+
+}  // namespace
+
+void format_help(CLI::App& app) {
+    format_help(app, std::make_shared<HelpFormatter>());
+}
+
+}  // namespace weft::viewer
