@@ -269,9 +269,10 @@ AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
 // Returns the highlight of an area light. This is the highlight of its representative point, divided by a factor
 // because the light widens the highlight. On the sphere of half vectors, GGX is 1 / (π α²) at its centre, and its
 // integral along a line from the centre is 1 / (4 α). A light with sides 2a and 2b adds to the integral a term for its
-// area, 4ab / (π α²), and a term for its outline, (a + b) / α (Steiner's formula). Half vectors rotate half as far as
-// the light, and by 1 / v·h more perpendicular to the plane of incidence. For a perfect mirror, the result is the
-// radiance of the light.
+// area, 4ab / (π α²), and a term for its outline, (a + b) / α (Steiner's formula). The sides a and b are angles of half
+// vectors. In the plane of incidence, an angle between half vectors is half of the angle between the light directions.
+// Perpendicular to this plane, it is half of that angle divided by v·h. For a perfect mirror, the result is the radiance
+// of the light.
 vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     const float covered = max(length(incident.whole), 1e-20);
     const float v_h = max(dot(v, normalize(v + incident.mirrored)), 0.05);

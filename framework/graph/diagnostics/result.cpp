@@ -95,7 +95,8 @@ std::vector<std::string> did_you_mean(const std::string& name, const std::vector
         const Near found(distance, candidate);
         near.insert(std::ranges::lower_bound(near, found), found);
         if (near.size() > kMostSuggestions) near.pop_back();
-        // Names that are less similar than the third are not suggested, so the search may miss them.
+        // If the list is full, a name that is less similar than the last one in the list is not suggested. So
+        // the search may skip such names.
         if (near.size() == kMostSuggestions) limit = std::min(limit, near.back().first);
     }
     std::vector<std::string> names;

@@ -18,9 +18,10 @@ std::vector<const AttachmentDecl*> attachments_of(const PassDecl& pass) {
     return all;
 }
 
-// Returns true if the second pass can continue in the rendering scope with this attachment: same subresource
-// and layout, no resolve, and the second pass reads the old content. If the first pass writes the attachment,
-// the second pass must write it too, because the scope's store operation is that of its last pass.
+// Returns true if the second pass can continue in the rendering scope with this attachment: same location,
+// subresource and layout, no resolve, and the second pass reads the old content. Both passes must write the
+// attachment, or neither of them, because the scope has the load operation of its first pass and the store
+// operation of its last pass.
 bool keeps_attachment(const PassDecl& first, const AttachmentDecl& a, const PassDecl& second,
                       const AttachmentDecl& b) {
     const UseDecl &before = first.uses[a.use], &after = second.uses[b.use];

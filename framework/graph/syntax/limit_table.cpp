@@ -22,10 +22,11 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.graph.json_bytes; }},
     LimitRow{"graph.jsonDepth", "", "depth of nested objects and arrays in a graph file", kMostDepth,
              [](Limits& l) -> uint64_t& { return l.graph.json_depth; }},
-    LimitRow{"graph.jsonValues", "",
-             "number of JSON values in the graph file and its included files together; each tier counts them "
-             "once more",
-             kMostItems, [](Limits& l) -> uint64_t& { return l.graph.json_values; }},
+    LimitRow{
+        "graph.jsonValues", "",
+        "number of JSON values in the graph file and its included files together, multiplied by the number "
+        "of tiers plus 1",
+        kMostItems, [](Limits& l) -> uint64_t& { return l.graph.json_values; }},
     LimitRow{"graph.stringBytes", "bytes", "length of a string or key in a graph file", 1ull << 20,
              [](Limits& l) -> uint64_t& { return l.graph.string_bytes; }},
     LimitRow{"graph.nameBytes", "bytes", "length of a name, for example of a pass or resource", 1ull << 12,

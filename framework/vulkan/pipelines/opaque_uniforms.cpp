@@ -146,8 +146,9 @@ class Rewriter {
         emit(kOpVariable, {type, at.words[2], kUniform});
     }
 
-    // Rewrites an access to a block so that the push constant is the array index. The operands of the
-    // instruction are: type, result, variable, indices.
+    // Rewrites an access to a uniform block. The block is now an element of an array, and a push constant
+    // contains the index of the element. If the block was an array already, its own index is added. The
+    // operands of the instruction are: type, result, variable, indices.
     void rewrite_access(const Instruction& at) {
         const uint32_t place = new_id();
         uint32_t index = new_id();

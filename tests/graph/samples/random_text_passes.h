@@ -11,8 +11,8 @@ class RandomTextPasses : public RandomTextFrame {
     using RandomTextFrame::RandomTextFrame;
 
  protected:
-    // Returns a value that the next pass writes: a new image, or an unwritten mip or layer of an image that
-    // is partly written.
+    // Chooses what the next pass writes, and returns its index: a new image, or an unwritten mip or layer of
+    // an image that is partly written.
     size_t target() {
         if (!unwritten_.empty() && chance(60)) {
             const uint32_t i = below(static_cast<uint32_t>(unwritten_.size()));

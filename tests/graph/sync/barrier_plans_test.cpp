@@ -193,7 +193,8 @@ TEST(BarrierPlans, AliasTransitionAndWrapAround) {
     EXPECT_FALSE(within.from_previous_frame);
     expect_state(within.src, {stage::kFragmentShader, access::kNone, Layout::undefined});
     expect_state(within.dst, {stage::kComputeShader, access::kStorageWrite, Layout::general});
-    // In the next frame, `a` takes the memory back from `last`, which p4 of the previous frame copied out.
+    // At the start of each frame, `a` takes the memory over from `last`. The last use of `last` is the copy
+    // in p4 of the frame before.
     const BarrierDecl wrap = barrier_before(plan, "p1", "a");
     EXPECT_EQ(wrap.aliased_from, (std::vector<ResourceId>{resource_id(plan, "last")}));
     EXPECT_TRUE(wrap.from_previous_frame);

@@ -41,8 +41,8 @@ class ShaderBinder {
     }
 
     // Returns the index of the output with the same name as the input `in`, or the number of uses if there is
-    // none. Only bindings are compared. The depth attachment is not a binding, so an input may have the same
-    // name.
+    // none. Only bindings are compared. The depth attachment is not a binding, so an input may have the
+    // name of the depth attachment.
     size_t output_of_same_name(size_t in) const {
         size_t out = 0;
         for (; out < at_.bound.uses.size(); ++out) {
