@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include <array>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,18 +56,16 @@ class HelpFormatter final : public CLI::Formatter {
     }
 };
 
-void format_help(CLI::App& app, const std::shared_ptr<CLI::FormatterBase>& formatter) {
-    app.formatter(formatter);
-    for (CLI::Option* option : app.get_options())
-        if (option->get_type_name() == "TEXT") option->type_name(value_name(*option));
-    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
-        format_help(*command, formatter);
-}
-
 }  // namespace
 
 void format_help(CLI::App& app) {
-    format_help(app, std::make_shared<HelpFormatter>());
+    app.formatter_fn(
+        [formatter = HelpFormatter()](const CLI::App* command, std::string name, CLI::AppFormatMode mode) {
+            return formatter.make_help(command, std::move(name), mode);
+        });
+    for (CLI::Option* option : app.get_options())
+        if (option->get_type_name() == "TEXT") option->type_name(value_name(*option));
+    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) format_help(*command);
 }
 
 }  // namespace weft::viewer

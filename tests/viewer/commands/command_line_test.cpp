@@ -164,20 +164,6 @@ TEST(CommandLine, HelpAndVersionAreData) {
     EXPECT_TRUE(version.out.starts_with("weft ")) << version.text();
 }
 
-TEST(CommandLine, HelpNamesTheValueOfEachOption) {
-    const std::vector<std::vector<std::string>> commands{
-        {"render"},  {"view"}, {"check"},  {"plan"},           {"schema"},           {"explain"},
-        {"compare"}, {"diff"}, {"doctor"}, {"bench", "frame"}, {"bench", "compile"},
-    };
-    for (std::vector<std::string> command : commands) {
-        command.emplace_back("--help");
-        const std::string help = run_weft(command).out;
-        EXPECT_FALSE(help.empty());
-        EXPECT_EQ(help.find("TEXT"), std::string::npos) << help;
-        EXPECT_EQ(help.find("=1280x720"), std::string::npos) << help;
-    }
-}
-
 TEST(Check, TheShippedGraphIsGoodAndPrintsNothing) {
     const RunResult run = run_weft({"check", kDeferredGraph});
     EXPECT_EQ(run.exit_code, 0) << run.text();
