@@ -322,7 +322,8 @@ class Unroller {
     std::vector<QueueProgress> queues_;
     std::vector<ResourceId> imports_;  // Imports that at least one live pass uses.
     uint32_t owners_signal_ = kNoNode;
-    // Index: ResourceId. The node at which the import enters this frame.
+    // Index: ResourceId. The node after which passes of this frame may use the import: from then on, the
+    // import belongs to the frame and not to the program.
     std::vector<uint32_t> entered_;
     // Index: ResourceId. The nodes that used the import since it entered the frame.
     std::vector<std::vector<uint32_t>> uses_of_import_;

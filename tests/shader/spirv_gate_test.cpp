@@ -1,7 +1,7 @@
 // tests/shader/capabilities/ has one small shader for each SPIR-V capability that glslang can emit. The file
 // is named after the capability. Its first line gives the expected result before a colon: "// refused: ...".
-// "// error here" at the end of a line means that the error must name this line. Further tests limit the
-// memory that shaders may use.
+// "// expected error line" at the end of a line means that the error must name this line. Further tests limit
+// the memory that shaders may use.
 #include "shader/gate/spirv_gate.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ CapabilityShader read_shader(const fs::path& path) {
     for (std::string line; std::getline(lines, line);) {
         ++number;
         if (number == 1) shader.verdict = line.substr(3, line.find(':') - 3);
-        if (line.ends_with("// error here")) shader.line = number;
+        if (line.ends_with("// expected error line")) shader.line = number;
     }
     return shader;
 }
@@ -272,7 +272,7 @@ std::string with(const std::string& declarations, const std::string& body) {
 
 TEST_F(ShaderGate, SharedMemoryHasALimit) {
     const Diagnostics found =
-        refused(with("// error here\nshared float s[1 << 28];\n", "s[0] = 1; data.items[0] = 1;"));
+        refused(with("// expected error line\nshared float s[1 << 28];\n", "s[0] = 1; data.items[0] = 1;"));
     expect_too_large(found, 5);
     EXPECT_NE(found[0].message.find("1 GiB"), std::string::npos) << found[0].message;
     EXPECT_NE(found[0].help.at(0).find("shader.sharedBytes"), std::string::npos) << found[0].help[0];

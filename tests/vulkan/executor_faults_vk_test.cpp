@@ -156,8 +156,8 @@ TEST_F(ExecutorFaultsVk, a_frame_that_never_ends_is_a_time_out_that_names_passes
     ASSERT_FALSE(next.ok()) << "after a time-out nothing runs any more";
     EXPECT_EQ(finished.errors()[0].code, "V407");
     EXPECT_TRUE(message_mentions(finished.errors()[0], "read")) << finished.errors()[0].message;
-    // This submission waits for the frame, which was only late. After the frame has ended, the executor can
-    // be destroyed without leaks.
+    // The frame still runs on the device; only the wait for its fence was made to fail. This submission waits
+    // until the frame has ended. Then the executor can be destroyed without leaks.
     ASSERT_TRUE(immediate_submit(device(), "waiting", [](VkCommandBuffer) {}).ok());
 }
 

@@ -29,8 +29,8 @@ ShaderInterface reflected(const ShaderProgram& program) {
 }
 
 // Returns the first index of each access to an array of uniform blocks, in order. with_opaque_uniforms()
-// replaces each such index by the sum of the index and a push constant that is always 0; for its modules
-// (`hidden`), the function returns the index before this replacement.
+// replaces each such index i by the sum of i and a push constant that is always 0. If `module` is the result
+// of with_opaque_uniforms(), set `hidden`: then the function returns each i, not the sum.
 std::vector<uint32_t> first_indices(const ShaderModule& module, bool hidden) {
     constexpr uint32_t kVariable = 59, kAccessChain = 65, kIAdd = 128, kUniform = 2;
     std::set<uint32_t> blocks;

@@ -128,7 +128,7 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
                     "end after this many frames [default: end on SIGINT, SIGTERM, or when stdin closes]")
         ->transform(whole_number_in(1, 100'000'000));
     command.add_option("--stats", o.render.stats,
-                       "write numbers of frames, reloads and validation messages to this JSON file");
+                       "write the number of frames, of reloads and of validation messages to this JSON file");
 }
 
 void add_check(CLI::App& command, CheckOptions& o, RawTexts& raw) {

@@ -226,8 +226,8 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
         if (key == nullptr || (key->types & kCustom) != 0) continue;
         const PointerScope scope(context, "type");
         Diagnostic& error = context.error(type->loc, "W115",
-                                          "unknown pass type \"" + type->string + "\"; the key \"" +
-                                              entry.key + "\" belongs to a built-in type");
+                                          "unknown pass type \"" + type->string + "\"; only built-in types have the key \"" +
+                                              entry.key + "\"");
         const std::string near =
             did_you_mean_text(type->string, choice_names(std::span<const Choice<TypeMask>>(kBuiltinTypes)));
         error.help.push_back(near.empty() ? "built-in types are " + types_text(kAll) : near);

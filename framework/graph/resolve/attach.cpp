@@ -75,8 +75,8 @@ class PassAttacher : PassStage<Attachments> {
         error(draft_.decl.loc, "W182",
               "the state of pass " + quote(draft_.decl.name) +
                   " tests stencil, but the pass has no depth-stencil attachment",
-              "add \"depth\" with an image of format \"d32f_s8|d24_s8\"; or remove "
-              "\"stencil\"");
+              "add \"depth\" with an image whose format has stencil: \"d32f_s8\", \"d24_s8\", or the list of "
+              "alternatives \"d32f_s8|d24_s8\"; or remove \"stencil\"");
     }
 
     // Checks the size and the place of the viewport. Vulkan allows a viewport up to the size of the largest

@@ -21,7 +21,8 @@ SingleQueueTracker::SingleQueueTracker(const AccessState& entry)
         return;
     }
     reader_stages_ = entry.stages;
-    visible_.fill(~access::kNone);  // The import has no pending write, so nothing must be made visible.
+    // The import has no pending write. So all accesses already see its content, and need no barrier for that.
+    visible_.fill(~access::kNone);
 }
 
 bool SingleQueueTracker::visible(const AccessState& state) const {

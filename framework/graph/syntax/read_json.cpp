@@ -298,7 +298,7 @@ Result<JsonDoc> read_json(const std::string& path, const FileReader& reader, con
     std::optional<std::string> text = reader(path);
     if (!text)
         return file_error(path, "W002", "the file \"" + path + "\" does not exist or cannot be read",
-                          "check the path; a relative path starts at the current folder");
+                          "check the path; a relative path is relative to the current folder");
     JsonDoc doc;
     Result<JsonNode> root = read_json_file(doc.sources, path, std::move(*text), limits);
     if (!root) return root.take_errors();

@@ -82,8 +82,8 @@ Status check_supported(const Device& device, const VkImageCreateInfo& info, cons
     return error;
 }
 
-// Returns the usage that a persistent resource needs in addition: transfer destination, because its content
-// is cleared before the first frame.
+// Returns the usage that a resource needs in addition to the usages of its passes. A persistent resource is
+// cleared before the first frame, so it must be a transfer destination. Other resources need nothing.
 UsageMask before_first_frame(const ResourceDecl& decl) {
     return decl.lifetime == ResourceLifetime::persistent ? usage::kTransferDst : 0;
 }

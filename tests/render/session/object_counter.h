@@ -1,6 +1,6 @@
-// Purpose: counts the live Vulkan objects of a device. It replaces the functions in the device's table that
-// create and destroy objects. Only one counter may exist at a time, because the table contains plain function
-// pointers, so the count is global.
+// Purpose: counts the Vulkan objects of a device that were created and not destroyed yet. It replaces the
+// functions in the device's table that create and destroy objects. These are plain functions, so their count
+// is a global variable, and only one counter may exist at a time.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #extension GL_EXT_shader_16bit_storage : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-buffer Sums { float16_t sum; } sums;  // The error must name this line: // error here
+buffer Sums { float16_t sum; } sums;  // expected error line
 void main() {
     atomicMax(sums.sum, float16_t(1));
 }

@@ -5,5 +5,5 @@ layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 buffer Sums { float sum; } sums;
 void main() {
-    atomicMax(sums.sum, 1.0);  // The error must name this line: // error here
+    atomicMax(sums.sum, 1.0);  // expected error line
 }

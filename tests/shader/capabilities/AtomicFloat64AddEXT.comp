@@ -3,7 +3,7 @@
 #extension GL_EXT_shader_atomic_float : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-buffer Sums { double sum; } sums;  // The error must name this line: // error here
+buffer Sums { double sum; } sums;  // expected error line
 void main() {
     atomicAdd(sums.sum, 1.0lf);
 }

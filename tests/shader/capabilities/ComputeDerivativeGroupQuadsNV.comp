@@ -3,7 +3,7 @@
 #extension GL_NV_compute_shader_derivatives : require
 layout(local_size_x = 2, local_size_y = 2) in;
 buffer Data { uint items[]; } data;
-layout(derivative_group_quadsNV) in;  // The error must name this line: // error here
+layout(derivative_group_quadsNV) in;  // expected error line
 uniform sampler2D source;
 void main() {
     data.items[0] = uint(texture(source, vec2(0.5)).x);

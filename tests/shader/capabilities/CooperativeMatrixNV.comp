@@ -6,6 +6,6 @@ layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 #pragma use_vulkan_memory_model
 void main() {
-    fcoopmatNV<32, gl_ScopeSubgroup, 8, 8> tile = fcoopmatNV<32, gl_ScopeSubgroup, 8, 8>(0);  // error here
+    fcoopmatNV<32, gl_ScopeSubgroup, 8, 8> tile = fcoopmatNV<32, gl_ScopeSubgroup, 8, 8>(0);  // expected error line
     data.items[0] = uint(tile.length());
 }

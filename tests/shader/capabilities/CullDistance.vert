@@ -2,5 +2,5 @@
 #version 460
 void main() {
     gl_Position = vec4(0, 0, 0, 1);
-    gl_CullDistance[0] = 1;  // The error must name this line: // error here
+    gl_CullDistance[0] = 1;  // expected error line
 }

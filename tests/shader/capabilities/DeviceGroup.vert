@@ -3,5 +3,5 @@
 #extension GL_EXT_device_group : require
 void main() {
     gl_Position = vec4(0, 0, 0, 1);
-    gl_Position.x = float(gl_DeviceIndex);  // The error must name this line: // error here
+    gl_Position.x = float(gl_DeviceIndex);  // expected error line
 }

@@ -2,5 +2,5 @@
 #version 460
 void main() {
     gl_Position = vec4(0, 0, 0, 1);
-    gl_Position.x = float(gl_DrawID);  // The error must name this line: // error here
+    gl_Position.x = float(gl_DrawID);  // expected error line
 }

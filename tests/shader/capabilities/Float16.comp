@@ -4,6 +4,6 @@
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main() {
-    float16_t sum = float16_t(data.items[0]);  // The error must name this line: // error here
+    float16_t sum = float16_t(data.items[0]);  // expected error line
     data.items[0] = uint(sum);
 }

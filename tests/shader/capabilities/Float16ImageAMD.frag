@@ -4,7 +4,7 @@
 #extension GL_AMD_gpu_shader_half_float_fetch : require
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
-uniform f16sampler2D source;  // The error must name this line: // error here
+uniform f16sampler2D source;  // expected error line
 void main() {
     color = vec4(uv, 0, 1);
     color = vec4(texture(source, uv));

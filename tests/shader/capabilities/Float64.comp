@@ -3,6 +3,6 @@
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main() {
-    double sum = data.items[0];  // The error must name this line: // error here
+    double sum = data.items[0];  // expected error line
     data.items[0] = uint(sum);
 }

@@ -6,5 +6,5 @@ layout(location = 0) out vec4 color;
 uniform sampler2DMS source;
 void main() {
     color = vec4(uv, 0, 1);
-    color.x = float(fragmentMaskFetchAMD(source, ivec2(0)));  // The error must name this line: // error here
+    color.x = float(fragmentMaskFetchAMD(source, ivec2(0)));  // expected error line
 }

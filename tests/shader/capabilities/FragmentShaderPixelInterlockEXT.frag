@@ -3,7 +3,7 @@
 #extension GL_ARB_fragment_shader_interlock : require
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
-layout(pixel_interlock_ordered) in;  // The error must name this line: // error here
+layout(pixel_interlock_ordered) in;  // expected error line
 void main() {
     color = vec4(uv, 0, 1);
     beginInvocationInterlockARB();

@@ -4,7 +4,7 @@
 #extension GL_NV_shading_rate_image : require
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
-layout(shading_rate_interlock_ordered) in;  // The error must name this line: // error here
+layout(shading_rate_interlock_ordered) in;  // expected error line
 void main() {
     color = vec4(uv, 0, 1);
     beginInvocationInterlockARB();

@@ -4,5 +4,5 @@
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main() {
-    data.items[0] = subgroupQuadSwapHorizontal(1u);  // The error must name this line: // error here
+    data.items[0] = subgroupQuadSwapHorizontal(1u);  // expected error line
 }

@@ -4,5 +4,5 @@
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main() {
-    data.items[0] = subgroupShuffleUp(1u, 2u);  // The error must name this line: // error here
+    data.items[0] = subgroupShuffleUp(1u, 2u);  // expected error line
 }

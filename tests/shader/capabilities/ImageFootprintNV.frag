@@ -7,5 +7,5 @@ uniform sampler2D source;
 void main() {
     color = vec4(uv, 0, 1);
     gl_TextureFootprint2DNV footprint;
-    color.x = float(textureFootprintNV(source, uv, 2, true, footprint));  // The error must name this line: // error here
+    color.x = float(textureFootprintNV(source, uv, 2, true, footprint));  // expected error line
 }

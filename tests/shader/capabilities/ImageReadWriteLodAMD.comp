@@ -5,5 +5,5 @@ layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 layout(rgba8) writeonly uniform image2D target;
 void main() {
-    imageStoreLodAMD(target, ivec2(0), 1, vec4(1));  // The error must name this line: // error here
+    imageStoreLodAMD(target, ivec2(0), 1, vec4(1));  // expected error line
 }

@@ -2,7 +2,7 @@
 #version 460
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
-layout(input_attachment_index = 0) uniform subpassInput source;  // The error must name this line: // error here
+layout(input_attachment_index = 0) uniform subpassInput source;  // expected error line
 void main() {
     color = vec4(uv, 0, 1);
     color = subpassLoad(source);

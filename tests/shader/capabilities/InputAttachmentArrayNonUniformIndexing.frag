@@ -6,5 +6,5 @@ layout(location = 0) out vec4 color;
 layout(input_attachment_index = 0) uniform subpassInput source[2];
 void main() {
     color = vec4(uv, 0, 1);
-    color = subpassLoad(source[nonuniformEXT(int(uv.x))]);  // The error must name this line: // error here
+    color = subpassLoad(source[nonuniformEXT(int(uv.x))]);  // expected error line
 }

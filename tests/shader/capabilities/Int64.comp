@@ -4,6 +4,6 @@
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main() {
-    uint64_t sum = data.items[0];  // The error must name this line: // error here
+    uint64_t sum = data.items[0];  // expected error line
     data.items[0] = uint(sum);
 }

@@ -4,7 +4,7 @@
 #extension GL_EXT_shader_atomic_int64 : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-buffer Sums { uint64_t sum; } sums;  // The error must name this line: // error here
+buffer Sums { uint64_t sum; } sums;  // expected error line
 void main() {
     atomicAdd(sums.sum, 1ul);
 }

@@ -4,7 +4,7 @@
 #extension GL_EXT_shader_image_int64 : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-layout(r64ui) uniform u64image2D target;  // The error must name this line: // error here
+layout(r64ui) uniform u64image2D target;  // expected error line
 void main() {
     imageAtomicAdd(target, ivec2(0), 1ul);
 }

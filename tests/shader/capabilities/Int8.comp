@@ -4,6 +4,6 @@
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main() {
-    uint8_t sum = uint8_t(data.items[0]);  // The error must name this line: // error here
+    uint8_t sum = uint8_t(data.items[0]);  // expected error line
     data.items[0] = uint(sum);
 }

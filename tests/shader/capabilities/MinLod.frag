@@ -6,5 +6,5 @@ layout(location = 0) out vec4 color;
 uniform sampler2D source;
 void main() {
     color = vec4(uv, 0, 1);
-    color = textureClampARB(source, uv, 1.0);  // The error must name this line: // error here
+    color = textureClampARB(source, uv, 1.0);  // expected error line
 }

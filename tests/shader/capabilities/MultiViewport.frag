@@ -4,5 +4,5 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 void main() {
     color = vec4(uv, 0, 1);
-    color.x = float(gl_ViewportIndex);  // The error must name this line: // error here
+    color.x = float(gl_ViewportIndex);  // expected error line
 }

@@ -3,5 +3,5 @@
 #extension GL_NVX_multiview_per_view_attributes : require
 void main() {
     gl_Position = vec4(0, 0, 0, 1);
-    gl_PositionPerViewNV[0] = vec4(1);  // The error must name this line: // error here
+    gl_PositionPerViewNV[0] = vec4(1);  // expected error line
 }

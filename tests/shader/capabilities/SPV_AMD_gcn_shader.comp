@@ -2,7 +2,7 @@
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-#extension GL_AMD_gcn_shader : require  // The error must name this line: // error here
+#extension GL_AMD_gcn_shader : require  // expected error line
 void main() {
     data.items[0] = uint(cubeFaceIndexAMD(vec3(1)));
 }

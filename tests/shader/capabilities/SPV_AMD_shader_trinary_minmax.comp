@@ -2,7 +2,7 @@
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-#extension GL_AMD_shader_trinary_minmax : require  // The error must name this line: // error here
+#extension GL_AMD_shader_trinary_minmax : require  // expected error line
 void main() {
     data.items[0] = max3(1u, data.items[0], 2u);
 }

@@ -1,6 +1,6 @@
 // refused: the SPIR-V gate must reject this shader on every device.
 #version 460
-#extension GL_EXT_subgroup_uniform_control_flow : require  // The error must name this line: // error here
+#extension GL_EXT_subgroup_uniform_control_flow : require  // expected error line
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main()

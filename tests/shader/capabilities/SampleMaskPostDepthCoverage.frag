@@ -4,7 +4,7 @@
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 layout(early_fragment_tests) in;
-layout(post_depth_coverage) in;  // The error must name this line: // error here
+layout(post_depth_coverage) in;  // expected error line
 void main() {
     color = vec4(uv, 0, 1);
 }

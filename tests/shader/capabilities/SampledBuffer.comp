@@ -2,7 +2,7 @@
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-uniform samplerBuffer source;  // The error must name this line: // error here
+uniform samplerBuffer source;  // expected error line
 void main() {
     data.items[0] = uint(texelFetch(source, 0).x);
 }

@@ -6,5 +6,5 @@ layout(location = 0) out vec4 color;
 uniform sampler2D source[4];
 void main() {
     color = vec4(uv, 0, 1);
-    color = texture(source[nonuniformEXT(int(uv.x))], uv);  // The error must name this line: // error here
+    color = texture(source[nonuniformEXT(int(uv.x))], uv);  // expected error line
 }

@@ -3,5 +3,5 @@
 #extension GL_NV_stereo_view_rendering : require
 void main() {
     gl_Position = vec4(0, 0, 0, 1);
-    gl_SecondaryPositionNV = vec4(1);  // The error must name this line: // error here
+    gl_SecondaryPositionNV = vec4(1);  // expected error line
 }

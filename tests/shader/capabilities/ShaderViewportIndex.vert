@@ -3,5 +3,5 @@
 #extension GL_ARB_shader_viewport_layer_array : require
 void main() {
     gl_Position = vec4(0, 0, 0, 1);
-    gl_ViewportIndex = 1;  // The error must name this line: // error here
+    gl_ViewportIndex = 1;  // expected error line
 }

@@ -3,5 +3,5 @@
 #extension GL_NV_viewport_array2 : require
 void main() {
     gl_Position = vec4(0, 0, 0, 1);
-    gl_ViewportMask[0] = 1;  // The error must name this line: // error here
+    gl_ViewportMask[0] = 1;  // expected error line
 }

@@ -6,5 +6,5 @@ layout(location = 0) out vec4 color;
 uniform sampler2D source;
 void main() {
     color = vec4(uv, 0, 1);
-    sparseTextureARB(source, uv, color);  // The error must name this line: // error here
+    sparseTextureARB(source, uv, color);  // expected error line
 }

@@ -5,5 +5,5 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 void main() {
     color = vec4(uv, 0, 1);
-    gl_FragStencilRefARB = 1;  // The error must name this line: // error here
+    gl_FragStencilRefARB = 1;  // expected error line
 }

@@ -3,7 +3,7 @@
 #extension GL_EXT_shader_16bit_storage : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-buffer Halves { uint16_t narrow; } halves;  // The error must name this line: // error here
+buffer Halves { uint16_t narrow; } halves;  // expected error line
 void main() {
     data.items[0] = uint(halves.narrow);
 }

@@ -3,7 +3,7 @@
 #extension GL_EXT_shader_8bit_storage : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-buffer Bytes { uint8_t byte; } bytes;  // The error must name this line: // error here
+buffer Bytes { uint8_t byte; } bytes;  // expected error line
 void main() {
     data.items[0] = uint(bytes.byte);
 }

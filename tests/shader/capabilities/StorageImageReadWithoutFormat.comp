@@ -5,5 +5,5 @@ layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 readonly uniform image2D source;
 void main() {
-    data.items[0] = uint(imageLoad(source, ivec2(0)).x);  // The error must name this line: // error here
+    data.items[0] = uint(imageLoad(source, ivec2(0)).x);  // expected error line
 }

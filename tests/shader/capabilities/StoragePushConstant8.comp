@@ -3,7 +3,7 @@
 #extension GL_EXT_shader_8bit_storage : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-layout(push_constant) uniform Params { uint8_t byte; } params;  // The error must name this line: // error here
+layout(push_constant) uniform Params { uint8_t byte; } params;  // expected error line
 void main() {
     data.items[0] = uint(params.byte);
 }

@@ -2,7 +2,7 @@
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-layout(rgba8) writeonly uniform imageBuffer target[2];  // The error must name this line: // error here
+layout(rgba8) writeonly uniform imageBuffer target[2];  // expected error line
 void main() {
     imageStore(target[data.items[0]], 0, vec4(1));
 }

@@ -6,5 +6,5 @@ layout(location = 0) out vec4 color;
 layout(rgba8) readonly uniform imageBuffer source[2];
 void main() {
     color = vec4(uv, 0, 1);
-    color = imageLoad(source[nonuniformEXT(int(uv.x))], 0);  // The error must name this line: // error here
+    color = imageLoad(source[nonuniformEXT(int(uv.x))], 0);  // expected error line
 }

@@ -5,5 +5,5 @@ layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 #extension GL_ARB_shader_ballot : require
 void main() {
-    data.items[0] = readFirstInvocationARB(1u);  // The error must name this line: // error here
+    data.items[0] = readFirstInvocationARB(1u);  // expected error line
 }

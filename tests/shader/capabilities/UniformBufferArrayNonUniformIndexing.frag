@@ -6,5 +6,5 @@ layout(location = 0) out vec4 color;
 uniform Source { vec4 value; } source[2];
 void main() {
     color = vec4(uv, 0, 1);
-    color = source[nonuniformEXT(int(uv.x))].value;  // The error must name this line: // error here
+    color = source[nonuniformEXT(int(uv.x))].value;  // expected error line
 }

@@ -2,7 +2,7 @@
 #version 460
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
-uniform samplerBuffer source[2];  // The error must name this line: // error here
+uniform samplerBuffer source[2];  // expected error line
 void main() {
     color = vec4(uv, 0, 1);
     color = texelFetch(source[int(uv.x)], 0);

@@ -2,7 +2,7 @@
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-#pragma use_vulkan_memory_model  // The error must name this line: // error here
+#pragma use_vulkan_memory_model  // expected error line
 void main() {
     data.items[0] = 1u;
 }

@@ -3,7 +3,7 @@
 #extension GL_KHR_memory_scope_semantics : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-#pragma use_vulkan_memory_model  // The error must name this line: // error here
+#pragma use_vulkan_memory_model  // expected error line
 void main() {
     atomicAdd(data.items[0], 1u, gl_ScopeDevice, gl_StorageSemanticsBuffer, gl_SemanticsRelaxed);
 }

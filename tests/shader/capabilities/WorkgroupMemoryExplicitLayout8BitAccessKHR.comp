@@ -2,7 +2,7 @@
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-#extension GL_EXT_shared_memory_block : require  // The error must name this line: // error here
+#extension GL_EXT_shared_memory_block : require  // expected error line
 #extension GL_EXT_shader_explicit_arithmetic_types_int8 : require
 shared Block { uint8_t value; } block;
 void main() {

@@ -2,7 +2,7 @@
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-#extension GL_EXT_shared_memory_block : require  // The error must name this line: // error here
+#extension GL_EXT_shared_memory_block : require  // expected error line
 shared Block { uint value; } block;
 void main() {
     block.value = 1u;

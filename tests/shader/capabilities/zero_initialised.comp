@@ -3,7 +3,7 @@
 #extension GL_EXT_null_initializer : require
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
-shared uint total = { };  // The error must name this line: // error here
+shared uint total = { };  // expected error line
 void main() {
     total += 1u;
     data.items[0] = total;

@@ -114,7 +114,8 @@ class InterfaceCheck {
         error(use, "W182",
               "pass " + quote(declared_.pass_name(pass_)) + " tests stencil, but " + quote(resource.name) +
                   " has no stencil",
-              "use the format \"d32f_s8|d24_s8\"");
+              "use a format with stencil: \"d32f_s8\", \"d24_s8\", or the list of alternatives "
+              "\"d32f_s8|d24_s8\"");
     }
 
     bool check_numbers(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {

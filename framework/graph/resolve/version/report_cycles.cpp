@@ -33,8 +33,8 @@ class CycleReport {
     }
 
  private:
-    // Marks as done all passes that come before every cycle, as in a topological sort: a pass is done if all
-    // passes that it waits for are done.
+    // Marks as done all passes that are in no cycle and wait for no cycle. It works like a topological sort:
+    // it marks a pass as soon as all passes that it waits for are marked.
     void peel() {
         std::vector<uint32_t> waits_for(done_.size(), 0);
         for (const OrderArc& arc : order_.arcs()) ++waits_for[arc.to];

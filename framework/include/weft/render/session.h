@@ -80,8 +80,8 @@ class Session {
     // memory, the running graph continues at the old size. `output` replaces Selection::output; frames in
     // flight may still use the old image. Errors: those of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
-    // Returns the number of pipelines that the thread which called create() has made since then. Each of them
-    // delayed a frame.
+    // Returns the number of pipelines that were created while frames were rendered: after create() returned,
+    // on the thread that called it. Each of them delayed a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const;
 
     [[nodiscard]] Status render_frame(const FrameInput& input);
