@@ -19,7 +19,7 @@ BEYOND_SCHEMAS = {
     "the first value of the range is greater than the second",
     "the lower bound is greater than the upper bound", "the name {} is already used",
     "{} is a reserved word of expressions",
-    "the pass draws no draw list, so no material can determine culling", "the number of view {} is",
+    "the pass draws no draw list, so no material can determine culling", "the index of view {} is",
     "whose format is {}, cannot be cleared to", "the size of {} is",
 }
 

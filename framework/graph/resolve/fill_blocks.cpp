@@ -65,7 +65,9 @@ class BlockFiller : PassStage<Blocks> {
         for (const ParamValueDesc& param : draft_.desc->params) {
             if (std::ranges::find(members, param.name) != members.end()) continue;
             const std::string known = members.empty() ? "the shader has no block named Params"
-                                                      : "its members are " + quote_all(members);
+                                                      : std::string("the block Params has the ") +
+                                                            (members.size() == 1 ? "member " : "members ") +
+                                                            quote_all(members);
             error(param.loc,
                   "Params of shader " + quote(draft_.desc->shader) + " has no member " + quote(param.name),
                   {did_you_mean_text(param.name, members), known});

@@ -54,7 +54,7 @@ void bind_view(PassBinding& pass) {
         const std::optional<double> number =
             offered.numbered == 0
                 ? 0.0
-                : pass.evaluator.number(desc.view_number, "the number of view " + quote(view), 0, most);
+                : pass.evaluator.number(desc.view_number, "the index of view " + quote(view), 0, most);
         if (!number) {
             pass.suspects.passes[pass.id] = 1;
             return;
