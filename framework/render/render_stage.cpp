@@ -19,7 +19,7 @@ bool same_bindings(const StageFingerprint& a, const StageFingerprint& b) {
 
 StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& shaders, VkImage output) {
     StageFingerprint fingerprint;
-    fingerprint.plan_hash = plan.hash;
+    fingerprint.plan_hash = plan_hash(plan);
     fingerprint.structure_hash = structure_hash(plan);
     fingerprint.output = output;
     for (const auto& [reference, program] : shaders) {

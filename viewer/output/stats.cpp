@@ -9,6 +9,7 @@
 
 #include "check/needed_barriers.h"
 #include "viewer/output/port_bytes.h"
+#include "weft/compile.h"
 
 namespace weft::viewer {
 namespace {
@@ -79,7 +80,7 @@ std::string stats_json(const StatsInput& input) {
         {"driver", input.device.info().driver},
         {"size", {plan.graph.output_extent.width, plan.graph.output_extent.height}},
         {"frames", input.frames},
-        {"plan_hash", plan.hash},
+        {"plan_hash", plan_hash(plan)},
         {"output_sha256", sha256(input.output.bytes)},
         {"validation", validation_json(input.device)},
         {"passes", passes_json(input)},

@@ -24,7 +24,7 @@ std::vector<QueueDependency> all_dependencies(const SyncTable& sync, const Barri
 
 }  // namespace
 
-FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const CompileOptions& options,
+FramePlan compile(ResolvedGraph graph, const MemoryNeeds& needs, const CompileOptions& options,
                   std::vector<StageTime>* times) {
     StageTimer timer(times);
     LiveGraph live = timer.stage("cull", cull(graph, options.keep_all_passes));
@@ -46,7 +46,7 @@ FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs, const Co
         recorded = barriers(graph, order, sync, memory, ops);
         submitted = submissions(order, all_dependencies(sync, recorded));
     }
-    return timer.stage("link", link({.graph = graph,
+    return timer.stage("link", link({.graph = std::move(graph),
                                      .live = std::move(live),
                                      .schedule = std::move(order),
                                      .sync = std::move(sync),

@@ -1,7 +1,6 @@
 #include <utility>
 
 #include "graph/compile/link.h"
-#include "weft/compile.h"
 
 namespace weft {
 namespace {
@@ -35,7 +34,6 @@ FramePlan link(StageResults results) {
     plan.memory = std::move(results.memory);
     plan.barriers = std::move(results.barriers);
     plan.submissions = std::move(results.submissions);
-    plan.hash = plan_hash(plan);
     return plan;
 }
 

@@ -4,21 +4,21 @@
 // more than sharing saves; then buffers and images get separate heaps.
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
 
 #include "graph/memory/alias.h"
 #include "graph/memory/alias_pack.h"
+#include "graph/memory/alias_times.h"
 #include "graph/memory/alias_transitions.h"
+#include "graph/model/round_up.h"
 
 namespace weft {
 namespace {
 
 constexpr uint64_t kMaxPadding = 4096;
-
-uint64_t rounded_up(uint64_t bytes, uint64_t page_bytes) {
-    return (bytes + page_bytes - 1) / page_bytes * page_bytes;
-}
 
 struct HeapKey {
     bool buffers = false;
@@ -41,65 +41,53 @@ Groups group_by_heap(const ResolvedGraph& graph, const Lifetimes& spans, const M
     return groups;
 }
 
-struct Peak {
-    uint64_t bytes = 0;
-    Position position = 0;
-};
-
-Peak find_peak(const std::vector<ResourceId>& resources, const Lifetimes& spans, const MemoryNeeds& needs) {
-    // Key: schedule position. Value: bytes of the resources whose lifetime begins there, minus bytes of the
-    // resources whose lifetime ended just before.
-    std::map<Position, int64_t> changes;
-    for (const ResourceId id : resources) {
-        changes[spans.spans[id].first] += static_cast<int64_t>(needs[id].size_bytes);
-        changes[Position(spans.spans[id].last + 1)] -= static_cast<int64_t>(needs[id].size_bytes);
-    }
-    Peak peak;
-    int64_t bytes = 0;
-    for (const auto& [position, change] : changes) {
-        bytes += change;
-        if (bytes > static_cast<int64_t>(peak.bytes)) peak = {static_cast<uint64_t>(bytes), position};
-    }
-    return peak;
-}
-
 bool has_both_kinds(const ResolvedGraph& graph, const std::vector<ResourceId>& group) {
     const auto is_buffer = [&](ResourceId id) { return graph.resources[id].kind == ResourceKind::buffer; };
     return std::any_of(group.begin(), group.end(), is_buffer) &&
            !std::all_of(group.begin(), group.end(), is_buffer);
 }
 
-// Returns true if every use of `a` is complete before the first use of `b` starts, according to the vector
-// clocks of the queues.
-bool over_before(const Schedule& order, const LifetimeSpan& a, const LifetimeSpan& b) {
-    return std::all_of(b.queues.begin(), b.queues.end(), [&](const QueueSpan& later) {
-        return std::all_of(a.queues.begin(), a.queues.end(), [&](const QueueSpan& earlier) {
-            return order.clocks[later.first][earlier.queue] > earlier.last;
-        });
+// Returns the items to pack, in the order of `group`. Their sizes are whole pages.
+std::vector<PackItem> items_of(const std::vector<ResourceId>& group, const Lifetimes& spans,
+                               const MemoryNeeds& needs, uint64_t page_bytes) {
+    std::vector<PackItem> items;
+    items.reserve(group.size());
+    for (const ResourceId id : group)
+        items.push_back({round_up(needs[id].size_bytes, page_bytes),
+                         round_up(std::max<uint64_t>(needs[id].alignment_bytes, 1), page_bytes),
+                         spans.spans[id].first, spans.spans[id].last});
+    return items;
+}
+
+// Returns the largest total size of resources that are alive at the same time, without padding.
+Peak peak_of(const std::vector<ResourceId>& resources, const Lifetimes& spans, const MemoryNeeds& needs) {
+    return find_peak(resources.size(), [&](size_t i) {
+        const ResourceId id = resources[i];
+        return PackItem{needs[id].size_bytes, 1, spans.spans[id].first, spans.spans[id].last};
     });
 }
 
-Unordered unordered_in(const std::vector<ResourceId>& group, const Schedule& order, const Lifetimes& spans) {
-    if (order.queues.size() == 1) return {};
-    return [&](uint32_t a, uint32_t b) {
-        const LifetimeSpan &s = spans.spans[group[a]], &t = spans.spans[group[b]];
-        return !over_before(order, s, t) && !over_before(order, t, s);
-    };
+// `queues` is null if the frame uses one queue.
+Packing pack_group(const std::vector<ResourceId>& group, const QueueOrder* queues, const Lifetimes& spans,
+                   std::vector<PackItem> items, uint64_t lower_bound_bytes) {
+    if (queues == nullptr) return pack(items, lower_bound_bytes);
+    const QueueTimes times = queues->times(group, spans);
+    for (uint32_t i = 0; i < items.size(); ++i)
+        items[i].last = std::max(items[i].last, times.last_position(i));
+    return pack(items, lower_bound_bytes, &times);
 }
 
-void place_group(const std::vector<ResourceId>& group, const Schedule& order, const Lifetimes& spans,
-                 const MemoryNeeds& needs, uint64_t page_bytes, HeapKey key, MemoryPlan& plan) {
-    std::vector<PackItem> items;
-    for (const ResourceId id : group)
-        items.push_back({rounded_up(needs[id].size_bytes, page_bytes),
-                         rounded_up(std::max<uint64_t>(needs[id].alignment_bytes, 1), page_bytes),
-                         spans.spans[id].first, spans.spans[id].last});
-    const Packing packing =
-        pack(items, find_peak(group, spans, needs).bytes, unordered_in(group, order, spans));
+// Adds a heap with the resources of the group to the plan. The placements are sorted by (offset, resource).
+void add_heap(const std::vector<ResourceId>& group, const Packing& packing, const MemoryNeeds& needs,
+              HeapKey key, MemoryPlan& plan) {
     const auto heap = static_cast<uint32_t>(plan.heaps.size());
     plan.heaps.push_back({packing.height_bytes, key.type_bits, key.buffers, false});
-    for (size_t i = 0; i < group.size(); ++i)
-        plan.placements.push_back({group[i], heap, packing.offsets_bytes[i], needs[group[i]].size_bytes});
+    std::vector<std::pair<uint64_t, uint32_t>> by_offset;
+    by_offset.reserve(group.size());
+    for (uint32_t i = 0; i < group.size(); ++i) by_offset.emplace_back(packing.offsets_bytes[i], i);
+    std::ranges::sort(by_offset);
+    for (const auto& [offset, i] : by_offset)
+        plan.placements.push_back({group[i], heap, offset, needs[group[i]].size_bytes});
     plan.heap_bytes += packing.height_bytes;
 }
 
@@ -116,7 +104,7 @@ void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const M
         if (fresh) plan.heaps.push_back({0, key.type_bits, key.buffers, true});
         HeapPlan& heap = plan.heaps[it->second];
         const uint64_t alignment = std::max({needs[id].alignment_bytes, granularity_bytes, uint64_t{1}});
-        const uint64_t offset = rounded_up(heap.size_bytes, alignment);
+        const uint64_t offset = round_up(heap.size_bytes, alignment);
         plan.placements.push_back({id, it->second, offset, needs[id].size_bytes});
         heap.size_bytes = offset + needs[id].size_bytes;
     }
@@ -130,20 +118,29 @@ MemoryPlan alias(const ResolvedGraph& graph, const LiveGraph& live, const Schedu
                  const Lifetimes& spans, const MemoryNeeds& needs, uint64_t granularity_bytes) {
     MemoryPlan plan;
     const Groups groups = group_by_heap(graph, spans, needs, granularity_bytes > kMaxPadding);
+    const std::optional<QueueOrder> queues =
+        order.queues.size() > 1 ? std::optional<QueueOrder>(order) : std::nullopt;
     std::vector<ResourceId> placed;
+    Peak peak;
+    plan.placements.reserve(graph.resources.size());
     for (const auto& [key, group] : groups) {
         const uint64_t page_bytes =
             has_both_kinds(graph, group) ? std::max<uint64_t>(granularity_bytes, 1) : 1;
-        place_group(group, order, spans, needs, page_bytes, key, plan);
+        peak = peak_of(group, spans, needs);
+        const Packing packing = pack_group(group, queues ? &*queues : nullptr, spans,
+                                           items_of(group, spans, needs, page_bytes), peak.bytes);
+        add_heap(group, packing, needs, key, plan);
         placed.insert(placed.end(), group.begin(), group.end());
     }
     for (const ResourceId id : placed) plan.sum_bytes += needs[id].size_bytes;
-    const Peak peak = find_peak(placed, spans, needs);
+    if (groups.size() > 1) peak = peak_of(placed, spans, needs);
     plan.peak_live_bytes = peak.bytes;
     plan.peak_position = peak.position;
     plan.alias_transitions = alias_transitions(plan.placements, spans);
+    const auto transient_count = static_cast<std::ptrdiff_t>(plan.placements.size());
     place_persistent(graph, live, needs, granularity_bytes, plan);
-    std::sort(plan.placements.begin(), plan.placements.end(), [](const Placement& a, const Placement& b) {
+    const auto first_persistent = plan.placements.begin() + transient_count;
+    std::sort(first_persistent, plan.placements.end(), [](const Placement& a, const Placement& b) {
         return std::tie(a.heap, a.offset_bytes, a.resource) < std::tie(b.heap, b.offset_bytes, b.resource);
     });
     return plan;

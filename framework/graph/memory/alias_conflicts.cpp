@@ -35,9 +35,9 @@ uint64_t count_overlaps(const std::vector<PackItem>& items, const std::vector<ui
     return pairs;
 }
 
-// Returns all pairs of items whose lifetimes overlap.
+// Returns all pairs of items whose lifetimes overlap. The item that begins later is the first of each pair.
 std::vector<Pair> overlaps(const std::vector<PackItem>& items, const std::vector<uint32_t>& starts,
-                           uint64_t count) {
+                           const QueueTimes* times, uint64_t count) {
     std::vector<Pair> pairs;
     pairs.reserve(count);
     std::vector<uint32_t> active;
@@ -46,7 +46,8 @@ std::vector<Pair> overlaps(const std::vector<PackItem>& items, const std::vector
         for (const uint32_t other : active)
             if (items[other].last >= items[i].first) active[kept++] = other;
         active.resize(kept);
-        for (const uint32_t other : active) pairs.emplace_back(i, other);
+        for (const uint32_t other : active)
+            if (times == nullptr || times->may_overlap(other, i)) pairs.emplace_back(i, other);
         active.push_back(i);
     }
     return pairs;
@@ -54,37 +55,28 @@ std::vector<Pair> overlaps(const std::vector<PackItem>& items, const std::vector
 
 }  // namespace
 
-Conflicts::Conflicts(const std::vector<PackItem>& items, const Unordered& unordered) : items_(items) {
-    std::vector<Pair> pairs;
-    if (unordered) {
-        for (uint32_t a = 0; a < items_.size(); ++a)
-            for (uint32_t b = 0; b < a; ++b) {
-                const bool overlap = items_[a].first <= items_[b].last && items_[b].first <= items_[a].last;
-                if (overlap || unordered(a, b)) pairs.emplace_back(a, b);
+Conflicts::Conflicts(const std::vector<PackItem>& items, const QueueTimes* times)
+    : items_(items), times_(times) {
+    const std::vector<uint32_t> starts = by_start(items);
+    const uint64_t count = count_overlaps(items, starts);
+    dense_ = count * 2 * kDenseFactor > static_cast<uint64_t>(items.size()) * items.size();
+    if (!dense_) {
+        const std::vector<Pair> pairs = overlaps(items, starts, times, count);
+        neighbours_ = make_rows<uint32_t>(items.size(), [&](const auto& add) {
+            for (const auto& [a, b] : pairs) {
+                add(a, b);
+                add(b, a);
             }
-    } else {
-        const std::vector<uint32_t> starts = by_start(items);
-        const uint64_t count = count_overlaps(items, starts);
-        dense_ = count * 2 * kDenseFactor > static_cast<uint64_t>(items.size()) * items.size();
-        if (!dense_) pairs = overlaps(items, starts, count);
+        });
     }
-    if (!dense_) store(pairs);
     clear();
 }
 
-void Conflicts::store(const std::vector<Pair>& pairs) {
-    rows_.assign(items_.size() + 1, 0);
-    for (const auto& [a, b] : pairs) {
-        ++rows_[a + 1];
-        ++rows_[b + 1];
-    }
-    std::partial_sum(rows_.begin(), rows_.end(), rows_.begin());
-    neighbours_.resize(2 * pairs.size());
-    std::vector<uint32_t> next(rows_.begin(), rows_.end() - 1);
-    for (const auto& [a, b] : pairs) {
-        neighbours_[next[a]++] = b;
-        neighbours_[next[b]++] = a;
-    }
+bool Conflicts::overlap(uint32_t a, uint32_t b) const {
+    const PackItem &one = items_[a], &other = items_[b];
+    if (one.first > other.last || other.first > one.last) return false;
+    if (times_ == nullptr) return true;
+    return one.first <= other.first ? times_->may_overlap(a, b) : times_->may_overlap(b, a);
 }
 
 void Conflicts::clear() {
@@ -115,14 +107,11 @@ void Conflicts::remove(uint32_t item) {
 const std::vector<TakenSpan>& Conflicts::taken(uint32_t item) {
     taken_.clear();
     if (dense_) {
-        const PackItem& own = items_[item];
-        for (const TakenSpan& p : placed_) {
-            const PackItem& other = items_[p.item];
-            if (other.first <= own.last && own.first <= other.last) taken_.push_back(p);
-        }
+        for (const TakenSpan& p : placed_)
+            if (overlap(item, p.item)) taken_.push_back(p);
         return taken_;
     }
-    for (const uint32_t other : neighbours(item))
+    for (const uint32_t other : neighbours_[item])
         if (offsets_bytes_[other] != kUnplaced)
             taken_.push_back(
                 {offsets_bytes_[other], offsets_bytes_[other] + items_[other].size_bytes, other});

@@ -8,7 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "graph/memory/alias_pack.h"
+#include "graph/memory/alias_item.h"
+#include "graph/model/rows.h"
 
 namespace weft {
 
@@ -21,7 +22,8 @@ struct TakenSpan {
 
 class Conflicts {
  public:
-    explicit Conflicts(const std::vector<PackItem>& items, const Unordered& unordered = {});
+    // `times` is null if the frame uses one queue.
+    explicit Conflicts(const std::vector<PackItem>& items, const QueueTimes* times = nullptr);
 
     void clear();
     void place(uint32_t item, uint64_t offset_bytes);
@@ -32,22 +34,17 @@ class Conflicts {
     [[nodiscard]] bool dense() const { return dense_; }
 
  private:
-    using Pair = std::pair<uint32_t, uint32_t>;
-
-    void store(const std::vector<Pair>& pairs);
-    [[nodiscard]] std::span<const uint32_t> neighbours(uint32_t item) const {
-        return std::span(neighbours_).subspan(rows_[item], rows_[item + 1] - rows_[item]);
-    }
+    [[nodiscard]] bool overlap(uint32_t a, uint32_t b) const;
 
     const std::vector<PackItem>& items_;
+    const QueueTimes* times_ = nullptr;
     bool dense_ = false;
     // Used if many items are alive together: the placed items, sorted by offset.
     std::vector<TakenSpan> placed_;
     // Index: item. Its offset in bytes, or kUnplaced if the item has no place yet.
     std::vector<uint64_t> offsets_bytes_;
-    // Used if few items are alive together. neighbours_[rows_[i]] to neighbours_[rows_[i + 1] - 1] are the
-    // items that are alive at the same time as item i.
-    std::vector<uint32_t> rows_, neighbours_;
+    // Used if few items are alive together. Index: item. The items that are alive at the same time.
+    Rows<uint32_t> neighbours_;
     std::vector<TakenSpan> taken_;
 };
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 
+#include "graph/memory/alias_best_fit.h"
+#include "graph/model/round_up.h"
+
 namespace weft {
 namespace {
 
-uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
-    return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
-}
-
 // A place below the target height for an item that fits nowhere, and the items to remove from that place.
 struct Ejection {
-    uint64_t offset_bytes = kNowhere;
+    uint64_t offset_bytes = kNoPlace;
     std::vector<uint32_t> removed;
 };
 
@@ -21,10 +20,10 @@ Ejection cheapest_place(const std::vector<PackItem>& items, uint32_t item,
                         const std::vector<TakenSpan>& taken, const std::vector<uint32_t>& removals,
                         uint64_t target_bytes) {
     const uint64_t size = items[item].size_bytes;
-    uint64_t best = kNowhere;
+    uint64_t best = kNoPlace;
     uint64_t best_cost = UINT64_MAX;
     const auto offer = [&](uint64_t begin) {
-        begin = aligned(begin, items[item].alignment_bytes);
+        begin = round_up(begin, items[item].alignment_bytes);
         if (begin + size > target_bytes) return;
         uint64_t cost = 0;
         for (const TakenSpan& span : taken) {
@@ -42,45 +41,13 @@ Ejection cheapest_place(const std::vector<PackItem>& items, uint32_t item,
         if (span.begin_bytes >= size) offer(span.begin_bytes - size);
     }
     Ejection ejection{best, {}};
-    if (best == kNowhere) return ejection;
+    if (best == kNoPlace) return ejection;
     for (const TakenSpan& span : taken)
         if (span.begin_bytes < best + size && span.end_bytes > best) ejection.removed.push_back(span.item);
     return ejection;
 }
 
 }  // namespace
-
-uint64_t best_fit(const PackItem& item, const std::vector<TakenSpan>& taken, uint64_t top_bytes) {
-    uint64_t best = kNowhere, best_slack = UINT64_MAX, cursor = 0;
-    const auto offer = [&](uint64_t gap_end) {
-        const uint64_t start = aligned(cursor, item.alignment_bytes);
-        if (start + item.size_bytes > gap_end) return;
-        const uint64_t slack = gap_end - cursor - item.size_bytes;
-        if (slack >= best_slack) return;
-        best_slack = slack;
-        best = start;
-    };
-    for (const TakenSpan& span : taken) {
-        offer(span.begin_bytes);
-        cursor = std::max(cursor, span.end_bytes);
-    }
-    if (best == kNowhere) offer(top_bytes);
-    return best;
-}
-
-Packing pack_in_order(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
-                      Conflicts& conflicts) {
-    Packing packing;
-    packing.offsets_bytes.assign(items.size(), 0);
-    conflicts.clear();
-    for (const uint32_t i : order) {
-        const uint64_t offset = best_fit(items[i], conflicts.taken(i), kNoTop);
-        packing.offsets_bytes[i] = offset;
-        packing.height_bytes = std::max(packing.height_bytes, offset + items[i].size_bytes);
-        conflicts.place(i, offset);
-    }
-    return packing;
-}
 
 Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
                    uint64_t target_bytes, Conflicts& conflicts) {
@@ -96,7 +63,7 @@ Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_
         waiting.pop_back();
         const std::vector<TakenSpan>& taken = conflicts.taken(item);
         uint64_t offset = best_fit(items[item], taken, target_bytes);
-        if (offset == kNowhere && removed < items.size()) {
+        if (offset == kNoPlace && removed < items.size()) {
             const Ejection ejection = cheapest_place(items, item, taken, removals, target_bytes);
             offset = ejection.offset_bytes;
             removed += ejection.removed.size();
@@ -106,7 +73,7 @@ Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_
                 waiting.push_back(other);
             }
         }
-        if (offset == kNowhere) offset = best_fit(items[item], conflicts.taken(item), kNoTop);
+        if (offset == kNoPlace) offset = best_fit(items[item], conflicts.taken(item), kNoLimit);
         packing.offsets_bytes[item] = offset;
         conflicts.place(item, offset);
     }

@@ -6,22 +6,9 @@
 #include <vector>
 
 #include "graph/memory/alias_conflicts.h"
-#include "graph/memory/alias_pack.h"
+#include "graph/memory/alias_item.h"
 
 namespace weft {
-
-// Returned by best_fit() if there is no place.
-inline constexpr uint64_t kNowhere = UINT64_MAX;
-
-// Returns the offset of the smallest gap between the bytes in `taken` into which the item fits. If there is
-// none, returns the offset after all taken bytes if the item ends at or below `top_bytes` there, else
-// kNowhere. `taken` must be sorted by offset.
-[[nodiscard]] uint64_t best_fit(const PackItem& item, const std::vector<TakenSpan>& taken,
-                                uint64_t top_bytes);
-
-// Places the items in the given order, each at its best fit.
-[[nodiscard]] Packing pack_in_order(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
-                                    Conflicts& conflicts);
 
 // Places the items in the given order, each at its best fit below `target_bytes`. An item that does not fit
 // takes the place of other items, which are then placed again. After as many removals as there are items, the

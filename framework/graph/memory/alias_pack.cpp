@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <numeric>
 
+#include "graph/memory/alias_best_fit.h"
 #include "graph/memory/alias_conflicts.h"
 #include "graph/memory/alias_eject.h"
-#include "weft/plan.h"
 
 namespace weft {
 namespace {
@@ -36,28 +35,10 @@ std::vector<uint32_t> size_descending_order(const std::vector<PackItem>& items) 
     return order;
 }
 
-// Returns the position at which the total size of the live items is largest.
-Position peak_position(const std::vector<PackItem>& items) {
-    std::map<Position, int64_t> changes;
-    for (const PackItem& item : items) {
-        changes[Position(item.first)] += static_cast<int64_t>(item.size_bytes);
-        changes[Position(item.last + 1)] -= static_cast<int64_t>(item.size_bytes);
-    }
-    int64_t bytes = 0, most = -1;
-    Position position = 0;
-    for (const auto& [at, change] : changes) {
-        bytes += change;
-        if (bytes <= most) continue;
-        most = bytes;
-        position = at;
-    }
-    return position;
-}
-
 // Returns an order for placing the items. Items that are alive at the memory peak come first, because their
 // total size decides the size of the heap. The other items follow by their distance in time from the peak.
 std::vector<uint32_t> peak_first_order(const std::vector<PackItem>& items) {
-    const uint32_t peak = peak_position(items);
+    const uint32_t peak = find_peak(items.size(), [&](size_t i) { return items[i]; }).position;
     const auto distance = [&](uint32_t i) {
         if (items[i].first > peak) return items[i].first - peak;
         return items[i].last < peak ? peak - items[i].last : 0;
@@ -128,13 +109,13 @@ Packing pack_size_descending(const std::vector<PackItem>& items) {
     return pack_in_order(items, size_descending_order(items), conflicts);
 }
 
-Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, const Unordered& unordered) {
+Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, const QueueTimes* times) {
     if (items.empty()) return {};
     const bool few = items.size() <= kMaxSearchedItems;
-    Conflicts conflicts(items, unordered);
+    Conflicts conflicts(items, times);
     Packing best;
     best.height_bytes = UINT64_MAX;
-    const bool sweeps = conflicts.dense() || (few && !unordered);
+    const bool sweeps = conflicts.dense() || few;
     if (sweeps) keep_smaller(pack_sweep(items), best);
     if (few) keep_smaller(pack_in_order(items, size_descending_order(items), conflicts), best);
     if (sweeps) keep_smaller(pack_sweep_back(items), best);

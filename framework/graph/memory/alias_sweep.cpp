@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "graph/memory/alias_pack.h"
+#include "graph/model/round_up.h"
 
 namespace weft {
 namespace {
@@ -18,7 +19,7 @@ class FreeList {
     uint64_t take(const PackItem& item) {
         for (auto hole = by_size_.lower_bound({item.size_bytes, 0}); hole != by_size_.end(); ++hole) {
             const auto [size, begin] = *hole;
-            const uint64_t start = aligned(begin, item.alignment_bytes);
+            const uint64_t start = round_up(begin, item.alignment_bytes);
             if (start + item.size_bytes > begin + size) continue;
             remove(by_begin_.find(begin));
             give(begin, start);
@@ -46,10 +47,6 @@ class FreeList {
  private:
     using Holes = std::map<uint64_t, uint64_t>;
 
-    static uint64_t aligned(uint64_t offset_bytes, uint64_t alignment_bytes) {
-        return (offset_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes;
-    }
-
     Holes::iterator remove(Holes::iterator hole) {
         by_size_.erase({hole->second - hole->first, hole->first});
         return by_begin_.erase(hole);
@@ -61,7 +58,7 @@ class FreeList {
             begin = by_begin_.rbegin()->first;
             remove(std::prev(by_begin_.end()));
         }
-        const uint64_t start = aligned(begin, item.alignment_bytes);
+        const uint64_t start = round_up(begin, item.alignment_bytes);
         give(begin, start);
         height_bytes_ = start + item.size_bytes;
         return start;

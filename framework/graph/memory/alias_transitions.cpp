@@ -1,82 +1,71 @@
 #include "graph/memory/alias_transitions.h"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
+#include <span>
 #include <tuple>
+
+#include "graph/memory/alias_owners.h"
+#include "graph/model/rows.h"
 
 namespace weft {
 namespace {
 
-struct Owner {
-    ResourceId resource = kNoId;
-    uint32_t frame = 0;
-};
-
-// Stores the last owner (resource and frame) of every byte range of one heap. A new owner replaces or
-// shortens the ranges that it overlaps.
-class OwnerMap {
- public:
-    // Appends the owners of the bytes from `begin` to `end` - 1 to `old_owners`. Then makes `owner` the owner
-    // of these bytes.
-    void take(uint64_t begin, uint64_t end, Owner owner, std::vector<Owner>& old_owners) {
-        cut(begin);
-        cut(end);
-        auto it = ranges_.lower_bound(begin);
-        while (it != ranges_.end() && it->first < end) {
-            old_owners.push_back(it->second.owner);
-            it = ranges_.erase(it);
-        }
-        ranges_.emplace(begin, Range{end, owner});
+// Returns the placed resources, sorted by (first position, resource).
+std::vector<ResourceId> by_first_position(const std::vector<Placement>& placements, const Lifetimes& spans) {
+    std::vector<uint8_t> placed(spans.spans.size(), 0);
+    Position end(0);
+    for (const Placement& p : placements) {
+        placed[p.resource] = 1;
+        end = std::max(end, Position(spans.spans[p.resource].first + 1));
     }
-
- private:
-    struct Range {
-        uint64_t end = 0;
-        Owner owner;
-    };
-
-    void cut(uint64_t at) {
-        auto it = ranges_.lower_bound(at);
-        if (it == ranges_.begin()) return;
-        it = std::prev(it);
-        if (it->second.end <= at) return;
-        const Range upper = it->second;
-        it->second.end = at;
-        ranges_.emplace(at, upper);
-    }
-
-    std::map<uint64_t, Range> ranges_;  // The ranges of one owner each. Key: first byte of the range.
-};
-
-bool before(const AliasTransition& a, const AliasTransition& b) {
-    return std::tie(a.to, a.from, a.wrap) < std::tie(b.to, b.from, b.wrap);
+    return make_rows<ResourceId>(end,
+                                 [&](const auto& add) {
+                                     for (ResourceId id(0); id < placed.size(); ++id)
+                                         if (placed[id] != 0) add(spans.spans[id].first, id);
+                                 })
+        .items;
 }
 
 }  // namespace
 
 std::vector<AliasTransition> alias_transitions(const std::vector<Placement>& placements,
                                                const Lifetimes& spans) {
-    std::vector<Placement> by_time = placements;
-    std::sort(by_time.begin(), by_time.end(), [&](const Placement& a, const Placement& b) {
-        return std::tie(spans.spans[a.resource].first, a.resource) <
-               std::tie(spans.spans[b.resource].first, b.resource);
-    });
-    std::map<uint32_t, OwnerMap> heaps;
-    std::vector<AliasTransition> result;
-    std::vector<Owner> old_owners;
-    for (uint32_t frame = 0; frame < 2; ++frame) {
-        for (const Placement& p : by_time) {
-            old_owners.clear();
-            heaps[p.heap].take(p.offset_bytes, p.offset_bytes + p.size_bytes, {p.resource, frame},
-                               old_owners);
-            if (frame == 0) continue;
-            for (const Owner& owner : old_owners)
-                result.push_back({owner.resource, p.resource, owner.frame == 0});
-        }
+    // Index: ResourceId. Index of the resource in `placements`.
+    std::vector<uint32_t> place_of(spans.spans.size(), 0);
+    uint32_t heap_count = 0;
+    for (uint32_t i = 0; i < placements.size(); ++i) {
+        place_of[placements[i].resource] = i;
+        heap_count = std::max(heap_count, placements[i].heap + 1);
     }
-    std::sort(result.begin(), result.end(), before);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+    const std::vector<ResourceId> by_time = by_first_position(placements, spans);
+    std::vector<OwnerMap> heaps(heap_count);
+    std::vector<Owner> old_owners;
+    const auto take = [&](ResourceId id, uint32_t frame) {
+        const Placement& p = placements[place_of[id]];
+        heaps[p.heap].take(p.offset_bytes, p.offset_bytes + p.size_bytes, {id, frame}, old_owners);
+    };
+    for (const ResourceId id : by_time) take(id, 0);
+    old_owners.clear();
+    // Index: ResourceId. The place in `old_owners` of the first owner before this resource.
+    std::vector<uint32_t> first_owner(spans.spans.size(), 0);
+    std::vector<uint32_t> owner_count(spans.spans.size(), 0);
+    for (const ResourceId id : by_time) {
+        first_owner[id] = static_cast<uint32_t>(old_owners.size());
+        take(id, 1);
+        owner_count[id] = static_cast<uint32_t>(old_owners.size()) - first_owner[id];
+    }
+    std::vector<AliasTransition> result;
+    result.reserve(old_owners.size());
+    for (ResourceId to(0); to < spans.spans.size(); ++to) {
+        const auto first = static_cast<std::ptrdiff_t>(result.size());
+        for (const Owner& owner : std::span(old_owners).subspan(first_owner[to], owner_count[to]))
+            result.push_back({owner.resource, to, owner.frame == 0});
+        std::sort(result.begin() + first, result.end(),
+                  [](const AliasTransition& a, const AliasTransition& b) {
+                      return std::tie(a.from, a.wrap) < std::tie(b.from, b.wrap);
+                  });
+        result.erase(std::unique(result.begin() + first, result.end()), result.end());
+    }
     return result;
 }
 

@@ -2,21 +2,18 @@
 // compiled without the device.
 #include <algorithm>
 
+#include "graph/model/round_up.h"
 #include "weft/compile.h"
 
 namespace weft {
 namespace {
-
-uint64_t rounded_up(uint64_t bytes, uint64_t multiple) {
-    return (bytes + multiple - 1) / multiple * multiple;
-}
 
 uint64_t image_bytes(const ResourceDecl& image, const DeviceProfile& profile) {
     const uint64_t texel_bytes = uint64_t{format_info(image.format).bytes_per_texel} * image.samples;
     uint64_t bytes = 0;
     for (uint32_t mip = 0; mip < image.mips; ++mip) {
         const Extent3D extent = mip_extent(image.extent, mip);
-        bytes += rounded_up(extent.width * texel_bytes, profile.image_row_alignment_bytes) * extent.height *
+        bytes += round_up(extent.width * texel_bytes, profile.image_row_alignment_bytes) * extent.height *
                  extent.depth;
     }
     return bytes * image.layers + profile.image_extra_bytes;

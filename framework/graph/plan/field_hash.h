@@ -68,6 +68,13 @@ class HashVisitor {
         word(items.size());
         for (const T& item : items) add(item);
     }
+    void add(const ClockTable& clocks) {
+        word(clocks.size());
+        for (Position position(0); position < clocks.size(); ++position) {
+            word(clocks.queue_count);
+            for (const uint32_t clock : clocks[position]) word(clock);
+        }
+    }
     template <class T, size_t N>
     void add(const std::array<T, N>& items) {
         for (const T& item : items) add(item);

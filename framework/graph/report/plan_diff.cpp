@@ -6,6 +6,7 @@
 
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/report/plan_summary.h"
+#include "weft/compile.h"
 #include "weft/declaration.h"
 
 namespace weft {
@@ -138,7 +139,7 @@ Json names_json(const NamesDiff& diff) {
 
 PlanDiff diff_plans(const FramePlan& from, const FramePlan& to) {
     PlanDiff diff;
-    diff.same = from.hash == to.hash;
+    diff.same = plan_hash(from) == plan_hash(to);
     diff.counts = count_changes(from, to);
     diff.passes = diff_names<PassId>(from, from.graph.passes, to, to.graph.passes, summarize_pass);
     diff.resources =

@@ -8,6 +8,7 @@
 
 #include "graph/plan/plan_fields.h"
 #include "graph/plan/plan_names.h"
+#include "weft/compile.h"
 #include "weft/report/plan_dump.h"
 
 namespace weft {
@@ -47,6 +48,12 @@ class JsonVisitor {
     static Json json_of(const std::vector<T>& items) {
         return array_of(items);
     }
+    static Json json_of(const ClockTable& clocks) {
+        Json array = Json::array();
+        for (Position position(0); position < clocks.size(); ++position)
+            array.push_back(array_of(clocks[position]));
+        return array;
+    }
     template <class T, size_t N>
     static Json json_of(const std::array<T, N>& items) {
         return array_of(items);
@@ -76,7 +83,7 @@ class JsonVisitor {
 }  // namespace
 
 std::string plan_to_json(const FramePlan& plan) {
-    Json json = {{"hash", plan.hash}};
+    Json json = {{"hash", plan_hash(plan)}};
     json.update(JsonVisitor::json_of(plan));
     // Names come from files and may contain bytes that are not valid UTF-8. These bytes are replaced;
     // otherwise the JSON library would throw an exception.

@@ -4,6 +4,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
 #include "graph/sync/scopes.h"
+#include "weft/compile.h"
 #include "weft/report/memory_report.h"
 #include "weft/report/plan_dump.h"
 
@@ -48,7 +49,7 @@ class PlanText {
         const Schedule& schedule = plan_.schedule;
         text_ += "plan of " + plan_.graph.name + ", " + std::to_string(plan_.graph.output_extent.width) +
                  "x" + std::to_string(plan_.graph.output_extent.height) + "\n";
-        text_ += "hash   " + plan_.hash + "\n";
+        text_ += "hash   " + plan_hash(plan_) + "\n";
         text_ += "passes " + std::to_string(schedule.order.size()) + " of " +
                  std::to_string(plan_.graph.passes.size()) + ", barriers " +
                  std::to_string(plan_.barriers.emitted) + "\n";

@@ -2,6 +2,7 @@
 // whose results a needed pass reads. An `after` only orders two passes; it does not make a pass needed.
 #include <algorithm>
 
+#include "graph/model/rows.h"
 #include "graph/resolve/cull.h"
 
 namespace weft {
@@ -20,13 +21,14 @@ void keep(PassId pass, LiveGraph& live, std::vector<PassId>& pending) {
     pending.push_back(pass);
 }
 
-// Returns for each resource, indexed by ResourceId, the passes that write it.
-std::vector<std::vector<PassId>> writers_by_resource(const ResolvedGraph& graph) {
-    std::vector<std::vector<PassId>> writers(graph.resources.size());
-    for (PassId id(0); id < graph.passes.size(); ++id)
-        for (const UseDecl& use : graph.passes[id].uses)
-            if (writes(use.access)) writers[use.resource].push_back(id);
-    return writers;
+// Returns for each resource of age 0 in a ring, indexed by ResourceId, the passes that write it.
+Rows<PassId> ring_writers(const ResolvedGraph& graph) {
+    return make_rows<PassId>(graph.resources.size(), [&](const auto& add) {
+        for (PassId id(0); id < graph.passes.size(); ++id)
+            for (const UseDecl& use : graph.passes[id].uses)
+                if (writes(use.access) && graph.resources[use.resource].ring == use.resource)
+                    add(use.resource, id);
+    });
 }
 
 // Keeps either all copies of a ring or none. The copies of a resource with history rotate from frame to
@@ -42,8 +44,9 @@ void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
 // Marks the passes and resources that the frame needs. If a pass reads content from before the frame, the
 // writers of that resource are needed too, because they write the content in the previous frame.
 void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
-    const std::vector<std::vector<PassId>> writers = writers_by_resource(graph);
+    const Rows<PassId> writers = ring_writers(graph);
     std::vector<PassId> pending;
+    pending.reserve(graph.passes.size());
     for (PassId id(0); id < graph.passes.size(); ++id)
         if (keep_all || is_root(graph, graph.passes[id])) keep(id, live, pending);
     while (!pending.empty()) {
@@ -62,15 +65,25 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     }
 }
 
-// Returns for each pass, indexed by PassId, the passes that read its outputs.
-std::vector<std::vector<PassId>> readers_by_producer(const ResolvedGraph& graph) {
-    std::vector<std::vector<PassId>> readers(graph.passes.size());
+// The passes that read the outputs of a pass.
+struct Readers {
+    PassId first = kNoId;
+    bool several = false;
+};
+
+// Returns the readers of each pass, indexed by PassId.
+std::vector<Readers> readers_by_producer(const ResolvedGraph& graph) {
+    std::vector<Readers> readers(graph.passes.size());
     for (PassId id(0); id < graph.passes.size(); ++id)
         for (const UseDecl& use : graph.passes[id].uses)
-            for (const VersionSource& source : use.sources)
-                if (source.producer != kNoId &&
-                    (readers[source.producer].empty() || readers[source.producer].back() != id))
-                    readers[source.producer].push_back(id);
+            for (const VersionSource& source : use.sources) {
+                if (source.producer == kNoId) continue;
+                Readers& found = readers[source.producer];
+                if (found.first == kNoId)
+                    found.first = id;
+                else if (found.first != id)
+                    found.several = true;
+            }
     return readers;
 }
 
@@ -90,16 +103,16 @@ std::string written_names(const ResolvedGraph& graph, const PassDecl& pass) {
 }
 
 void explain(const ResolvedGraph& graph, LiveGraph& live) {
-    const std::vector<std::vector<PassId>> readers = readers_by_producer(graph);
+    if (std::ranges::find(live.live_passes, 0) == live.live_passes.end()) return;
+    const std::vector<Readers> readers = readers_by_producer(graph);
     for (PassId id(0); id < graph.passes.size(); ++id) {
         if (live.live_passes[id]) continue;
         const std::string names = written_names(graph, graph.passes[id]);
-        if (!readers[id].empty()) {
+        if (readers[id].first != kNoId) {
             live.reasons[id] = CullReason::upstream_culled;
-            const std::string others = readers[id].size() > 1 ? " and others" : "";
-            live.details[id] = names + " is read only by " + quoted(graph.passes[readers[id].front()].name) +
-                               others +
-                               (readers[id].size() > 1 ? ", which are culled too" : ", which is culled too");
+            live.details[id] =
+                names + " is read only by " + quoted(graph.passes[readers[id].first].name) +
+                (readers[id].several ? " and others, which are culled too" : ", which is culled too");
             continue;
         }
         live.reasons[id] = CullReason::unused_output;

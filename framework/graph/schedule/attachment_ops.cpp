@@ -18,15 +18,23 @@ struct Written {
     }
 };
 
-// Returns every version (content of a resource after one pass has written it) that a live pass reads. The
-// entries are sorted by the writing pass, then by resource.
+// Returns every version (content of a resource after one pass has written it) that a live pass reads, if the
+// writing pass has attachments. The entries are sorted by the writing pass, then by resource.
 std::vector<Written> versions_read(const ResolvedGraph& graph, const LiveGraph& live) {
     std::vector<Written> versions;
+    // Index: PassId. 1 if the pass has attachments.
+    std::vector<uint8_t> draws(graph.passes.size(), 0);
+    bool any = false;
+    for (PassId id(0); id < graph.passes.size(); ++id) {
+        draws[id] = !graph.passes[id].colors.empty() || graph.passes[id].depth ? 1 : 0;
+        any = any || draws[id] != 0;
+    }
+    if (!any) return versions;
     for (PassId id(0); id < graph.passes.size(); ++id) {
         if (!live.live_passes[id]) continue;
         for (const UseDecl& use : graph.passes[id].uses)
             for (const VersionSource& source : use.sources)
-                if (source.producer != kNoId)
+                if (source.producer != kNoId && draws[source.producer] != 0)
                     versions.push_back({source.producer, use.resource, source.range});
     }
     std::stable_sort(versions.begin(), versions.end());

@@ -1,14 +1,23 @@
 #include "graph/schedule/fully_written.h"
 
 #include <algorithm>
+#include <span>
 
 namespace weft {
 namespace {
 
-bool covers(const ResourceDecl& resource, const std::vector<SubresourceRange>& written) {
+// A part of a resource that a pass writes.
+struct WrittenPart {
+    ResourceId resource;
+    SubresourceRange range;
+};
+
+// `written` are parts of the resource.
+bool covers(const ResourceDecl& resource, std::span<const WrittenPart> written) {
     for (uint32_t mip = 0; mip < resource.mips; ++mip)
         for (uint32_t layer = 0; layer < resource.whole().layers; ++layer) {
-            const bool found = std::ranges::any_of(written, [&](const SubresourceRange& range) {
+            const bool found = std::ranges::any_of(written, [&](const WrittenPart& part) {
+                const SubresourceRange& range = part.range;
                 return range.mip <= mip && mip < range.mip + range.mips && range.layer <= layer &&
                        layer < range.layer + range.layers;
             });
@@ -21,18 +30,23 @@ bool covers(const ResourceDecl& resource, const std::vector<SubresourceRange>& w
 
 std::vector<uint8_t> fully_written(const ResolvedGraph& graph, const Schedule& order) {
     std::vector<uint8_t> whole(graph.resources.size(), 0);
-    std::vector<std::vector<SubresourceRange>> parts(graph.resources.size());
+    std::vector<WrittenPart> parts;
     for (const PassId pass : order.order) {
         for (const UseDecl& use : graph.passes[pass].uses) {
             if (!writes(use.access) || whole[use.resource]) continue;
             if (use.range == graph.resources[use.resource].whole())
                 whole[use.resource] = 1;
             else
-                parts[use.resource].push_back(use.range);
+                parts.push_back({use.resource, use.range});
         }
     }
-    for (ResourceId id(0); id < whole.size(); ++id)
-        if (!whole[id] && !parts[id].empty()) whole[id] = covers(graph.resources[id], parts[id]) ? 1 : 0;
+    std::ranges::stable_sort(parts, {}, &WrittenPart::resource);
+    for (size_t first = 0, last = 0; first < parts.size(); first = last) {
+        const ResourceId id = parts[first].resource;
+        while (last < parts.size() && parts[last].resource == id) ++last;
+        if (!whole[id])
+            whole[id] = covers(graph.resources[id], std::span(parts).subspan(first, last - first)) ? 1 : 0;
+    }
     return whole;
 }
 

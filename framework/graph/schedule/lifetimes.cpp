@@ -17,6 +17,7 @@ void add_to_queue(LifetimeSpan& span, QueueIndex queue, Position position) {
 }  // namespace
 
 Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
+    const bool several_queues = order.queues.size() > 1;
     Lifetimes result;
     result.spans.resize(graph.resources.size());
     for (Position position(0); position < order.order.size(); ++position) {
@@ -27,7 +28,7 @@ Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Sch
             LifetimeSpan& span = result.spans[use.resource];
             if (span.first > span.last) span.first = position;
             span.last = position;
-            add_to_queue(span, order.queue[position], position);
+            if (several_queues) add_to_queue(span, order.queue[position], position);
         }
     }
     return result;

@@ -1,6 +1,7 @@
 // Chooses the best of three candidate orders: the one with the lowest peak of live memory, and at equal peaks
 // the one with the fewest barrier batches. One candidate is the program order (the author's order). It wins
 // ties, so the chosen order is never worse than the author's.
+#include <algorithm>
 #include <cassert>
 #include <tuple>
 #include <utility>
@@ -22,19 +23,35 @@ bool better(const ScheduleCandidate& a, const ScheduleCandidate& b) {
            std::tie(b.peak_live_bytes, b.barrier_batches, b.queue_switches);
 }
 
+// Returns true if each pass depends on the pass before it. Then no other order of the passes is possible.
+bool is_only_order(const ScheduleProblem& problem, const std::vector<PassId>& order) {
+    for (size_t i = 1; i < order.size(); ++i)
+        if (std::ranges::find(problem.predecessors[order[i]], order[i - 1]) ==
+            problem.predecessors[order[i]].end())
+            return false;
+    return true;
+}
+
 }  // namespace
 
 Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
                   const std::vector<LogicalQueue>& queues) {
     const ScheduleProblem problem = schedule_problem(graph, live, needs);
-    NamedOrder candidates[] = {{"program", program_order(problem)},
-                               {"forward", forward_greedy_order(problem)},
-                               {"backward", backward_greedy_order(problem)}};
+    const std::vector<PassId> program = program_order(problem);
+    const bool only = is_only_order(problem, program);
+    NamedOrder candidates[] = {{"program", program},
+                               {"forward", only ? program : forward_greedy_order(problem)},
+                               {"backward", only ? program : backward_greedy_order(problem)}};
     Schedule result;
     size_t best = 0;
     for (size_t i = 0; i < std::size(candidates); ++i) {
         const std::vector<PassId>& order = candidates[i].order;
         assert(order.size() == candidates[0].order.size() && "edges are acyclic");
+        if (i > 0 && order == candidates[i - 1].order) {
+            result.candidates.push_back(result.candidates[i - 1]);
+            result.candidates[i].name = candidates[i].name;
+            continue;
+        }
         result.candidates.push_back(
             {candidates[i].name, peak_live_bytes(problem, order), barrier_batches(problem, order), 0});
         if (better(result.candidates[i], result.candidates[best])) best = i;

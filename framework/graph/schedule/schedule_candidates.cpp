@@ -64,17 +64,21 @@ class Greedy {
     void push(PassId pass) { heap_.emplace(score_[pass], walk_.rank[pass], pass); }
 
     void make_ready(PassId first) {
-        std::vector<PassId> fresh{first};
-        while (!fresh.empty()) {
-            const PassId pass = fresh.back();
-            fresh.pop_back();
-            ready_[pass] = 1;
-            if (walk_.problem.live[pass]) {
-                push(pass);
-                continue;
+        ready_[first] = 1;
+        if (walk_.problem.live[first]) return push(first);
+        // A culled pass costs nothing, so it is passed over, and with it all culled passes that it released.
+        std::vector<PassId> passed{first};
+        while (!passed.empty()) {
+            const PassId pass = passed.back();
+            passed.pop_back();
+            for (const PassId n : walk_.next[pass]) {
+                if (--waiting_[n] != 0) continue;
+                ready_[n] = 1;
+                if (walk_.problem.live[n])
+                    push(n);
+                else
+                    passed.push_back(n);
             }
-            for (const PassId n : walk_.next[pass])
-                if (--waiting_[n] == 0) fresh.push_back(n);
         }
     }
 

@@ -6,23 +6,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "graph/model/rows.h"
 #include "weft/plan.h"
 
 namespace weft {
-
-// A list of rows, each a list of ids. All rows are stored one after another in `items`.
-template <class Item>
-struct Rows {
-    std::vector<uint32_t> offsets;  // Row r consists of items[offsets[r]] to items[offsets[r + 1] - 1].
-    std::vector<Item> items;
-
-    [[nodiscard]] std::span<const Item> operator[](uint32_t row) const {
-        return std::span(items).subspan(offsets[row], offsets[row + 1] - offsets[row]);
-    }
-};
 
 // The part of a graph that the scheduling algorithms need. A culled pass stays in it as a node without cost.
 // This keeps indirect orders: if a culled pass b runs after a, and c after b, then c still runs after a.

@@ -1,59 +1,41 @@
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 #include "graph/schedule/schedule_candidates.h"
 
 namespace weft {
 namespace {
 
-template <class Row, class Item>
-using Pairs = std::vector<std::pair<Row, Item>>;
-
-// Builds the rows with a counting sort. Items of one row keep the order that they have in `pairs`.
-template <class Row, class Item>
-Rows<Item> make_rows(size_t row_count, const Pairs<Row, Item>& pairs) {
-    Rows<Item> rows;
-    rows.offsets.assign(row_count + 1, 0);
-    rows.items.resize(pairs.size());
-    for (const auto& [row, item] : pairs) ++rows.offsets[row + 1];
-    std::partial_sum(rows.offsets.begin(), rows.offsets.end(), rows.offsets.begin());
-    std::vector<uint32_t> next(rows.offsets.begin(), rows.offsets.end() - 1);
-    for (const auto& [row, item] : pairs) rows.items[next[row]++] = item;
-    return rows;
-}
-
-template <class A, class B>
-Pairs<B, A> swap_pairs(const Pairs<A, B>& pairs) {
-    Pairs<B, A> swapped;
-    for (const auto& [a, b] : pairs) swapped.emplace_back(b, a);
-    return swapped;
-}
-
+// Returns the rank of each pass when passes are sorted by (order_key, name).
 std::vector<uint32_t> ranks(const ResolvedGraph& graph) {
     std::vector<PassId> by_key(graph.passes.size());
     std::iota(by_key.begin(), by_key.end(), PassId(0));
     // Ids are sorted by name, so the stable sort orders passes with equal keys by name.
-    std::stable_sort(by_key.begin(), by_key.end(), [&](PassId a, PassId b) {
+    const auto earlier = [&](PassId a, PassId b) {
         return graph.passes[a].order_key < graph.passes[b].order_key;
-    });
+    };
+    if (!std::ranges::is_sorted(by_key, earlier)) std::stable_sort(by_key.begin(), by_key.end(), earlier);
     std::vector<uint32_t> rank(graph.passes.size());
     for (uint32_t i = 0; i < by_key.size(); ++i) rank[by_key[i]] = i;
     return rank;
 }
 
-Pairs<PassId, ResourceId> touched_transients(const ResolvedGraph& graph, const LiveGraph& live) {
-    Pairs<PassId, ResourceId> touched;
+// Returns for each pass the transients that it uses, sorted by id, without duplicates.
+Rows<ResourceId> used_transients(const ResolvedGraph& graph, const LiveGraph& live) {
+    Rows<ResourceId> rows;
+    rows.offsets.reserve(graph.passes.size() + 1);
+    rows.items.reserve(graph.edges.size() + graph.passes.size());
     for (PassId pass(0); pass < graph.passes.size(); ++pass) {
-        if (!live.live_passes[pass]) continue;
-        const auto first = static_cast<std::ptrdiff_t>(touched.size());
+        const auto first = static_cast<std::ptrdiff_t>(rows.items.size());
         for (const UseDecl& use : graph.passes[pass].uses)
-            if (graph.resources[use.resource].lifetime == ResourceLifetime::transient)
-                touched.emplace_back(pass, use.resource);
-        std::sort(touched.begin() + first, touched.end());
-        touched.erase(std::unique(touched.begin() + first, touched.end()), touched.end());
+            if (live.live_passes[pass] &&
+                graph.resources[use.resource].lifetime == ResourceLifetime::transient)
+                rows.items.push_back(use.resource);
+        std::sort(rows.items.begin() + first, rows.items.end());
+        rows.items.erase(std::unique(rows.items.begin() + first, rows.items.end()), rows.items.end());
+        rows.offsets.push_back(static_cast<uint32_t>(rows.items.size()));
     }
-    return touched;
+    return rows;
 }
 
 }  // namespace
@@ -63,15 +45,20 @@ ScheduleProblem schedule_problem(const ResolvedGraph& graph, const LiveGraph& li
     ScheduleProblem problem;
     problem.live = live.live_passes;
     problem.rank = ranks(graph);
-    Pairs<PassId, PassId> edges;
-    for (const EdgeDecl& edge : graph.edges) edges.emplace_back(edge.from, edge.to);
-    problem.successors = make_rows(graph.passes.size(), edges);
-    problem.predecessors = make_rows(graph.passes.size(), swap_pairs(edges));
-    const Pairs<PassId, ResourceId> touched = touched_transients(graph, live);
-    problem.resources = make_rows(graph.passes.size(), touched);
-    problem.users = make_rows(graph.resources.size(), swap_pairs(touched));
-    for (const MemoryNeed& need : needs) problem.size_bytes.push_back(need.size_bytes);
-    problem.size_bytes.resize(graph.resources.size(), 0);
+    problem.successors = make_rows<PassId>(graph.passes.size(), [&](const auto& add) {
+        for (const EdgeDecl& edge : graph.edges) add(edge.from, edge.to);
+    });
+    problem.predecessors = make_rows<PassId>(graph.passes.size(), [&](const auto& add) {
+        for (const EdgeDecl& edge : graph.edges) add(edge.to, edge.from);
+    });
+    problem.resources = used_transients(graph, live);
+    problem.users = make_rows<PassId>(graph.resources.size(), [&](const auto& add) {
+        for (PassId pass(0); pass < graph.passes.size(); ++pass)
+            for (const ResourceId resource : problem.resources[pass]) add(resource, pass);
+    });
+    problem.size_bytes.assign(graph.resources.size(), 0);
+    for (size_t i = 0; i < std::min(needs.size(), graph.resources.size()); ++i)
+        problem.size_bytes[i] = needs[i].size_bytes;
     return problem;
 }
 

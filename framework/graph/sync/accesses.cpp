@@ -1,5 +1,7 @@
 #include "graph/sync/accesses.h"
 
+#include <numeric>
+
 namespace weft {
 namespace {
 
@@ -34,23 +36,30 @@ void append_access(const AccessEvent& event, std::vector<AccessEvent>& accesses)
 
 AccessTable collect_accesses(const ResolvedGraph& graph, const Schedule& order,
                              const AttachmentTable& attachments, const std::vector<Position>& scopes) {
-    AccessTable events(graph.resources.size());
+    AccessTable table;
+    table.offsets.assign(graph.resources.size() + 1, 0);
+    for (const PassId id : order.order)
+        for (const UseDecl& use : graph.passes[id].uses) ++table.offsets[use.resource + 1];
+    std::partial_sum(table.offsets.begin(), table.offsets.end(), table.offsets.begin());
+    table.items.resize(table.offsets.back());
+    std::vector<uint32_t> next(table.offsets.begin(), table.offsets.end() - 1);
     for (Position position(0); position < order.order.size(); ++position) {
         const PassId id = order.order[position];
         const PassDecl& pass = graph.passes[id];
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];
-            AccessEvent event{position,         id, order.queue[position], use.state, writes(use.access),
-                              reads(use.access)};
+            RangeAccess& access = table.items[next[use.resource]++];
+            access = {
+                use.range,
+                {position, id, order.queue[position], use.state, writes(use.access), reads(use.access)}};
             for (const AttachmentOps& ops : attachments[position]) {
                 if (ops.use != u) continue;
-                add_attachment_access(ops, use, event);
-                event.merged_position = scopes[position];
+                add_attachment_access(ops, use, access.event);
+                access.event.merged_position = scopes[position];
             }
-            events[use.resource].push_back({use.range, event});
         }
     }
-    return events;
+    return table;
 }
 
 }  // namespace weft

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "graph/model/rows.h"
 #include "graph/schedule/attachment_ops.h"
 #include "weft/plan.h"
 
@@ -35,7 +36,7 @@ void append_access(const AccessEvent& event, std::vector<AccessEvent>& accesses)
 
 // Index: ResourceId. The accesses to the resource, sorted by schedule position. For collect_accesses(),
 // `scopes[p]` is the position of the pass whose rendering scope the pass at position p continues, or kNoId.
-using AccessTable = std::vector<std::vector<RangeAccess>>;
+using AccessTable = Rows<RangeAccess>;
 [[nodiscard]] AccessTable collect_accesses(const ResolvedGraph& graph, const Schedule& order,
                                            const AttachmentTable& attachments,
                                            const std::vector<Position>& scopes);

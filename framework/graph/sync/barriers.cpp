@@ -2,8 +2,8 @@
 // already known. A frame always leaves a resource in the same state, so the history is also valid for the
 // previous frame. This file then extends the barriers between resources that share memory.
 #include <algorithm>
-#include <tuple>
-#include <utility>
+#include <numeric>
+#include <span>
 
 #include "graph/schedule/fully_written.h"
 #include "graph/sync/barriers.h"
@@ -24,19 +24,29 @@ AccessMask writes_of(StageMask stages) {
     return mask;
 }
 
-struct AliasTransitionRows {
-    const std::vector<AliasTransition>& all;
+// Finds the alias transitions by their new owner.
+class AliasTransitionRows {
+ public:
+    AliasTransitionRows(const std::vector<AliasTransition>& all, size_t resource_count)
+        : all_(all), first_(resource_count + 1, 0) {
+        for (const AliasTransition& transition : all) ++first_[transition.to + 1];
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        own_.reserve(resource_count);
+        for (ResourceId id(0); id < resource_count; ++id) own_.push_back({id, id, true});
+    }
 
     // Returns the alias transitions whose new owner is `to`. Every transient in use has at least one: if no
     // other resource uses its memory, it takes the memory over from its own use in the previous frame.
-    [[nodiscard]] std::vector<AliasTransition> into(ResourceId to) const {
-        const auto first = std::lower_bound(
-            all.begin(), all.end(), to, [](const AliasTransition& h, ResourceId id) { return h.to < id; });
-        const auto last =
-            std::find_if(first, all.end(), [to](const AliasTransition& h) { return h.to != to; });
-        if (first == last) return {{to, to, true}};
-        return {first, last};
+    [[nodiscard]] std::span<const AliasTransition> into(ResourceId to) const {
+        if (first_[to] == first_[to + 1]) return {&own_[to], 1};
+        return std::span(all_).subspan(first_[to], first_[to + 1] - first_[to]);
     }
+
+ private:
+    const std::vector<AliasTransition>& all_;  // Sorted by the new owner.
+    // Index: ResourceId. The index in all_ of the first transition whose new owner is this resource.
+    std::vector<uint32_t> first_;
+    std::vector<AliasTransition> own_;  // Index: ResourceId. The transition from the resource to itself.
 };
 
 // Resources A, B and C use the same memory, one after the other. The alias barrier before C waits for B, the
@@ -51,8 +61,7 @@ class EarlierOwners {
     EarlierOwners(const ResolvedGraph& graph, const Schedule& order, const AliasTransitionRows& rows)
         : graph_(graph), rows_(rows), whole_(fully_written(graph, order)) {}
 
-    [[nodiscard]] std::vector<ResourceId> of(ResourceId to,
-                                             const std::vector<AliasTransition>& owners) const {
+    [[nodiscard]] std::vector<ResourceId> of(ResourceId to, std::span<const AliasTransition> owners) const {
         std::vector<ResourceId> found, left;
         const auto look_behind = [&](ResourceId owner) {
             const bool hides = whole_[owner] && graph_.resources[owner].kind == graph_.resources[to].kind;
@@ -77,10 +86,10 @@ class EarlierOwners {
     std::vector<uint8_t> whole_;
 };
 
-// Adds the last uses of `owner` on this queue to the source scope of a barrier: their stages, and all writes
+// Adds the last uses of an owner on this queue to the source scope of a barrier: their stages, and all writes
 // that are possible in these stages.
-void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) {
-    for (const LastUse& last : owner.last_uses) {
+void wait_for(std::span<const LastUse> last_uses, QueueIndex queue, AccessState& src) {
+    for (const LastUse& last : last_uses) {
         if (last.queue != queue) continue;
         src.stages |= last.stages;
         src.access |= writes_of(last.stages);
@@ -90,10 +99,10 @@ void wait_for(const ResourceHistory& owner, QueueIndex queue, AccessState& src) 
 // Makes the alias barrier wait for the last users of the memory. For users on the same queue, their stages go
 // into the barrier's source. Users on another queue need a semaphore; within a frame, resources share memory
 // only if semaphores already order them.
-void take_over(const SyncTable& sync, const std::vector<AliasTransition>& owners, QueueIndex queue,
-               PlacedBarrier& placed, std::vector<QueueDependency>& dependencies) {
-    BarrierDecl& barrier = placed.barrier;
+void take_over(const SyncTable& sync, std::span<const AliasTransition> owners, QueueIndex queue,
+               Position position, BarrierDecl& barrier, std::vector<QueueDependency>& dependencies) {
     barrier.from_previous_frame = true;
+    barrier.aliased_from.reserve(owners.size());
     bool first = true, elsewhere = false;
     for (const AliasTransition& owner : owners) {
         for (const LastUse& last : sync.histories[owner.from].last_uses) {
@@ -101,8 +110,7 @@ void take_over(const SyncTable& sync, const std::vector<AliasTransition>& owners
             first = false;
             if (last.queue != queue) {
                 elsewhere = true;
-                if (owner.wrap)
-                    dependencies.push_back({last.position, placed.position, true, barrier.resource});
+                if (owner.wrap) dependencies.push_back({last.position, position, true, barrier.resource});
                 continue;
             }
             barrier.src.stages |= last.stages;
@@ -115,19 +123,55 @@ void take_over(const SyncTable& sync, const std::vector<AliasTransition>& owners
     if (elsewhere) barrier.src.stages |= barrier.dst.stages;
 }
 
-void put(PlacedBarrier placed, const Schedule& order, BarrierPlan& plan) {
-    if (placed.position == kEpiloguePosition) {
-        plan.epilogue.push_back(std::move(placed.barrier));
-        return;
+BarrierDecl barrier_of(ResourceId resource, const TrackedBarrier& tracked) {
+    BarrierDecl barrier;
+    barrier.resource = resource;
+    barrier.range = tracked.range;
+    barrier.src = tracked.src;
+    barrier.dst = tracked.dst;
+    barrier.src_family = tracked.src_family;
+    barrier.dst_family = tracked.dst_family;
+    barrier.reason = tracked.reason;
+    barrier.from = tracked.from;
+    barrier.from_previous_frame = tracked.from_previous_frame;
+    return barrier;
+}
+
+// Returns a plan with all steps, in which the lists of barriers are empty but have enough memory for the
+// barriers of `sync`.
+BarrierPlan empty_plan(const Schedule& order, const SyncTable& sync, const AttachmentTable& attachments) {
+    BarrierPlan plan;
+    plan.concurrent = sync.concurrent;
+    plan.steps.resize(order.order.size());
+    std::vector<uint32_t> before(plan.steps.size(), 0);
+    for (const PlacedBarrier& placed : sync.histories.barriers())
+        if (placed.position != kEpiloguePosition && !placed.after) ++before[placed.position];
+    for (Position position(0); position < order.order.size(); ++position) {
+        PassStep& step = plan.steps[position];
+        step.pass = order.order[position];
+        step.attachments = attachments[position];
+        step.merges_render_pass = sync.scopes[position] != kNoId;
+        step.barriers.reserve(before[position]);
     }
+    return plan;
+}
+
+// Adds a barrier to the plan, at its place, and returns it.
+BarrierDecl& add_barrier(const PlacedBarrier& placed, ResourceId resource, const Schedule& order,
+                         BarrierPlan& plan) {
+    ++plan.emitted;
+    if (placed.position == kEpiloguePosition)
+        return plan.epilogue.emplace_back(barrier_of(resource, placed.barrier));
     PassStep& step = plan.steps[placed.position];
-    if (!placed.after) placed.barrier.to = order.order[placed.position];
-    (placed.after ? step.after : step.barriers).push_back(std::move(placed.barrier));
+    if (placed.after) return step.after.emplace_back(barrier_of(resource, placed.barrier));
+    BarrierDecl& barrier = step.barriers.emplace_back(barrier_of(resource, placed.barrier));
+    barrier.to = order.order[placed.position];
+    return barrier;
 }
 
 // Adds the commands that initialise one copy of a persistent resource to the prologue: for an image a
 // transition from UNDEFINED, then a clear, then a barrier to the state that the first frame expects.
-void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHistory& history,
+void add_to_prologue(const ResolvedGraph& graph, ResourceId id, std::span<const BoundaryState> entries,
                      ProloguePlan& prologue) {
     constexpr AccessMask kHostAccess = access::kHostRead | access::kHostWrite;
     const ResourceDecl& resource = graph.resources[id];
@@ -141,17 +185,11 @@ void add_to_prologue(const ResolvedGraph& graph, ResourceId id, const ResourceHi
     if (image) prologue.before.push_back(barrier);
     prologue.cleared.push_back(id);
     barrier.src = cleared;
-    for (const BoundaryState& entry : history.entry) {
+    for (const BoundaryState& entry : entries) {
         barrier.range = entry.range;
         barrier.dst = {stage::kAll & ~stage::kHost, access::kAll & ~kHostAccess, entry.state.layout};
         prologue.after.push_back(barrier);
     }
-}
-
-uint32_t count_emitted(const BarrierPlan& plan) {
-    size_t count = plan.epilogue.size();
-    for (const PassStep& step : plan.steps) count += step.barriers.size() + step.after.size();
-    return static_cast<uint32_t>(count);
 }
 
 }  // namespace
@@ -160,30 +198,22 @@ BarrierResult barriers(const ResolvedGraph& graph, const Schedule& order, const 
                        const MemoryPlan& memory, const AttachmentTable& attachments) {
     BarrierResult result;
     BarrierPlan& plan = result.plan;
-    plan.concurrent = sync.concurrent;
-    plan.steps.resize(order.order.size());
-    for (Position position(0); position < order.order.size(); ++position) {
-        plan.steps[position].pass = order.order[position];
-        plan.steps[position].attachments = attachments[position];
-        plan.steps[position].merges_render_pass = sync.scopes[position] != kNoId;
-    }
-    const AliasTransitionRows rows{memory.alias_transitions};
+    plan = empty_plan(order, sync, attachments);
+    const AliasTransitionRows rows(memory.alias_transitions, graph.resources.size());
     const EarlierOwners earlier(graph, order, rows);
     for (ResourceId id(0); id < graph.resources.size(); ++id) {
-        const std::vector<AliasTransition> owners = rows.into(id);
-        for (PlacedBarrier placed : sync.histories[id].barriers) {
-            placed.barrier.resource = id;
-            if (placed.barrier.reason == BarrierReason::alias) {
-                const QueueIndex queue = order.queue[placed.position];
-                take_over(sync, owners, queue, placed, result.memory_dependencies);
-                for (const ResourceId before : earlier.of(id, owners))
-                    wait_for(sync.histories[before], queue, placed.barrier.src);
-            }
-            put(std::move(placed), order, plan);
+        const HistoryTable::Row history = sync.histories[id];
+        for (const PlacedBarrier& placed : history.barriers) {
+            BarrierDecl& barrier = add_barrier(placed, id, order, plan);
+            if (barrier.reason != BarrierReason::alias) continue;
+            const QueueIndex queue = order.queue[placed.position];
+            const std::span<const AliasTransition> owners = rows.into(id);
+            take_over(sync, owners, queue, placed.position, barrier, result.memory_dependencies);
+            for (const ResourceId before : earlier.of(id, owners))
+                wait_for(sync.histories[before].last_uses, queue, barrier.src);
         }
-        if (!sync.histories[id].entry.empty()) add_to_prologue(graph, id, sync.histories[id], plan.prologue);
+        if (!history.entry.empty()) add_to_prologue(graph, id, history.entry, plan.prologue);
     }
-    plan.emitted = count_emitted(plan);
     return result;
 }
 

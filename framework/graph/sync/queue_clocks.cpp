@@ -4,39 +4,42 @@
 #include <iterator>
 #include <utility>
 
+#include "graph/model/rows.h"
+
 namespace weft {
 namespace {
-
-void merge_clock(QueueClock& clock, const QueueClock& other) {
-    for (size_t q = 0; q < clock.size(); ++q) clock[q] = std::max(clock[q], other[q]);
-}
 
 // Computes the vector clock of each point in time. A point is a schedule position in a certain frame; the
 // points of the second frame follow those of the first.
 class ClockWalk {
  public:
-    ClockWalk(size_t point_count, size_t queue_count)
-        : clocks_(point_count, QueueClock(queue_count, 0)), last_(queue_count, kNoId) {}
+    ClockWalk(size_t point_count, size_t queue_count) : last_(queue_count, kNoId) {
+        clocks_.queue_count = static_cast<uint32_t>(queue_count);
+        clocks_.values.assign(point_count * queue_count, 0);
+    }
 
     // The clock of a point starts with the clock of the previous point on the same queue.
     void enter(uint32_t point, QueueIndex queue) {
         if (last_[queue] != kNoId) {
-            clocks_[point] = clocks_[last_[queue]];
-            clocks_[point][queue] = last_[queue] + 1;
+            std::ranges::copy(at(last_[queue]), at(point).begin());
+            at(point)[queue] = last_[queue] + 1;
         }
         last_[queue] = point;
     }
     [[nodiscard]] bool knows(uint32_t point, uint32_t other, QueueIndex queue) const {
-        return clocks_[point][queue] > other;
+        return clocks_[Position(point)][queue] > other;
     }
     void follow(uint32_t point, uint32_t other, QueueIndex queue) {
-        merge_clock(clocks_[point], clocks_[other]);
-        clocks_[point][queue] = std::max(clocks_[point][queue], other + 1);
+        const std::span<uint32_t> clock = at(point);
+        for (size_t q = 0; q < clock.size(); ++q) clock[q] = std::max(clock[q], at(other)[q]);
+        clock[queue] = std::max(clock[queue], other + 1);
     }
-    [[nodiscard]] std::vector<QueueClock> take() { return std::move(clocks_); }
+    [[nodiscard]] ClockTable take() { return std::move(clocks_); }
 
  private:
-    std::vector<QueueClock> clocks_;
+    [[nodiscard]] std::span<uint32_t> at(uint32_t point) { return clocks_[Position(point)]; }
+
+    ClockTable clocks_;           // Index: point instead of position.
     std::vector<uint32_t> last_;  // Index: queue. The last point on the queue so far, or kNoId.
 };
 
@@ -48,10 +51,11 @@ class WaitFinder {
                const std::vector<QueueDependency>& dependencies)
         : queue_(queue),
           stride_(static_cast<uint32_t>(queue.size())),
-          into_(queue.size()),
-          walk_(2 * queue.size(), queue_count) {
-        for (const QueueDependency& d : dependencies) into_[d.to].push_back(d);
-    }
+          into_(make_rows<QueueDependency>(queue.size(),
+                                           [&](const auto& add) {
+                                               for (const QueueDependency& d : dependencies) add(d.to, d);
+                                           })),
+          walk_(2 * queue.size(), queue_count) {}
 
     std::vector<Wait> find() {
         for (uint32_t frame = 0; frame < 2; ++frame)
@@ -91,18 +95,19 @@ class WaitFinder {
 
     const std::vector<QueueIndex>& queue_;
     uint32_t stride_;
-    std::vector<std::vector<QueueDependency>> into_;
+    Rows<QueueDependency> into_;  // Index: position. The dependencies for which the position waits.
     ClockWalk walk_;
     std::vector<Wait> waits_;
 };
 
 }  // namespace
 
-std::vector<QueueClock> frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
-                                     const std::vector<QueueDependency>& dependencies) {
-    std::vector<std::vector<uint32_t>> followed(queue.size());
-    for (const QueueDependency& d : dependencies)
-        if (!d.previous_frame && d.to < queue.size()) followed[d.to].push_back(d.from);
+ClockTable frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
+                        const std::vector<QueueDependency>& dependencies) {
+    const Rows<uint32_t> followed = make_rows<uint32_t>(queue.size(), [&](const auto& add) {
+        for (const QueueDependency& d : dependencies)
+            if (!d.previous_frame && d.to < queue.size()) add(d.to, d.from);
+    });
     ClockWalk walk(queue.size(), queue_count);
     for (Position position(0); position < queue.size(); ++position) {
         walk.enter(position, queue[position]);
@@ -113,6 +118,7 @@ std::vector<QueueClock> frame_clocks(const std::vector<QueueIndex>& queue, size_
 
 std::vector<Wait> minimal_waits(const std::vector<QueueIndex>& queue, size_t queue_count,
                                 const std::vector<QueueDependency>& dependencies) {
+    if (dependencies.empty()) return {};
     return WaitFinder(queue, queue_count, dependencies).find();
 }
 

@@ -9,13 +9,10 @@
 
 namespace weft {
 
-// Index: queue. 1 + the latest position of that queue that is known to be complete; 0 if no position is.
-using QueueClock = std::vector<uint32_t>;
-
 // Returns the clock of each position within one frame. Entries of `dependencies` from the previous frame are
 // ignored.
-[[nodiscard]] std::vector<QueueClock> frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
-                                                   const std::vector<QueueDependency>& dependencies);
+[[nodiscard]] ClockTable frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
+                                      const std::vector<QueueDependency>& dependencies);
 
 struct Wait {
     Position position = 0;

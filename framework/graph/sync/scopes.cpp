@@ -81,17 +81,15 @@ ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
     return scopes;
 }
 
-ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& histories) {
+ScopeTable undivided(ScopeTable scopes, std::span<const PlacedBarrier> barriers) {
     // Index: position. 1 if barriers are recorded right after the pass.
     std::vector<uint8_t> ends(scopes.size(), 0);
-    for (const ResourceHistory& history : histories) {
-        for (const PlacedBarrier& placed : history.barriers) {
-            if (placed.position == kEpiloguePosition) continue;
-            if (placed.after)
-                ends[placed.position] = 1;
-            else
-                scopes[placed.position] = kNoId;
-        }
+    for (const PlacedBarrier& placed : barriers) {
+        if (placed.position == kEpiloguePosition) continue;
+        if (placed.after)
+            ends[placed.position] = 1;
+        else
+            scopes[placed.position] = kNoId;
     }
     for (Position& before : scopes)
         if (before != kNoId && ends[before] != 0) before = kNoId;

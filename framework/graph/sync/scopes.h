@@ -19,9 +19,9 @@ using ScopeTable = std::vector<Position>;
 
 [[nodiscard]] ScopeTable find_scopes(const ResolvedGraph& graph, const Schedule& order,
                                      const AttachmentTable& attachments);
-// Returns `scopes` without the passes that cannot continue a rendering scope because a barrier must be
-// recorded between them and the previous pass.
-[[nodiscard]] ScopeTable undivided(ScopeTable scopes, const std::vector<ResourceHistory>& histories);
+// Returns `scopes` without the passes that cannot continue a rendering scope because one of the barriers must
+// be recorded between them and the previous pass.
+[[nodiscard]] ScopeTable undivided(ScopeTable scopes, std::span<const PlacedBarrier> barriers);
 // Returns `scopes` without the passes that begin a batch, because a rendering scope cannot continue in
 // another batch.
 [[nodiscard]] ScopeTable within_batches(ScopeTable scopes, const SubmissionPlan& submissions);

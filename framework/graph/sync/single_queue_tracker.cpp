@@ -1,6 +1,16 @@
 #include "graph/sync/single_queue_tracker.h"
 
+#include <bit>
+
 namespace weft {
+namespace {
+
+// Returns the number of the lowest stage in the mask.
+size_t first_stage(StageMask stages) {
+    return static_cast<size_t>(std::countr_zero(stages));
+}
+
+}  // namespace
 
 AccessState merge_reads(std::span<const AccessEvent> events) {
     AccessState state = events.front().state;
@@ -26,8 +36,8 @@ SingleQueueTracker::SingleQueueTracker(const AccessState& entry)
 }
 
 bool SingleQueueTracker::visible(const AccessState& state) const {
-    for (int s = 0; s < stage::kCount; ++s)
-        if ((state.stages & (1u << s)) && (state.access & ~visible_[static_cast<size_t>(s)])) return false;
+    for (StageMask left = state.stages; left != 0; left &= left - 1)
+        if ((state.access & ~visible_[first_stage(left)]) != 0) return false;
     return true;
 }
 
@@ -88,8 +98,8 @@ void SingleQueueTracker::add_last_uses(std::vector<LastUse>& all) const {
 void SingleQueueTracker::apply_barrier(const CellBarrier& barrier) {
     // A layout transition rewrites the memory, so earlier content is no longer visible to any access.
     if (layout_ != barrier.dst.layout || unflushed_ != 0) visible_.fill(access::kNone);
-    for (int s = 0; s < stage::kCount; ++s)
-        if (barrier.dst.stages & (1u << s)) visible_[static_cast<size_t>(s)] |= barrier.dst.access;
+    for (StageMask left = barrier.dst.stages; left != 0; left &= left - 1)
+        visible_[first_stage(left)] |= barrier.dst.access;
     layout_ = barrier.dst.layout;
     unflushed_ = access::kNone;
     reader_stages_ = stage::kNone;

@@ -1,10 +1,8 @@
 // Divides the passes of each queue into batches, one submission each. A new batch begins before every pass
 // that waits for another queue. A batch ends after every pass that another queue waits for.
-#include <algorithm>
-#include <set>
 
-#include "graph/sync/queue_clocks.h"
 #include "graph/sync/submissions.h"
+#include "graph/sync/queue_clocks.h"
 
 namespace weft {
 namespace {
@@ -16,12 +14,15 @@ constexpr uint32_t kNoBatch = UINT32_MAX;
 class Batches {
  public:
     Batches(const Schedule& order, const std::vector<Wait>& waits) : order_(order), waits_(waits) {
+        const size_t points = order.order.size() + 1;
+        waiting_.assign(points, 0);
+        awaited_.assign(points, 0);
         for (const Wait& wait : waits) {
-            waiting_.insert(wait.position);
-            awaited_.insert(wait.dependency.from);
+            waiting_[wait.position] = 1;
+            awaited_[wait.dependency.from] = 1;
         }
         open_.assign(order.queues.size(), kNoBatch);
-        batch_of_.assign(order.order.size() + 1, kNoBatch);
+        batch_of_.assign(points, kNoBatch);
     }
 
     std::vector<Batch> make() {
@@ -40,19 +41,20 @@ class Batches {
 
  private:
     Batch& batch_for(Position position, QueueIndex queue) {
-        if (open_[queue] == kNoBatch || waiting_.contains(position)) {
+        if (open_[queue] == kNoBatch || waiting_[position] != 0) {
             open_[queue] = static_cast<uint32_t>(batches_.size());
             batches_.emplace_back().queue = queue;
         }
         batch_of_[position] = open_[queue];
         Batch& batch = batches_[open_[queue]];
-        if (awaited_.contains(position)) open_[queue] = kNoBatch;
+        if (awaited_[position] != 0) open_[queue] = kNoBatch;
         return batch;
     }
 
     const Schedule& order_;
     const std::vector<Wait>& waits_;
-    std::set<uint32_t> waiting_, awaited_;
+    // Index: position. 1 if the position waits for another queue, or if another queue waits for it.
+    std::vector<uint8_t> waiting_, awaited_;
     // Index: queue. The batch that gets the queue's next pass; kNoBatch if a new batch must begin.
     std::vector<uint32_t> open_;
     std::vector<uint32_t> batch_of_;  // Index: position. Index of the batch that has the pass.

@@ -1,7 +1,7 @@
 // Computes the history (all barriers and last uses) of every resource, and the dependencies between queues
 // that result from the accesses.
 #include <algorithm>
-#include <optional>
+#include <span>
 #include <utility>
 
 #include "graph/sync/accesses.h"
@@ -12,17 +12,16 @@
 namespace weft {
 namespace {
 
-// Returns the resources of each ring, indexed by the ring's resource of age 0 (the current frame's copy),
-// then by age. The rows of older copies, and of resources without a ring, are empty.
-std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
-    std::vector<std::vector<ResourceId>> rings(graph.resources.size());
-    for (ResourceId id(0); id < graph.resources.size(); ++id) {
-        const ResourceDecl& resource = graph.resources[id];
-        if (resource.ring == kNoId) continue;
-        std::vector<ResourceId>& ring = rings[resource.ring];
-        ring.resize(std::max<size_t>(ring.size(), resource.age + size_t{1}), kNoId);
-        ring[resource.age] = id;
-    }
+// Returns the resources of each ring, indexed by the ring's resource of age 0 (the current frame's copy), and
+// sorted by age. The rows of older copies, and of resources without a ring, are empty.
+Rows<ResourceId> rings_of(const ResolvedGraph& graph) {
+    Rows<ResourceId> rings = make_rows<ResourceId>(graph.resources.size(), [&](const auto& add) {
+        for (ResourceId id(0); id < graph.resources.size(); ++id)
+            if (graph.resources[id].ring != kNoId) add(graph.resources[id].ring, id);
+    });
+    std::ranges::sort(rings.items, {}, [&](ResourceId id) {
+        return std::make_pair(graph.resources[id].ring, graph.resources[id].age);
+    });
     return rings;
 }
 
@@ -36,20 +35,20 @@ void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
 }
 
 // Tracks the resources of one ring, or a single resource, and adds the result to the table.
-void track_ring(const std::vector<ResourceId>& ring, const ResolvedGraph& graph, const Schedule& order,
+void track_ring(std::span<const ResourceId> ring, const ResolvedGraph& graph, const Schedule& order,
                 const AccessTable& events, SyncTable& table) {
     HistoryInput input;
     input.order = &order;
     input.resource = ring.front();
     bool touched = false;
     for (const ResourceId id : ring) {
-        input.roles.push_back({&graph.resources[id], &events[id]});
+        input.roles.push_back({&graph.resources[id], events[id]});
         touched = touched || !events[id].empty();
     }
     if (!touched) return;
-    RingHistory history = track_resource(input);
+    const RingHistory history = track_resource(input);
     for (size_t age = 0; age < ring.size(); ++age) {
-        table.histories[ring[age]] = std::move(history.roles[age]);
+        table.histories.set(ring[age], history.roles[age]);
         table.concurrent[ring[age]] = history.concurrent ? 1 : 0;
     }
     table.dependencies.insert(table.dependencies.end(), history.dependencies.begin(),
@@ -59,10 +58,12 @@ void track_ring(const std::vector<ResourceId>& ring, const ResolvedGraph& graph,
 SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const AttachmentTable& attachments,
                       ScopeTable scopes) {
     const AccessTable events = collect_accesses(graph, order, attachments, scopes);
-    const std::vector<std::vector<ResourceId>> rings = rings_of(graph);
+    const Rows<ResourceId> rings = rings_of(graph);
+    WholeTracker whole(order);
     SyncTable table;
     table.scopes = std::move(scopes);
-    table.histories.resize(graph.resources.size());
+    table.histories = HistoryTable(graph.resources.size());
+    table.histories.reserve(events.items.size());
     table.concurrent.assign(graph.resources.size(), 0);
     for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDecl& resource = graph.resources[id];
@@ -71,10 +72,10 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
             continue;
         }
         if (events[id].empty()) continue;
-        if (std::optional<ResourceHistory> history = track_whole(resource, events[id], order))
-            table.histories[id] = std::move(*history);
+        if (const ResourceHistory* history = whole.track(resource, events[id]))
+            table.histories.set(id, *history);
         else
-            track_ring({id}, graph, order, events, table);
+            track_ring({&id, 1}, graph, order, events, table);
     }
     add_after_edges(graph, order, table.dependencies);
     return table;
@@ -86,7 +87,7 @@ SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order, const A
                       ScopeTable candidates) {
     for (;;) {
         SyncTable table = with_scopes(graph, order, attachments, candidates);
-        candidates = undivided(table.scopes, table.histories);
+        candidates = undivided(table.scopes, table.histories.barriers());
         // If a barrier must be recorded inside a rendering scope, the scope is divided and all barriers are
         // computed again. Only the pass that then begins its own scope needs more barriers than before.
         if (candidates == table.scopes) return table;

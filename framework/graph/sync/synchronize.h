@@ -13,7 +13,7 @@
 namespace weft {
 
 struct SyncTable {
-    std::vector<ResourceHistory> histories;  // Index: ResourceId. Barriers and last uses of the resource.
+    HistoryTable histories;  // Index: ResourceId. Barriers and last uses of the resource.
     std::vector<QueueDependency> dependencies;
     // Index: ResourceId. 1 if several queue families use the resource without ownership transfers.
     std::vector<uint8_t> concurrent;

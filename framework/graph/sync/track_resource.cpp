@@ -25,7 +25,7 @@ auto merge_key(const CellBarrier& b) {
 
 // Returns the accesses to each cell, indexed by cell.
 std::vector<std::vector<AccessEvent>> events_by_cell(const SubresourceGrid& grid,
-                                                     const std::vector<RangeAccess>& events) {
+                                                     std::span<const RangeAccess> events) {
     std::vector<std::vector<AccessEvent>> cells(grid.cell_count());
     for (const RangeAccess& t : events) {
         for (const uint32_t cell : grid.cells_of(t.range)) append_access(t.event, cells[cell]);
@@ -190,7 +190,7 @@ void add_entry(const SubresourceGrid& grid, ResourceKind kind, std::vector<Layou
 SubresourceGrid grid_of(const HistoryInput& input) {
     std::vector<SubresourceRange> ranges;
     for (const Role& role : input.roles)
-        for (const RangeAccess& event : *role.events) ranges.push_back(event.range);
+        for (const RangeAccess& event : role.events) ranges.push_back(event.range);
     return {*input.roles.front().decl, ranges};
 }
 
@@ -212,7 +212,7 @@ PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange&
 RingHistory track_resource(const HistoryInput& input) {
     const SubresourceGrid grid = grid_of(input);
     std::vector<CellAccesses> roles;
-    for (const Role& role : input.roles) roles.push_back(events_by_cell(grid, *role.events));
+    for (const Role& role : input.roles) roles.push_back(events_by_cell(grid, role.events));
     const QueueUsage usage = queue_usage(input, roles);
     const QueueRules rules{input.order->queues, input.resource,
                            input.roles.front().decl->kind == ResourceKind::image, usage.exclusive,

@@ -7,31 +7,16 @@
 #include <span>
 #include <vector>
 
-#include "graph/sync/single_queue_tracker.h"
+#include "graph/sync/histories.h"
 #include "weft/plan.h"
 
 namespace weft {
-
-struct PlacedBarrier {
-    // Schedule position at which the barrier is recorded; kEpiloguePosition means the end of the frame.
-    Position position = 0;
-    bool after = false;  // True if the barrier is recorded after that pass, not before it.
-    BarrierDecl barrier;
-};
-
-struct ResourceHistory {
-    std::vector<PlacedBarrier> barriers;  // The barriers with their positions in the schedule.
-    std::vector<LastUse> last_uses;       // The last use on each queue, merged over all subresources.
-    // For persistent resources: the layout of each range at the start of a frame. `resource` is not set.
-    std::vector<BoundaryState> entry;
-};
 
 // One resource with its accesses. The resources of a ring (this frame's copy, the copy of one frame ago, ...)
 // are its roles.
 struct Role {
     const ResourceDecl* decl = nullptr;
-    // The accesses to the resource, sorted by schedule position.
-    const std::vector<RangeAccess>* events = nullptr;
+    std::span<const RangeAccess> events;  // The accesses to the resource, sorted by schedule position.
 };
 
 struct HistoryInput {

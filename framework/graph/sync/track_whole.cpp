@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-bool is_usual(const ResourceDecl& decl, const std::vector<RangeAccess>& events, const Schedule& order) {
+bool is_usual(const ResourceDecl& decl, std::span<const RangeAccess> events, const Schedule& order) {
     if (decl.lifetime == ResourceLifetime::persistent || decl.ring != kNoId) return false;
     const QueueIndex queue = events.front().event.queue;
     // An import enters and leaves the frame on queue 0.
@@ -21,24 +21,23 @@ bool is_usual(const ResourceDecl& decl, const std::vector<RangeAccess>& events, 
 
 }  // namespace
 
-std::optional<ResourceHistory> track_whole(const ResourceDecl& decl, const std::vector<RangeAccess>& events,
-                                           const Schedule& order) {
-    if (!is_usual(decl, events, order)) return std::nullopt;
-    std::vector<AccessEvent> merged;
-    merged.reserve(events.size());
-    for (const RangeAccess& access : events) append_access(access.event, merged);
+const ResourceHistory* WholeTracker::track(const ResourceDecl& decl, std::span<const RangeAccess> events) {
+    if (!is_usual(decl, events, order_)) return nullptr;
+    merged_.clear();
+    sync_.barriers.clear();
+    history_.barriers.clear();
+    history_.last_uses.clear();
+    for (const RangeAccess& access : events) append_access(access.event, merged_);
     SingleQueueTracker tracker = decl.import ? SingleQueueTracker(decl.import->entry)
                                              : SingleQueueTracker(SingleQueueTracker::Start::taken_over);
-    CellSync sync;
-    const std::span<const AccessEvent> all(merged);
-    for (size_t i = 0; i < all.size(); ++i) tracker.advance(all.subspan(i), sync);
-    if (decl.import) tracker.release(decl.import->exit, sync);
-    ResourceHistory history;
-    history.barriers.reserve(sync.barriers.size());
-    for (const CellBarrier& barrier : sync.barriers)
-        history.barriers.push_back(placed_barrier(barrier, decl.whole()));
-    tracker.add_last_uses(history.last_uses);
-    return history;
+    const std::span<const AccessEvent> all(merged_);
+    for (size_t i = 0; i < all.size(); ++i) tracker.advance(all.subspan(i), sync_);
+    if (decl.import) tracker.release(decl.import->exit, sync_);
+    const SubresourceRange whole = decl.whole();
+    for (const CellBarrier& barrier : sync_.barriers)
+        history_.barriers.push_back(placed_barrier(barrier, whole));
+    tracker.add_last_uses(history_.last_uses);
+    return &history_;
 }
 
 }  // namespace weft

@@ -34,8 +34,9 @@ struct StageTime {
 // Runs the stages from cull() to link(). compile() does not check the plan: callers do this with check_plan()
 // (weft/check/check_plan.h), as all tests and debug builds do. If `times` is not null, it gets the time of
 // every stage, in the order in which the stages run.
-[[nodiscard]] FramePlan compile(const ResolvedGraph& graph, const MemoryNeeds& needs,
-                                const CompileOptions& options, std::vector<StageTime>* times = nullptr);
+// The plan contains the graph; move the graph into the call if it is not needed any more.
+[[nodiscard]] FramePlan compile(ResolvedGraph graph, const MemoryNeeds& needs, const CompileOptions& options,
+                                std::vector<StageTime>* times = nullptr);
 
 // Returns memory requirements that need no device: the exact size of each content, aligned to
 // `alignment_bytes`, in any memory type. For tests and `weft plan`.
@@ -46,7 +47,8 @@ struct StageTime {
 // the profile has such a memory type.
 [[nodiscard]] MemoryNeeds profile_needs(const ResolvedGraph& graph, const DeviceProfile& profile);
 
-// Returns the hash of a plan as 32 hexadecimal digits. Places in files are not included.
+// Returns the hash of all members of a plan as 32 hexadecimal digits. Places in files (file, line, column)
+// are not included. compile() does not call it, because it takes about as long as all stages together.
 [[nodiscard]] std::string plan_hash(const FramePlan& plan);
 // Returns the hash of everything in a plan that cannot change while the plan runs: resources, passes,
 // barriers and bindings. The hash leaves out values of parameters and constants, and the state of pipelines,

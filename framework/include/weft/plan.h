@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,14 +44,28 @@ struct ScheduleCandidate {
     uint32_t queue_switches = 0;
 };
 
+// One vector clock for each schedule position, all in one array. clocks[p][q] is 1 + the latest position on
+// queue q that surely runs before position p in the same frame, or 0 if there is none.
+struct ClockTable {
+    uint32_t queue_count = 1;
+    std::vector<uint32_t> values;
+
+    [[nodiscard]] std::span<const uint32_t> operator[](Position position) const {
+        return std::span(values).subspan(size_t{position} * queue_count, queue_count);
+    }
+    [[nodiscard]] std::span<uint32_t> operator[](Position position) {
+        return std::span(values).subspan(size_t{position} * queue_count, queue_count);
+    }
+    [[nodiscard]] size_t size() const { return values.size() / queue_count; }
+    bool operator==(const ClockTable&) const = default;
+};
+
 struct Schedule {
     std::vector<PassId> order;  // The live passes in the order in which they run.
     // By PassId: the position of the pass in `order`; kNoId if the pass is culled.
     std::vector<Position> position;
     std::vector<QueueIndex> queue;  // By position: the queue on which the pass runs.
-    // Vector clocks. clocks[p][q] is 1 + the latest position on queue q that surely runs before position p in
-    // the same frame, or 0 if there is none.
-    std::vector<std::vector<uint32_t>> clocks;
+    ClockTable clocks;
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;
     std::vector<LogicalQueue> queues{LogicalQueue{}};
@@ -67,7 +82,8 @@ struct QueueSpan {
 struct LifetimeSpan {
     Position first = 1;
     Position last = 0;
-    // First and last position on each queue that uses the resource, in the order of the first use.
+    // First and last position on each queue that uses the resource, in the order of the first use. Empty if
+    // the plan has only one queue.
     std::vector<QueueSpan> queues;
 };
 
@@ -255,8 +271,6 @@ struct FramePlan {
     BarrierPlan barriers;
     SubmissionPlan submissions;
     std::vector<BoundaryState> boundary;
-    // 32 hexadecimal digits: a hash of all members above, except of places in files (file, line, column).
-    std::string hash;
 };
 
 }  // namespace weft

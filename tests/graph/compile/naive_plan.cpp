@@ -194,7 +194,7 @@ FramePlan naive_plan(const ResolvedGraph& graph, const MemoryNeeds& needs) {
     for (Position p(0); p < plan.schedule.order.size(); ++p) {
         plan.schedule.position[plan.schedule.order[p]] = p;
         plan.schedule.queue.push_back(0);
-        plan.schedule.clocks.push_back({p});
+        plan.schedule.clocks.values.push_back(p);
     }
     plan_memory(plan, needs);
     plan_barriers(plan);
@@ -204,7 +204,6 @@ FramePlan naive_plan(const ResolvedGraph& graph, const MemoryNeeds& needs) {
     std::iota(batch.positions.begin(), batch.positions.end(), Position(0));
     batch.epilogue = true;
     plan.submissions.batches.push_back(batch);
-    plan.hash = "naive";
     return plan;
 }
 

@@ -50,7 +50,7 @@ class ShuffledGraph : public ResolveTest {
     [[nodiscard]] std::string hash_of(const ResolvedGraph& graph, uint32_t queues) const {
         CompileOptions options;
         options.queues = logical_queues(queues_, queues);
-        return compile(graph, content_needs(graph), options).hash;
+        return plan_hash(compile(graph, content_needs(graph), options));
     }
 
     std::vector<std::string> resources_, passes_;

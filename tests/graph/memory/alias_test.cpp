@@ -70,7 +70,7 @@ TEST(Alias, BytesAreSharedBetweenQueuesOnlyWhereClocksProveTheOrder) {
     order.queue = {0, 1};
     order.queues = two_queues();
     for (const bool ordered : {false, true}) {
-        order.clocks = {{0, 0}, {ordered ? 1u : 0u, 0}};
+        order.clocks = {2, {0, 0, ordered ? 1u : 0u, 0}};
         const MemoryPlan plan =
             aliased(images(2), order, {span(0, 0, 0), span(1, 1, 1)}, MemoryNeeds(2, {1024, 1, UINT32_MAX}));
         EXPECT_EQ(plan.heap_bytes, ordered ? 1024u : 2048u);

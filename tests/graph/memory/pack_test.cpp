@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "graph/memory/alias_best_fit.h"
 #include "graph/memory/alias_eject.h"
 
 namespace weft::test {

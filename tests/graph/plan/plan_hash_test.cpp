@@ -16,26 +16,26 @@ FramePlan some_plan() {
 }
 
 TEST(PlanHash, IsTheSameForTheSamePlan) {
-    const FramePlan plan = some_plan();
-    EXPECT_EQ(plan.hash, plan_hash(plan));
-    EXPECT_EQ(plan.hash, some_plan().hash);
-    EXPECT_EQ(plan.hash.size(), 32u);
+    const std::string hash = plan_hash(some_plan());
+    EXPECT_EQ(plan_hash(some_plan()), hash);
+    EXPECT_EQ(hash.size(), 32u);
 }
 
 TEST(PlanHash, NoticesEveryFieldButProvenance) {
     const FramePlan plan = some_plan();
+    const std::string hash = plan_hash(plan);
     FramePlan other = plan;
     other.graph.passes[1].name += "x";
-    EXPECT_NE(plan_hash(other), plan.hash);
+    EXPECT_NE(plan_hash(other), hash);
     other = plan;
     ++other.memory.heaps[0].size_bytes;
-    EXPECT_NE(plan_hash(other), plan.hash);
+    EXPECT_NE(plan_hash(other), hash);
     other = plan;
     other.schedule.queues.push_back({QueueKind::compute, 1});
-    EXPECT_NE(plan_hash(other), plan.hash);
+    EXPECT_NE(plan_hash(other), hash);
     other = plan;
     other.graph.passes[0].loc = {0, 12, 3, 1};
-    EXPECT_EQ(plan_hash(other), plan.hash);
+    EXPECT_EQ(plan_hash(other), hash);
 }
 
 // Hashes a name that is longer than the 4096-byte buffer of the hash function, and names that end close to

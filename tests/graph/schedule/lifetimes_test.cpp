@@ -8,7 +8,7 @@
 namespace weft::test {
 namespace {
 
-// Returns a text such as "0..3 q0:0..3": the first and last position of use, then the first and last position
+// Returns a text such as "0..3": the first and last position of use, then the first and last position
 // on each queue. Returns "-" if there is no use.
 std::string span_text(const LifetimeSpan& span) {
     if (span.first > span.last) return span.queues.empty() ? "-" : "- with queues";
@@ -38,9 +38,9 @@ TEST(Lifetimes, SpanFromTheFirstUseToTheLast) {
     const Lifetimes found =
         lifetimes(graph, all_live(graph), in_order(graph, {"make", "middle", "idle", "end"}));
     ASSERT_EQ(found.spans.size(), 3u);
-    EXPECT_EQ(span_text(found.spans[resource_of(graph, "x")]), "0..3 q0:0..3");
-    EXPECT_EQ(span_text(found.spans[resource_of(graph, "y")]), "1..3 q0:1..3");
-    EXPECT_EQ(span_text(found.spans[resource_of(graph, "z")]), "2..2 q0:2..2");
+    EXPECT_EQ(span_text(found.spans[resource_of(graph, "x")]), "0..3");
+    EXPECT_EQ(span_text(found.spans[resource_of(graph, "y")]), "1..3");
+    EXPECT_EQ(span_text(found.spans[resource_of(graph, "z")]), "2..2");
 }
 
 TEST(Lifetimes, EveryQueueHasItsOwnSpanInTheOrderOfFirstUse) {

@@ -1,12 +1,20 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "graph/sync/synchronize.h"
 #include "tests/graph/samples/hand_made.h"
 
 namespace weft::test {
 namespace {
 
-using Clocks = std::vector<std::vector<uint32_t>>;
+// Returns the clocks of two queues: one row for each position.
+ClockTable clock_table(const std::vector<std::array<uint32_t, 2>>& rows) {
+    ClockTable table{2, {}};
+    for (const std::array<uint32_t, 2>& row : rows)
+        table.values.insert(table.values.end(), row.begin(), row.end());
+    return table;
+}
 
 // Returns a schedule with positions 0 and 2 on queue 0, and positions 1 and 3 on queue 1.
 Schedule alternating() {
@@ -19,22 +27,22 @@ Schedule alternating() {
 }
 
 TEST(AddClocks, AQueueKnowsItsOwnPastAndNoOther) {
-    EXPECT_EQ(add_clocks(alternating(), {}).clocks, (Clocks{{0, 0}, {0, 0}, {1, 0}, {0, 2}}));
+    EXPECT_EQ(add_clocks(alternating(), {}).clocks, (clock_table({{0, 0}, {0, 0}, {1, 0}, {0, 2}})));
 }
 
 TEST(AddClocks, ADependencyHandsOnAllThatItsSourceKnows) {
     // Position 1 waits for 0, and position 2 waits for 1. So position 2 comes after position 1 of queue 1,
     // and position 3 comes after position 0 of queue 0.
     const Schedule order = add_clocks(alternating(), {{0, 1, false, kNoId}, {1, 2, false, kNoId}});
-    EXPECT_EQ(order.clocks, (Clocks{{0, 0}, {1, 0}, {1, 2}, {1, 2}}));
+    EXPECT_EQ(order.clocks, (clock_table({{0, 0}, {1, 0}, {1, 2}, {1, 2}})));
     // Position 3 waits for 2, and 2 comes after 0 on the same queue. So position 3 comes after 0 and 2.
     EXPECT_EQ(add_clocks(alternating(), {{2, 3, false, kNoId}}).clocks,
-              (Clocks{{0, 0}, {0, 0}, {1, 0}, {3, 2}}));
+              (clock_table({{0, 0}, {0, 0}, {1, 0}, {3, 2}})));
 }
 
 TEST(AddClocks, TheFrameBeforeAndTheEndOfTheFrameAreNoPositions) {
     const Schedule order = add_clocks(alternating(), {{3, 0, true, kNoId}, {3, 4, false, kNoId}});
-    EXPECT_EQ(order.clocks, (Clocks{{0, 0}, {0, 0}, {1, 0}, {0, 2}}));
+    EXPECT_EQ(order.clocks, (clock_table({{0, 0}, {0, 0}, {1, 0}, {0, 2}})));
 }
 
 TEST(AddClocks, NothingElseOfTheScheduleChanges) {

@@ -26,14 +26,14 @@ ResolvedGraph three_images(std::optional<SubresourceRange> part_of_b = {}) {
 
 SyncTable empty_table(const ResolvedGraph& graph) {
     SyncTable table;
-    table.histories.resize(graph.resources.size());
+    table.histories = HistoryTable(graph.resources.size());
     table.concurrent.assign(graph.resources.size(), 0);
     table.scopes.assign(graph.passes.size(), kNoId);
     return table;
 }
 
 PlacedBarrier taking_over(Position position) {
-    BarrierDecl barrier;
+    TrackedBarrier barrier;
     barrier.dst = kWrite;
     barrier.reason = BarrierReason::alias;
     return {position, false, barrier};
@@ -42,9 +42,9 @@ PlacedBarrier taking_over(Position position) {
 TEST(Barriers, AreRecordedBeforeOrBehindTheirPassOrAtTheEndOfTheFrame) {
     const ResolvedGraph graph = three_images();
     SyncTable sync = empty_table(graph);
-    BarrierDecl raw;
+    TrackedBarrier raw;
     raw.dst = kWrite;
-    sync.histories[1].barriers = {{0, true, raw}, {2, false, raw}, {kEpiloguePosition, false, raw}};
+    sync.histories.set(1, {.barriers = {{0, true, raw}, {2, false, raw}, {kEpiloguePosition, false, raw}}});
     const BarrierResult result = barriers(graph, in_order(graph, {"pa", "pb", "pc"}), sync, {}, {{}, {}, {}});
     ASSERT_EQ(result.plan.steps.size(), 3u);
     ASSERT_EQ(result.plan.steps[0].after.size(), 1u);
@@ -76,8 +76,9 @@ TEST(Barriers, StepsTakeOverTheirAttachmentsScopesAndPasses) {
 TEST(Barriers, MemoryIsTakenOverFromTheLastUsersOfItsOwner) {
     const ResolvedGraph graph = three_images();
     SyncTable sync = empty_table(graph);
-    sync.histories[0].last_uses = {{0, 0, stage::kCopy, access::kTransferWrite, pass_of(graph, "pa")}};
-    sync.histories[1].barriers = {taking_over(1)};
+    sync.histories.set(0,
+                       {.last_uses = {{0, 0, stage::kCopy, access::kTransferWrite, pass_of(graph, "pa")}}});
+    sync.histories.set(1, {.barriers = {taking_over(1)}});
     MemoryPlan memory;
     memory.alias_transitions = {{0, 1, false}};
     const BarrierResult result =
@@ -95,8 +96,9 @@ TEST(Barriers, MemoryIsTakenOverFromTheLastUsersOfItsOwner) {
 TEST(Barriers, MemoryThatNoOtherResourceHeldComesFromTheFrameBefore) {
     const ResolvedGraph graph = three_images();
     SyncTable sync = empty_table(graph);
-    sync.histories[1].last_uses = {{0, 2, stage::kComputeShader, access::kNone, pass_of(graph, "pc")}};
-    sync.histories[1].barriers = {taking_over(1)};
+    sync.histories.set(1,
+                       {.barriers = {taking_over(1)},
+                        .last_uses = {{0, 2, stage::kComputeShader, access::kNone, pass_of(graph, "pc")}}});
     const BarrierResult result = barriers(graph, in_order(graph, {"pa", "pb", "pc"}), sync, {}, {{}, {}, {}});
     const BarrierDecl& barrier = result.plan.steps[1].barriers.at(0);
     expect_state(barrier.src, {stage::kComputeShader, access::kNone, Layout::undefined});
@@ -108,8 +110,9 @@ TEST(Barriers, MemoryOfAnotherQueueIsWaitedForAcrossTheFrameBoundaryOnly) {
     const ResolvedGraph graph = three_images();
     for (const bool wrap : {false, true}) {
         SyncTable sync = empty_table(graph);
-        sync.histories[0].last_uses = {{1, 0, stage::kCopy, access::kTransferWrite, pass_of(graph, "pa")}};
-        sync.histories[1].barriers = {taking_over(1)};
+        sync.histories.set(
+            0, {.last_uses = {{1, 0, stage::kCopy, access::kTransferWrite, pass_of(graph, "pa")}}});
+        sync.histories.set(1, {.barriers = {taking_over(1)}});
         MemoryPlan memory;
         memory.alias_transitions = {{0, 1, wrap}};
         const BarrierResult result =
@@ -128,9 +131,9 @@ TEST(Barriers, EarlierOwnersCountWhereTheLastOneWroteOnlyAPart) {
         const ResolvedGraph graph =
             three_images(part ? std::optional(one_cell(0)) : std::optional<SubresourceRange>());
         SyncTable sync = empty_table(graph);
-        sync.histories[0].last_uses = {{0, 0, stage::kFragmentShader, access::kNone, kNoId}};
-        sync.histories[1].last_uses = {{0, 1, stage::kCopy, access::kTransferWrite, kNoId}};
-        sync.histories[2].barriers = {taking_over(2)};
+        sync.histories.set(0, {.last_uses = {{0, 0, stage::kFragmentShader, access::kNone, kNoId}}});
+        sync.histories.set(1, {.last_uses = {{0, 1, stage::kCopy, access::kTransferWrite, kNoId}}});
+        sync.histories.set(2, {.barriers = {taking_over(2)}});
         MemoryPlan memory;
         memory.alias_transitions = {{2, 0, true}, {0, 1, false}, {1, 2, false}};
         const BarrierResult result =
@@ -148,8 +151,10 @@ TEST(Barriers, EarlierOwnersCountWhereTheLastOneWroteOnlyAPart) {
 TEST(Barriers, ThePrologueClearsWhatOutlivesTheFrameIntoItsFirstState) {
     const ResolvedGraph graph = three_images();
     SyncTable sync = empty_table(graph);
-    sync.histories[2].entry = {
-        {kNoId, graph.resources[2].whole(), {stage::kNone, access::kNone, Layout::shader_read_only}, 0}};
+    sync.histories.set(2, {.entry = {{kNoId,
+                                      graph.resources[2].whole(),
+                                      {stage::kNone, access::kNone, Layout::shader_read_only},
+                                      0}}});
     const ProloguePlan prologue =
         barriers(graph, in_order(graph, {"pa", "pb", "pc"}), sync, {}, {{}, {}, {}}).plan.prologue;
     EXPECT_EQ(prologue.cleared, (std::vector<ResourceId>{2}));

@@ -74,14 +74,12 @@ TEST(FindScopes, APassThatAlsoSamplesItsTargetStandsAlone) {
 
 TEST(FindScopes, ABarrierBeforeAPassOrBehindTheOneBeforeItDivides) {
     const ScopeTable all{kNoId, 0, 1, 2};
-    ResourceHistory before, behind, epilogue;
-    before.barriers = {{1, false, {}}};
-    behind.barriers = {{2, true, {}}};
-    epilogue.barriers = {{kEpiloguePosition, false, {}}};
+    const std::vector<PlacedBarrier> before{{1, false, {}}}, behind{{2, true, {}}};
+    const std::vector<PlacedBarrier> epilogue{{kEpiloguePosition, false, {}}};
     EXPECT_EQ(undivided(all, {}), all);
-    EXPECT_EQ(undivided(all, {epilogue}), all);
-    EXPECT_EQ(undivided(all, {before}), (ScopeTable{kNoId, kNoId, 1, 2}));
-    EXPECT_EQ(undivided(all, {behind}), (ScopeTable{kNoId, 0, 1, kNoId}));
+    EXPECT_EQ(undivided(all, epilogue), all);
+    EXPECT_EQ(undivided(all, before), (ScopeTable{kNoId, kNoId, 1, 2}));
+    EXPECT_EQ(undivided(all, behind), (ScopeTable{kNoId, 0, 1, kNoId}));
 }
 
 TEST(FindScopes, ABatchBeginsAScope) {

@@ -12,7 +12,7 @@ namespace {
 
 // Returns one line for each barrier, sorted by position, such as "0 none:none:undefined >
 // compute_shader:storage_write:general".
-std::string barriers_text(const std::vector<PlacedBarrier>& barriers) {
+std::string barriers_text(std::span<const PlacedBarrier> barriers) {
     const auto state = [](const AccessState& s) {
         return stages_text(s.stages) + ":" + access_text(s.access) + ":" + layout_text(s.layout);
     };
@@ -24,7 +24,7 @@ std::string barriers_text(const std::vector<PlacedBarrier>& barriers) {
     return text;
 }
 
-std::vector<BarrierReason> reasons_of(const std::vector<PlacedBarrier>& barriers) {
+std::vector<BarrierReason> reasons_of(std::span<const PlacedBarrier> barriers) {
     std::vector<BarrierReason> reasons;
     for (const PlacedBarrier& placed : barriers) reasons.push_back(placed.barrier.reason);
     return reasons;
@@ -43,7 +43,7 @@ ResolvedGraph make_and_look() {
 TEST(Synchronize, ATransientsHistoryIsATakeOverAndOneBarrierForEachHazard) {
     const ResolvedGraph graph = make_and_look();
     const SyncTable table = synchronize(graph, in_order(graph, {"make", "look"}), {{}, {}}, {kNoId, kNoId});
-    const ResourceHistory& image = table.histories[resource_of(graph, "image")];
+    const HistoryTable::Row image = table.histories[resource_of(graph, "image")];
     EXPECT_EQ(barriers_text(image.barriers),
               "0 none:none:undefined > compute_shader:storage_write:general\n"
               "1 compute_shader:storage_write:general > compute_shader:sampled_read:shader_read_only\n");
@@ -96,7 +96,7 @@ TEST(Synchronize, AnImageMovesBetweenFamiliesAndABufferIsConcurrent) {
     Schedule order = in_order(graph, {"make", "look"}, {0, 1});
     order.queues[1].family = 1;
     const SyncTable table = synchronize(graph, order, {{}, {}}, {kNoId, kNoId});
-    const std::vector<PlacedBarrier>& barriers = table.histories[resource_of(graph, "image")].barriers;
+    const std::span<const PlacedBarrier> barriers = table.histories[resource_of(graph, "image")].barriers;
     EXPECT_EQ(reasons_of(barriers),
               (std::vector<BarrierReason>{BarrierReason::alias, BarrierReason::release_queue,
                                           BarrierReason::acquire_queue}));
@@ -130,7 +130,7 @@ TEST(Synchronize, ACandidateThatNoBarrierDividesKeepsItsScope) {
         const SyncTable table =
             synchronize(graph, in_order(graph, {"fill", "first", "second"}), ops, {kNoId, kNoId, 1});
         EXPECT_EQ(table.scopes, (ScopeTable{kNoId, kNoId, divided ? Position() : Position(1)}));
-        const std::vector<PlacedBarrier>& target = table.histories[resource_of(graph, "target")].barriers;
+        const std::span<const PlacedBarrier> target = table.histories[resource_of(graph, "target")].barriers;
         ASSERT_EQ(target.size(), divided ? 2u : 1u);
         EXPECT_EQ(target[0].position, 1u);
         if (!divided) continue;
@@ -146,8 +146,8 @@ TEST(Synchronize, ARingIsFoundAsTheFrameBeforeLeftTheNextYoungerRole) {
                         {"dst", color, Access::storage_write, {}, 1}});
     const ResolvedGraph graph = b.build();
     const SyncTable table = synchronize(graph, in_order(graph, {"blend"}), {{}}, {kNoId});
-    const ResourceHistory& now = table.histories[resource_of(graph, "color")];
-    const ResourceHistory& past = table.histories[resource_of(graph, "color[-1]")];
+    const HistoryTable::Row now = table.histories[resource_of(graph, "color")];
+    const HistoryTable::Row past = table.histories[resource_of(graph, "color[-1]")];
     EXPECT_EQ(barriers_text(now.barriers),
               "0 from before compute_shader:none:undefined > compute_shader:storage_write:general\n");
     EXPECT_EQ(barriers_text(past.barriers),

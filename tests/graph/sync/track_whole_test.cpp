@@ -1,4 +1,4 @@
-// Compares track_whole() with track_resource(), which gives the same histories in all cases, on the resources
+// Compares WholeTracker with track_resource(), which gives the same histories in all cases, on the resources
 // of random graphs.
 #include "graph/sync/track_whole.h"
 
@@ -17,9 +17,9 @@ namespace {
 
 void expect_same(const ResourceHistory& found, const ResourceHistory& expected, const std::string& where) {
     const auto fields = [](const PlacedBarrier& p) {
-        const BarrierDecl& b = p.barrier;
-        return std::make_tuple(p.position, p.after, b.resource, b.range, b.src, b.dst, b.src_family,
-                               b.dst_family, b.reason, b.from, b.to, b.from_previous_frame, b.aliased_from);
+        const TrackedBarrier& b = p.barrier;
+        return std::make_tuple(p.position, p.after, b.range, b.src, b.dst, b.src_family, b.dst_family,
+                               b.reason, b.from, b.from_previous_frame);
     };
     ASSERT_EQ(found.barriers.size(), expected.barriers.size()) << where;
     for (size_t i = 0; i < found.barriers.size(); ++i)
@@ -33,9 +33,9 @@ void expect_same(const ResourceHistory& found, const ResourceHistory& expected, 
     EXPECT_TRUE(found.entry.empty() && expected.entry.empty()) << where;
 }
 
-RingHistory by_cells(const ResolvedGraph& graph, ResourceId id, const std::vector<RangeAccess>& events,
+RingHistory by_cells(const ResolvedGraph& graph, ResourceId id, std::span<const RangeAccess> events,
                      const Schedule& order) {
-    return track_resource({.resource = id, .roles = {{&graph.resources[id], &events}}, .order = &order});
+    return track_resource({.resource = id, .roles = {{&graph.resources[id], events}}, .order = &order});
 }
 
 TEST(TrackWhole, GivesTheHistoryOfTrackResource) {
@@ -45,12 +45,13 @@ TEST(TrackWhole, GivesTheHistoryOfTrackResource) {
         const AttachmentTable ops = attachment_ops(plan.graph, plan.live, plan.schedule);
         const ScopeTable scopes = find_scopes(plan.graph, plan.schedule, ops);
         const AccessTable events = collect_accesses(plan.graph, plan.schedule, ops, scopes);
+        WholeTracker tracker(plan.schedule);
         for (ResourceId id(0); id < events.size(); ++id) {
             const ResourceDecl& decl = plan.graph.resources[id];
             if (events[id].empty()) continue;
-            const std::optional<ResourceHistory> found = track_whole(decl, events[id], plan.schedule);
-            (found ? usual : others) += 1;
-            if (!found) continue;
+            const ResourceHistory* found = tracker.track(decl, events[id]);
+            (found != nullptr ? usual : others) += 1;
+            if (found == nullptr) continue;
             imports += decl.import ? 1 : 0;
             const RingHistory expected = by_cells(plan.graph, id, events[id], plan.schedule);
             const std::string where = "seed " + std::to_string(seed) + ", \"" + decl.name + "\"";
@@ -74,8 +75,9 @@ TEST(TrackWhole, TwoPortsOfAPassAreOneAccess) {
     const ResolvedGraph graph = b.build();
     const Schedule order = in_order(graph, {"make", "change"});
     const AccessTable events = collect_accesses(graph, order, {{}, {}}, {kNoId, kNoId});
-    const std::optional<ResourceHistory> found = track_whole(graph.resources[words], events[words], order);
-    ASSERT_TRUE(found);
+    WholeTracker tracker(order);
+    const ResourceHistory* found = tracker.track(graph.resources[words], events[words]);
+    ASSERT_NE(found, nullptr);
     ASSERT_EQ(found->barriers.size(), 2u);
     EXPECT_EQ(found->barriers[1].barrier.dst.access, access::kStorageRead | access::kStorageWrite);
     expect_same(*found, by_cells(graph, words, events[words], order).roles.front(), "words");

@@ -1,6 +1,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
 #include "graph/report/html/html_sections.h"
+#include "weft/compile.h"
 
 namespace weft {
 namespace {
@@ -31,7 +32,7 @@ void write_facts(const PlanPage& page, Markup& out) {
                    std::to_string(plan.graph.output_extent.height));
     write_fact(out, plan.schedule.queues.size() == 1 ? "queue" : "queues", queues_text(plan));
     write_fact(out, "order", plan.schedule.chosen);
-    write_fact(out, "hash", plan.hash);
+    write_fact(out, "hash", plan_hash(plan));
     out.close();
     out.line();
 }
