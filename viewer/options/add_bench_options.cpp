@@ -17,8 +17,13 @@ CLI::App* add_bench_compile(CLI::App& bench, BenchOptions& o) {
             "earlier images that a pass reads: chain (the last two), window32 (two of the last 32) or random")
         ->check(choice_validator({"chain", "window32", "random"}))
         ->capture_default_str();
-    command->add_option("--seed", o.seed, "seed of the random graph (std::mt19937)")
+    command->add_option("--seed", o.seed, "seed of the first random graph (std::mt19937)")
         ->transform(whole_number_in(0, kMostSeed))
+        ->capture_default_str();
+    command
+        ->add_option("--seeds", o.seeds,
+                     "number of graphs to compile; the seed of each further graph is greater by 1")
+        ->transform(whole_number_in(1, 1000))
         ->capture_default_str();
     command->add_option("--queues", o.queues, "number of queues in the plan")
         ->transform(whole_number_in(1, kMostQueues))

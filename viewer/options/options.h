@@ -115,7 +115,8 @@ struct CompareOptions {
 struct BenchOptions {
     uint32_t passes = 1000;
     std::string shape = "random";
-    uint32_t seed = 1;
+    uint32_t seed = 1;  // The seed of the first graph. The seed of each further graph is greater by 1.
+    uint32_t seeds = 30;
     uint32_t queues = 1;
     bool json = false;
 };

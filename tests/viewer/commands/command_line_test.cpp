@@ -275,25 +275,6 @@ TEST(Profiles, TooSmallAHeapIsAWarning) {
         << run.text();
 }
 
-TEST(Bench, CompilesAGraphOfChanceAndSaysWhereTheTimeGoes) {
-    const RunResult text = run_weft({"bench", "compile", "--passes", "50", "--shape", "chain"});
-    EXPECT_EQ(text.exit_code, 0) << text.text();
-    for (const char* part : {"50 passes, chain", "schedule", "alias", "barriers", "heap / peak "})
-        EXPECT_NE(text.out.find(part), std::string::npos) << text.text();
-
-    const RunResult run =
-        run_weft({"bench", "compile", "--passes", "50", "--seed", "7", "--queues", "2", "--json"});
-    EXPECT_EQ(run.exit_code, 0) << run.text();
-    const Json json = Json::parse(run.out);
-    for (const char* key : {"passes", "shape", "seed", "queues", "cold_us", "warm_us", "stages_us",
-                            "peak_live_bytes", "heap_bytes", "candidates", "chosen", "barriers"})
-        EXPECT_TRUE(json.contains(key)) << key;
-    EXPECT_EQ(json.at("queues"), 2);
-    EXPECT_LE(json.at("warm_us").at("min"), json.at("warm_us").at("median"));
-    EXPECT_EQ(json.at("candidates").size(), 3u);
-    EXPECT_TRUE(json.at("candidates")[0].contains("queue_switches"));
-}
-
 TEST(Doctor, DescribesTheMachineAndItsProfileWorks) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const RunResult text = run_weft({"doctor"});

@@ -1,0 +1,48 @@
+// Purpose: measures the graph compiler for `weft bench compile`: it compiles several generated graphs, which
+// differ in their seeds, and collects times and properties of the plans. Units: microseconds and bytes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "viewer/options/options.h"
+#include "weft/compile.h"
+
+namespace weft::viewer {
+
+// The results for one graph. It is compiled several times.
+struct CompiledGraph {
+    uint32_t seed = 0;
+    double first_us = 0;            // Time of the first compilation.
+    double min_us = 0;              // Time of the fastest later compilation.
+    double median_us = 0;           // Median time of all later compilations.
+    std::vector<StageTime> stages;  // Times of the compiler's stages in the fastest later compilation.
+    MemoryPlan memory;              // Without placements and alias transitions.
+    std::vector<ScheduleCandidate> candidates;
+    std::string chosen;  // Name of the chosen candidate.
+    uint32_t barriers = 0;
+
+    // Returns the size of the heap, divided by the peak of the bytes that are in use at the same time.
+    [[nodiscard]] double heap_to_peak() const;
+};
+
+// Calls `progress` with the number of compiled graphs after each graph.
+[[nodiscard]] std::vector<CompiledGraph> measure_compile(const BenchOptions& options,
+                                                         const std::function<void(uint32_t)>& progress);
+
+// One value of all graphs: its mean, its median, and the graph with the largest value.
+struct OverSeeds {
+    double mean = 0, median = 0, worst = 0;
+    uint32_t worst_seed = 0;
+};
+[[nodiscard]] OverSeeds over_seeds(const std::vector<CompiledGraph>& graphs,
+                                   const std::function<double(const CompiledGraph&)>& value);
+
+[[nodiscard]] std::string compile_bench_text(const BenchOptions& options,
+                                             const std::vector<CompiledGraph>& graphs);
+[[nodiscard]] std::string compile_bench_json(const BenchOptions& options,
+                                             const std::vector<CompiledGraph>& graphs);
+
+}  // namespace weft::viewer
