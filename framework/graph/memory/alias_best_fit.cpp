@@ -6,7 +6,7 @@
 
 namespace weft {
 
-uint64_t best_fit(const PackItem& item, const std::vector<TakenSpan>& taken, uint64_t top_bytes) {
+uint64_t best_fit(const PackItem& item, std::span<const TakenSpan> taken, uint64_t top_bytes) {
     uint64_t best = kNoPlace, best_slack = UINT64_MAX, cursor = 0;
     const auto offer = [&](uint64_t gap_end) {
         const uint64_t start = round_up(cursor, item.alignment_bytes);

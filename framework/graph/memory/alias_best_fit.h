@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "graph/memory/alias_conflicts.h"
@@ -17,7 +18,7 @@ inline constexpr uint64_t kNoLimit = UINT64_MAX / 2;
 // Returns the offset of the smallest gap between the bytes in `taken` into which the item fits. If there is
 // none, returns the offset after all taken bytes if the item ends at or below `top_bytes` there, else
 // kNoPlace. `taken` must be sorted by offset.
-[[nodiscard]] uint64_t best_fit(const PackItem& item, const std::vector<TakenSpan>& taken,
+[[nodiscard]] uint64_t best_fit(const PackItem& item, std::span<const TakenSpan> taken,
                                 uint64_t top_bytes);
 
 // Places the items in the given order, each at its best fit.

@@ -28,9 +28,8 @@ class Conflicts {
     void clear();
     void place(uint32_t item, uint64_t offset_bytes);
     void remove(uint32_t item);
-    // Returns the bytes that `item` must not use, sorted by offset. The reference is valid until the next
-    // call.
-    [[nodiscard]] const std::vector<TakenSpan>& taken(uint32_t item);
+    // Returns the bytes that `item` must not use, sorted by offset. They are valid until the next call.
+    [[nodiscard]] std::span<const TakenSpan> taken(uint32_t item);
     [[nodiscard]] bool dense() const { return dense_; }
 
  private:

@@ -1,6 +1,7 @@
 #include "graph/memory/alias_eject.h"
 
 #include <algorithm>
+#include <span>
 
 #include "graph/memory/alias_best_fit.h"
 #include "graph/model/round_up.h"
@@ -14,38 +15,77 @@ struct Ejection {
     std::vector<uint32_t> removed;
 };
 
-// Returns the place that removes the least. An item costs its size, multiplied by the number of times that
-// it was removed before plus one, so that no two items remove each other for ever.
-Ejection cheapest_place(const std::vector<PackItem>& items, uint32_t item,
-                        const std::vector<TakenSpan>& taken, const std::vector<uint32_t>& removals,
-                        uint64_t target_bytes) {
-    const uint64_t size = items[item].size_bytes;
-    uint64_t best = kNoPlace;
-    uint64_t best_cost = UINT64_MAX;
-    const auto offer = [&](uint64_t begin) {
-        begin = round_up(begin, items[item].alignment_bytes);
-        if (begin + size > target_bytes) return;
-        uint64_t cost = 0;
-        for (const TakenSpan& span : taken) {
-            if (span.begin_bytes >= begin + size) break;
-            if (span.end_bytes <= begin) continue;
-            cost += items[span.item].size_bytes * (removals[span.item] + 1);
-            if (cost >= best_cost) return;
-        }
-        best_cost = cost;
-        best = begin;
-    };
-    offer(0);
-    for (const TakenSpan& span : taken) {
-        offer(span.end_bytes);
-        if (span.begin_bytes >= size) offer(span.begin_bytes - size);
+// Finds the place from which the least must be removed. An item costs its size, multiplied by the number of
+// times that it was removed before plus one, so that no two items remove each other for ever.
+class PlaceFinder {
+ public:
+    PlaceFinder(const std::vector<PackItem>& items, uint64_t target_bytes)
+        : items_(items), target_bytes_(target_bytes) {}
+
+    // `taken` is sorted by offset. Index of `removals`: item.
+    [[nodiscard]] Ejection cheapest(uint32_t item, std::span<const TakenSpan> taken,
+                                    const std::vector<uint32_t>& removals) {
+        add_up(taken, removals);
+        best_ = kNoPlace;
+        best_cost_ = UINT64_MAX;
+        const PackItem& own = items_[item];
+        Cursor cursor;
+        offer(0, own, taken, cursor);
+        for (const End& end : ends_) offer(end.bytes, own, taken, cursor);
+        cursor = {};
+        for (const TakenSpan& span : taken)
+            if (span.begin_bytes >= own.size_bytes)
+                offer(span.begin_bytes - own.size_bytes, own, taken, cursor);
+        const uint64_t best = best_, size = own.size_bytes;
+        Ejection ejection{best, {}};
+        if (best == kNoPlace) return ejection;
+        for (const TakenSpan& span : taken)
+            if (span.begin_bytes < best + size && span.end_bytes > best)
+                ejection.removed.push_back(span.item);
+        return ejection;
     }
-    Ejection ejection{best, {}};
-    if (best == kNoPlace) return ejection;
-    for (const TakenSpan& span : taken)
-        if (span.begin_bytes < best + size && span.end_bytes > best) ejection.removed.push_back(span.item);
-    return ejection;
-}
+
+ private:
+    // Numbers of items that begin before the end of a place, and that end at or before its begin.
+    struct Cursor {
+        size_t begun = 0, ended = 0;
+    };
+    struct End {
+        uint64_t bytes = 0;  // Offset of the end of an item.
+        uint64_t cost = 0;   // Cost of all items that end there or before.
+    };
+
+    void add_up(std::span<const TakenSpan> taken, const std::vector<uint32_t>& removals) {
+        begun_.assign(1, 0);
+        ends_.clear();
+        for (const TakenSpan& span : taken) {
+            const uint64_t cost = items_[span.item].size_bytes * (removals[span.item] + 1);
+            begun_.push_back(begun_.back() + cost);
+            ends_.push_back({span.end_bytes, cost});
+        }
+        std::ranges::sort(ends_, {}, &End::bytes);
+        uint64_t sum = 0;
+        for (End& end : ends_) end.cost = sum += end.cost;
+    }
+    // Compares a place with the best place so far. The places must be offered in the order of their offsets.
+    void offer(uint64_t begin, const PackItem& item, std::span<const TakenSpan> taken, Cursor& cursor) {
+        begin = round_up(begin, item.alignment_bytes);
+        const uint64_t end = begin + item.size_bytes;
+        if (end > target_bytes_) return;
+        while (cursor.begun < taken.size() && taken[cursor.begun].begin_bytes < end) ++cursor.begun;
+        while (cursor.ended < ends_.size() && ends_[cursor.ended].bytes <= begin) ++cursor.ended;
+        const uint64_t cost = begun_[cursor.begun] - (cursor.ended == 0 ? 0 : ends_[cursor.ended - 1].cost);
+        if (cost >= best_cost_) return;
+        best_cost_ = cost;
+        best_ = begin;
+    }
+
+    const std::vector<PackItem>& items_;
+    uint64_t target_bytes_;
+    std::vector<uint64_t> begun_;  // Index: n. Cost of the first n items by offset.
+    std::vector<End> ends_;        // Sorted by offset.
+    uint64_t best_ = kNoPlace, best_cost_ = UINT64_MAX;
+};
 
 }  // namespace
 
@@ -57,14 +97,15 @@ Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_
     std::vector<uint32_t> waiting(order.rbegin(), order.rend());
     // Index: item. Number of times that the item was removed.
     std::vector<uint32_t> removals(items.size(), 0);
+    PlaceFinder finder(items, target_bytes);
     size_t removed = 0;
     while (!waiting.empty()) {
         const uint32_t item = waiting.back();
         waiting.pop_back();
-        const std::vector<TakenSpan>& taken = conflicts.taken(item);
+        std::span<const TakenSpan> taken = conflicts.taken(item);
         uint64_t offset = best_fit(items[item], taken, target_bytes);
         if (offset == kNoPlace && removed < items.size()) {
-            const Ejection ejection = cheapest_place(items, item, taken, removals, target_bytes);
+            const Ejection ejection = finder.cheapest(item, taken, removals);
             offset = ejection.offset_bytes;
             removed += ejection.removed.size();
             for (const uint32_t other : ejection.removed) {

@@ -11,8 +11,8 @@
 namespace weft {
 
 // Places the items in the given order, each at its best fit below `target_bytes`. An item that does not fit
-// takes the place of other items, which are then placed again. After as many removals as there are items, the
-// remaining items are placed above the target.
+// takes the place of other items, which are then placed again. After as many removals as there are items,
+// the items that do not fit are placed above the target.
 [[nodiscard]] Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
                                  uint64_t target_bytes, Conflicts& conflicts);
 

@@ -92,13 +92,14 @@ constexpr std::array kAttempts{Attempt{size_descending_order, 3}, Attempt{area_d
 // Improves a packing until it reaches the target of one of the attempts.
 void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
              Packing& best) {
+    const bool few = items.size() <= kMaxSearchedItems;
     for (const auto& [order_of, percent] : kAttempts) {
         const uint64_t target = with_percent(lower_bound_bytes, percent);
         if (best.height_bytes <= target) return;
         const std::vector<uint32_t> order = order_of(items);
         keep_smaller(pack_below(items, order, target, conflicts), best);
         if (best.height_bytes <= target) return;
-        if (items.size() <= kMaxSearchedItems) keep_smaller(search(items, order, target, conflicts), best);
+        if (few) keep_smaller(search(items, order, target, conflicts), best);
     }
 }
 

@@ -1,72 +1,112 @@
 // Best-fit packing over time: it simulates a heap from which resources are allocated and freed while the
 // frame runs.
 #include <algorithm>
-#include <map>
+#include <compare>
 #include <numeric>
-#include <set>
-#include <utility>
 
 #include "graph/memory/alias_pack.h"
+#include "graph/memory/sorted_list.h"
 #include "graph/model/round_up.h"
 
 namespace weft {
 namespace {
 
-class FreeList {
+// The blocks of a heap in the order of their bytes. A block is in use or free. Two free blocks are never
+// neighbours.
+class BlockList {
  public:
-    explicit FreeList(uint64_t& height_bytes) : height_bytes_(height_bytes) {}
-
-    uint64_t take(const PackItem& item) {
-        for (auto hole = by_size_.lower_bound({item.size_bytes, 0}); hole != by_size_.end(); ++hole) {
-            const auto [size, begin] = *hole;
-            const uint64_t start = round_up(begin, item.alignment_bytes);
-            if (start + item.size_bytes > begin + size) continue;
-            remove(by_begin_.find(begin));
-            give(begin, start);
-            give(start + item.size_bytes, begin + size);
-            return start;
-        }
-        return grow(item);
+    // Returns the index of a new block in use that has room for the item, in the smallest sufficient free
+    // block.
+    uint32_t take(const PackItem& item) {
+        const auto fits = [&](const Gap& gap) {
+            const Block& block = blocks_[gap.block];
+            return round_up(block.begin, item.alignment_bytes) + item.size_bytes <= block.end;
+        };
+        const Gap* gap = gaps_.find({item.size_bytes, 0, 0}, fits);
+        const uint32_t block = gap != nullptr ? gap->block : grow(item);
+        if (gap != nullptr) gaps_.erase(Gap(*gap));
+        const uint64_t start = round_up(blocks_[block].begin, item.alignment_bytes);
+        if (start != blocks_[block].begin) split_before(block, start);
+        const uint64_t end = start + item.size_bytes;
+        if (end != blocks_[block].end) split_behind(block, end);
+        blocks_[block].free = false;
+        return block;
     }
-
-    void give(uint64_t begin, uint64_t end) {
-        if (begin == end) return;
-        auto next = by_begin_.lower_bound(begin);
-        if (next != by_begin_.end() && next->first == end) {
-            end = next->second;
-            next = remove(next);
+    void give(uint32_t block) {
+        blocks_[block].free = true;
+        if (const uint32_t before = blocks_[block].before; before != kNoId && blocks_[before].free) {
+            remove_gap(before);
+            blocks_[block].begin = blocks_[before].begin;
+            unlink(before);
         }
-        if (next != by_begin_.begin() && std::prev(next)->second == begin) {
-            begin = std::prev(next)->first;
-            remove(std::prev(next));
+        if (const uint32_t behind = blocks_[block].behind; behind != kNoId && blocks_[behind].free) {
+            remove_gap(behind);
+            blocks_[block].end = blocks_[behind].end;
+            unlink(behind);
         }
-        by_begin_.emplace(begin, end);
-        by_size_.emplace(end - begin, begin);
+        add_gap(block);
     }
+    [[nodiscard]] uint64_t begin_of(uint32_t block) const { return blocks_[block].begin; }
+    [[nodiscard]] uint64_t height_bytes() const { return last_ == kNoId ? 0 : blocks_[last_].end; }
 
  private:
-    using Holes = std::map<uint64_t, uint64_t>;
+    struct Block {
+        uint64_t begin = 0, end = 0;
+        uint32_t before = kNoId, behind = kNoId;  // The neighbours in the heap.
+        bool free = true;
+    };
+    // A free block. Gaps are sorted by size, then by begin.
+    struct Gap {
+        uint64_t size = 0, begin = 0;
+        uint32_t block = 0;
+        auto operator<=>(const Gap&) const = default;
+    };
 
-    Holes::iterator remove(Holes::iterator hole) {
-        by_size_.erase({hole->second - hole->first, hole->first});
-        return by_begin_.erase(hole);
+    [[nodiscard]] Gap gap_of(uint32_t block) const {
+        return {blocks_[block].end - blocks_[block].begin, blocks_[block].begin, block};
     }
+    void add_gap(uint32_t block) { gaps_.insert(gap_of(block)); }
+    void remove_gap(uint32_t block) { gaps_.erase(gap_of(block)); }
 
-    uint64_t grow(const PackItem& item) {
-        uint64_t begin = height_bytes_;
-        if (!by_begin_.empty() && by_begin_.rbegin()->second == height_bytes_) {
-            begin = by_begin_.rbegin()->first;
-            remove(std::prev(by_begin_.end()));
+    // Returns a block at the end of the heap into which the item fits exactly. The heap grows.
+    uint32_t grow(const PackItem& item) {
+        if (last_ == kNoId || !blocks_[last_].free) {
+            const uint64_t top = height_bytes();
+            last_ = insert_between(last_, kNoId, top, top);
+        } else {
+            remove_gap(last_);
         }
-        const uint64_t start = round_up(begin, item.alignment_bytes);
-        give(begin, start);
-        height_bytes_ = start + item.size_bytes;
-        return start;
+        blocks_[last_].end = round_up(blocks_[last_].begin, item.alignment_bytes) + item.size_bytes;
+        return last_;
+    }
+    void split_before(uint32_t block, uint64_t start) {
+        const uint32_t gap = insert_between(blocks_[block].before, block, blocks_[block].begin, start);
+        blocks_[block].begin = start;
+        add_gap(gap);
+    }
+    void split_behind(uint32_t block, uint64_t end) {
+        const uint32_t gap = insert_between(block, blocks_[block].behind, end, blocks_[block].end);
+        blocks_[block].end = end;
+        if (last_ == block) last_ = gap;
+        add_gap(gap);
+    }
+    uint32_t insert_between(uint32_t before, uint32_t behind, uint64_t begin, uint64_t end) {
+        const auto block = static_cast<uint32_t>(blocks_.size());
+        blocks_.push_back({begin, end, before, behind, true});
+        if (before != kNoId) blocks_[before].behind = block;
+        if (behind != kNoId) blocks_[behind].before = block;
+        return block;
+    }
+    void unlink(uint32_t block) {
+        const auto [begin, end, before, behind, free] = blocks_[block];
+        if (before != kNoId) blocks_[before].behind = behind;
+        if (behind != kNoId) blocks_[behind].before = before;
+        if (last_ == block) last_ = before;
     }
 
-    Holes by_begin_;                                   // The free gaps. Key: begin of a gap; value: its end.
-    std::set<std::pair<uint64_t, uint64_t>> by_size_;  // The same gaps: size and begin of each.
-    uint64_t& height_bytes_;
+    std::vector<Block> blocks_;
+    SortedList<Gap> gaps_;
+    uint32_t last_ = kNoId;  // The block at the end of the heap.
 };
 
 }  // namespace
@@ -83,15 +123,15 @@ Packing pack_sweep(const std::vector<PackItem>& items) {
                      [&](uint32_t a, uint32_t b) { return items[a].last < items[b].last; });
     Packing packing;
     packing.offsets_bytes.assign(items.size(), 0);
-    FreeList free_list(packing.height_bytes);
+    BlockList blocks;
+    std::vector<uint32_t> block_of(items.size());
     size_t ended = 0;
     for (const uint32_t i : starts) {
-        for (; items[ends[ended]].last < items[i].first; ++ended) {
-            const uint64_t offset = packing.offsets_bytes[ends[ended]];
-            free_list.give(offset, offset + items[ends[ended]].size_bytes);
-        }
-        packing.offsets_bytes[i] = free_list.take(items[i]);
+        for (; items[ends[ended]].last < items[i].first; ++ended) blocks.give(block_of[ends[ended]]);
+        block_of[i] = blocks.take(items[i]);
+        packing.offsets_bytes[i] = blocks.begin_of(block_of[i]);
     }
+    packing.height_bytes = blocks.height_bytes();
     return packing;
 }
 
