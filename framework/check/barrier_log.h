@@ -1,8 +1,8 @@
-// Purpose: records all barriers of one queue and tells which stages wait for which. An access record queries
-// the log only when the checker needs that record. So a barrier costs no time for the thousands of accesses
-// that it does not affect. A chain of barriers is stored as a map from each stage to the set of stages that
-// wait for it. Source: Vulkan 1.3 specification, "Execution Dependencies": two barriers chain where the
-// destination of the first intersects the source of the second.
+// Purpose: records all barriers of one queue and tells which stages wait for which. The log works on demand:
+// an AccessRecord (ordering.h) reads the new barriers only when the checker needs the record. So a new
+// barrier costs no time for the thousands of other records. A chain of barriers is stored as a map from each
+// stage to the set of stages that wait for it. Source: Vulkan 1.3 specification, "Execution Dependencies":
+// two barriers chain where the destination of the first intersects the source of the second.
 #pragma once
 
 #include <array>
@@ -27,8 +27,9 @@ class StageChain {
     void add(const Scopes& barrier);
     // Returns the stages that wait for at least one of `stages`.
     [[nodiscard]] StageMask after(StageMask stages) const;
-    // Returns the chain of this chain followed by `next`: the dependencies of each, and those that arise
-    // because barriers of both chain with each other.
+    // Returns the chain of all barriers of this chain, followed by those of `next`. It has the dependencies
+    // of both, and indirect ones: if stage B waits for A here, and C waits for B in `next`, then C waits for
+    // A.
     [[nodiscard]] StageChain then(const StageChain& next) const;
     bool operator==(const StageChain&) const = default;
 
@@ -46,10 +47,10 @@ class BarrierLog {
     [[nodiscard]] const StageChain& since(uint32_t count) const;
 
  private:
-    // The combined chain of the batches from index `first` to the last one. All start indices before the
-    // `first` of the next Suffix give the same chain, so only one Suffix is stored for them. A chain that
-    // starts earlier contains every chain that starts later. So there are at most as many different chains as
-    // pairs of stages.
+    // The combined chain of the batches from index `first` to the last one. All start indices from `first` up
+    // to the next Suffix give the same chain, so one Suffix stores it for all of them. A chain that starts
+    // earlier contains all dependencies of a chain that starts later, and at least one more. So the number of
+    // Suffixes is limited by the number of pairs of stages.
     struct Suffix {
         uint32_t first = 0;
         StageChain chain;

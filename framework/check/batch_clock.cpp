@@ -42,8 +42,8 @@ void BatchClock::end_batch(uint32_t batch) {
 }
 
 bool BatchClock::covers(const Actor& actor) const {
-    // Work before the first frame is complete for all queues except the queue on which it ran. On that queue,
-    // barriers must order it.
+    // The count is 0 for work before the first frame, such as the prologue. All other queues wait for this
+    // work with a semaphore before their first batch. On the queue on which it ran, barriers must order it.
     if (actor.batch_count == 0) return actor.queue != queue_;
     return known_[queue_][actor.queue] >= actor.batch_count;
 }

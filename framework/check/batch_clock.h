@@ -16,8 +16,8 @@ class BatchClock {
     explicit BatchClock(const FramePlan& plan);
 
     void begin_frame();
-    // Starts a batch: its queue now knows all work that its waits cover. Errors: C305, a wait for a batch
-    // that is not submitted earlier.
+    // Starts a batch. From now on, its queue knows that all work for which the batch waits is complete.
+    // Errors: C305, a wait for a batch that is not submitted earlier.
     void begin_batch(uint32_t batch, FaultList& faults);
     void end_batch(uint32_t batch);
 
@@ -38,8 +38,9 @@ class BatchClock {
     const FramePlan& plan_;
     std::vector<Known> known_;   // Index: waiting queue. The batches that this queue knows to be complete.
     std::vector<uint32_t> own_;  // Index: queue. Number of its batches that have begun so far.
-    // Index: batch, in this frame and in the previous frame. The known batches at the end of that batch;
-    // empty if the batch has not ended yet.
+    // Index: batch; `ends_` is for this frame, `previous_ends_` for the previous frame. For each queue: the
+    // number of its batches that are known to be complete when this batch is complete. Empty if this batch
+    // has not ended yet.
     std::vector<Known> ends_, previous_ends_;
     bool has_previous_ = false;
     QueueIndex queue_ = kGraphicsQueue;

@@ -1,5 +1,5 @@
 // Purpose: stores the state of each subresource while the checker simulates a plan: its layout, the origin of
-// its content, the queue family that owns it, and the accesses that later ones must still wait for.
+// its content, the queue family that owns it, and the accesses that later accesses must still wait for.
 #pragma once
 
 #include <algorithm>

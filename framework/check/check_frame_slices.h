@@ -1,8 +1,10 @@
-// Purpose: checks the reads of passes that run only in some frames, because a repeat with `perFrame` divides
-// its passes into frame slices. In a frame any set of slices may run, and each read must still see the
-// version that its declaration names. Culled passes count as writers: the compiler must not cull a pass
-// because another pass overwrites its result, if the other pass runs in different frames. Errors: C331
-// content that is discarded, C332.
+// Purpose: checks the reads of resources that are written by passes with frame slices. A repeat with
+// `perFrame` divides its passes into frame slices, and each of these passes runs only in some frames.
+// Whichever slices run in a frame, each read must see the version that its declaration names. Culled passes
+// count as writers, too. Example: pass A writes an image in every frame, and pass B overwrites it in some
+// frames. In the other frames the image has A's content, so the compiler must not cull A. Errors: C331 a
+// barrier discards content that is still needed, C332 a read sees the wrong version, or content is lost
+// between frames.
 #pragma once
 
 #include "check/fault_list.h"

@@ -1,5 +1,6 @@
-// Purpose: checks every pass that continues the rendering scope of the previous pass: it must use the same
-// attachments, load them without clearing, and need no commands between the two passes. Errors: C306.
+// Purpose: checks every pass that continues the rendering scope (vkCmdBeginRendering) of the previous pass.
+// Such a pass must use the same attachments and load them without clearing. No barriers may be recorded
+// between the two passes. Errors: C306.
 #pragma once
 
 #include "check/fault_list.h"

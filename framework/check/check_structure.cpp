@@ -86,8 +86,8 @@ void check_lifetimes(const FramePlan& plan, FaultList& faults) {
     }
 }
 
-// Returns the names of the first and last pass that use a resource. A message about two resources in the same
-// memory needs them for both.
+// Returns the names of the first and last pass that use a resource. Messages about two resources in the same
+// memory contain this text for each of the two.
 std::string users(const FramePlan& plan, FaultList& faults, ResourceId resource) {
     const LifetimeSpan& span = plan.lifetimes.spans[resource];
     if (span.first > span.last || span.last >= plan.schedule.order.size()) return "unused";

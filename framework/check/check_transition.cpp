@@ -13,7 +13,7 @@ using check::FaultList;
 
 constexpr StageMask kEveryStage = stage::kAll & ~stage::kHost;
 
-// Returns true if those barriers on `resource` for which `right` returns true together cover all of `range`.
+// Returns true if each mip and layer of `range` has a barrier on `resource` for which `right` returns true.
 template <class Right>
 bool covered_by(const std::vector<BarrierDecl>& barriers, ResourceId resource, const SubresourceRange& range,
                 Right right) {

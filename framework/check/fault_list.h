@@ -1,5 +1,5 @@
-// Purpose: collects the errors of a plan and reports each cause once. Two passes and a resource give one
-// message, even if the error occurs in many subresources and frames.
+// Purpose: collects the errors of a plan. An error with the same code and message as an earlier error is not
+// added again. So an error that occurs in every frame is reported once.
 #pragma once
 
 #include <set>
@@ -29,7 +29,8 @@ class FaultList {
  public:
     explicit FaultList(const FramePlan& plan) : plan_(plan) {}
 
-    // Adds an error. `loc` is the place in the graph's file of the use that is wrong.
+    // Adds an error. `loc` is the place in the graph's file that the message shows; an empty SourceLoc shows
+    // none.
     void add(const char* code, SourceLoc loc, const std::string& message, const std::string& help);
     [[nodiscard]] bool any(const char* code) const;
     // Returns the name in quotes; for kNoId, returns "outside the graph" without quotes.

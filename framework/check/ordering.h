@@ -41,7 +41,8 @@ class AccessRecord {
     // this access's queue, and none of these batches may have a barrier on the memory of this access.
     void follow(const BarrierLog& log);
 
-    // Returns true if every stage of this access is in the barrier's source scope, or chains with it.
+    // Returns true if the barrier with these scopes waits for every stage of this access, directly or through
+    // a chain of earlier barriers.
     [[nodiscard]] bool ordered_before(const Scopes& scopes) const;
     // Returns true if every stage of this access completes before any of `stages` starts.
     [[nodiscard]] bool ordered_before(StageMask stages) const;
@@ -69,7 +70,8 @@ class AccessRecord {
     StageMask stages_ = 0;
     AccessMask access_ = 0;
     bool is_write_ = false;
-    // Number of barrier batches of the access's queue that were applied to this record so far.
+    // Index of the first barrier batch of the access's queue that is not yet applied to this record. Batches
+    // before the access do not affect it.
     uint32_t followed_ = 0;
     // Later stages that are ordered after the barrier that made the write available.
     StageMask available_reach_ = 0;

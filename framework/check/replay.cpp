@@ -40,7 +40,7 @@ std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     }
     for (std::vector<ResourceId>& ring : rings)
         if (std::find(ring.begin(), ring.end(), kNoId) != ring.end())
-            ring.clear();  // check_structure() reports such a ring as error C301.
+            ring.clear();  // A resource of the ring is missing. The replay leaves such a ring out.
     return rings;
 }
 
@@ -224,8 +224,8 @@ void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state)
 }
 
 // Adds a read to the cell. Only the two latest reads of each queue with the same stages are kept: a wait for
-// a later read also covers the earlier reads. Two are kept, because a pass that also writes does not wait for
-// its own read.
+// a later read also covers the earlier reads. Two are kept, not one, because a pass that reads and then
+// writes does not wait for its own read. It must wait for the read before.
 void Replay::note_read(Cell& cell, const AccessRecord& record) {
     const Actor& by = record.actor();
     const auto alike = [&](const AccessRecord& other) {
@@ -247,8 +247,9 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
         expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
     superseded_by_[use.resource] = kNoId;
     cells_[use.resource].each(use.range, [&](Cell& cell) {
-        // A pass that discards the content of a buffer makes its queue family the owner without an ownership
-        // transfer. For an image, the transition from UNDEFINED does this.
+        // If a pass discards the content of a buffer, the family of the pass's queue becomes the owner of the
+        // buffer without an ownership transfer. For an image, the transition from UNDEFINED changes the
+        // owner.
         if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
         expect_owner(by, use, cell);
         // If this pass also reads the cell, read() has added it to the reads. A pass does not wait for its

@@ -1,5 +1,5 @@
 // Purpose: simulates a plan over consecutive frames. For every subresource it tracks the layout, the origin
-// of the content, the queue family that owns it, and the accesses that later ones must wait for.
+// of the content, the queue family that owns it, and the accesses that later accesses must wait for.
 #pragma once
 
 #include <string>
@@ -13,11 +13,10 @@
 
 namespace weft::check {
 
-// A resource that shares memory with another resource.
+// A resource B that shares memory with a resource A. The list neighbours_[A] contains it.
 struct Neighbour {
-    ResourceId resource = kNoId;
-    // True if all memory of this resource is also memory of the other resource, so the other resource
-    // overwrites all of it.
+    ResourceId resource = kNoId;  // The resource B.
+    // True if all memory of B lies inside the memory of A. Then a write to A overwrites all of B.
     bool covered = false;
 };
 
@@ -42,8 +41,8 @@ class Replay {
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
     void carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes);
-    // An access record knows the barriers that followed it on its queue only up to the last call of this
-    // function. Adds the later ones to the record. Call this before each check of the record.
+    // Applies to an access record all barriers that were recorded on its queue since the last call. Call this
+    // before each check of a record, because a new barrier does not update all records.
     void follow(AccessRecord& record) const { record.follow(logs_[record.actor().queue]); }
     [[nodiscard]] const BarrierLog& log() const { return logs_[clock_.queue()]; }
     void apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before);

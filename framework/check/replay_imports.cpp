@@ -41,7 +41,8 @@ void Replay::leave_imports() {
         if (!resource.import) continue;
         UseDecl outside;
         outside.resource = id;
-        // Declared as a write, because expect_order() checks fewer conditions for reads.
+        // An access that only writes. If the access could also read, expect_order() would leave out the
+        // checks that belong to read().
         outside.access = Access::storage_write;
         outside.loc = resource.loc;
         const AccessState& exit = resource.import->exit;

@@ -10,8 +10,9 @@ bool Replay::ordered(const AccessRecord& record, StageMask stages) const {
     return record.actor().queue == clock_.queue() && record.ordered_before(stages);
 }
 
-// Returns true if the barrier comes after the record. If a semaphore orders the record, the barrier must
-// chain with the semaphore wait. The wait blocks all stages, so any non-empty source scope chains with it.
+// Returns true if the barrier waits for the recorded access. If a semaphore already orders the access, the
+// barrier must chain with the semaphore wait. The wait blocks all stages, so any non-empty source scope
+// chains with it.
 bool Replay::ordered(const AccessRecord& record, const Scopes& scopes) const {
     if (covered(record)) return scopes.src_execution != 0;
     return record.actor().queue == clock_.queue() && record.ordered_before(scopes);
@@ -90,9 +91,10 @@ bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) 
     });
 }
 
-// Returns true if the cell has the content that the use wants: the content that the pass `wanted` wrote in
-// this frame, or the content of `age` frames ago. If no such frame exists, or if no live pass writes the
-// resource, the first-frame value is right.
+// Returns true if the cell has the content that the use wants. If `wanted` is a pass, this is the content
+// that the pass wrote in this frame. If `wanted` is kNoId, it is content from before the frame. For an
+// import, this is the content from outside. For a persistent resource, it is the content of `age` frames ago;
+// if no such frame exists, or if no live pass writes the history, it is the first-frame value.
 bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const {
     const Content& found = cell.content;
     if (wanted != kNoId)
@@ -158,8 +160,9 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
         "the order of passes, the store operation of an attachment, or the sharing of memory is wrong");
 }
 
-// Checks that no other resource in the same memory is still in use before `resource` is written. `transition`
-// is the barrier that writes first; if it is null, the pass itself writes first, in `stages`.
+// Checks that no other resource in the same memory is still in use before `resource` is written. The first
+// write is the layout transition of the barrier `transition`. If `transition` is null, the pass itself makes
+// the first write, in `stages`.
 void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                                 const BarrierDecl* transition) {
     const Scopes scopes = transition ? scopes_of(*transition) : Scopes{};

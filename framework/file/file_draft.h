@@ -39,8 +39,9 @@ class FileDraft {
     // Creates a draft in `folder`. Name::none creates a file without a name, which needs support by the file
     // system. Name::random works on every file system.
     [[nodiscard]] int open(const std::string& folder, Name name);
-    // Writes `data` to the draft. If an old file exists, the draft gets its permissions, and its owner if
-    // this process may change owners. If `sync` is true, the data is flushed to the disk.
+    // Writes `data` to the draft. `old` is the status of the file that the draft will replace, if there is
+    // one: the draft gets the permissions of that file, and also its owner if this process may change owners.
+    // If `sync` is true, the data is flushed to the disk.
     [[nodiscard]] int fill(std::string_view data, const std::optional<struct stat>& old, bool sync);
     // Gives the draft the final name `name`, and so replaces an old file of this name. If `sync` is true, the
     // folder is flushed to the disk.

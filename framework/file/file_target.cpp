@@ -43,8 +43,8 @@ TargetKind kind_of(const std::optional<struct stat>& old) {
     return S_ISDIR(old->st_mode) ? TargetKind::folder : TargetKind::stream;
 }
 
-// Follows a link at the end of the path, as often as the result is a link again. Links in the middle of the
-// path need no treatment, because the kernel resolves them.
+// Follows a link at the end of the path, and repeats this while the result is a link too. Links in the middle
+// of the path need no treatment, because the kernel resolves them.
 FileTarget follow_links(fs::path at) {
     FileTarget target;
     for (int links = 0; is_link(at); ++links) {
@@ -77,7 +77,8 @@ FileTarget find_target(const std::string& path) {
     else if (errno != ENOENT)
         target.error = errno;
     if (target.kind == TargetKind::file) target.kind = kind_of(target.old);
-    // The path ends with "/", so that it names a folder that does not exist.
+    // If the path ends with "/", it names a folder. This folder does not exist: an existing one is already
+    // TargetKind::folder here.
     if (target.kind == TargetKind::file && !target.path.has_filename()) target.kind = TargetKind::folder;
     return target;
 }

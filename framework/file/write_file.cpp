@@ -98,9 +98,9 @@ int write_draft(const FileTarget& target, std::string_view data, bool sync, File
     return error;
 }
 
-// Returns true if a draft with a name may succeed after a draft without a name failed with `error`. The
-// causes of such errors: the file system does not support files without names, or /proc is not mounted, which
-// is needed to name the draft at the end.
+// A draft without a name failed with `error`. Returns true if a draft with a name may succeed. Such errors
+// have two causes: the file system does not support files without names, or /proc is not mounted. Without
+// /proc, a draft without a name cannot get its name at the end.
 bool is_worth_a_name(int error) {
     return error == EOPNOTSUPP || error == EISDIR || error == EINVAL || error == ENOENT || error == EPERM;
 }

@@ -28,8 +28,8 @@ enum class Durability : uint8_t {
 [[nodiscard]] Status write_file(const std::string& path, std::string_view data,
                                 Durability durability = Durability::on_disk);
 
-// Writes to standard output. Also reports errors that appear only when a descriptor is closed, as on network
-// file systems and with quotas.
+// Writes to standard output. On network file systems and with disk quotas, some errors appear only when a
+// descriptor is closed. write_stdout() reports these errors too.
 [[nodiscard]] Status write_stdout(std::string_view data);
 
 // Returns true for a pipe, a device or a descriptor. Data is written to these directly, without a draft.

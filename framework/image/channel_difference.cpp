@@ -18,7 +18,7 @@ bool compares_raw(const Image& a, const Image& b) {
 }
 
 float difference(float a, float b) {
-    // The first comparison is also true for two equal infinities.
+    // `a == b` is also true for two equal infinities. Their difference a - b would be NaN instead of 0.
     if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
     if (std::isnan(a) || std::isnan(b)) return std::numeric_limits<float>::infinity();
     return std::abs(a - b);

@@ -16,8 +16,9 @@ namespace {
 constexpr float kColorExponent = 0.7f;  // Exponent of colour differences: q_c in the paper that flip.h cites.
 // Exponent of feature differences: q_f in the paper that flip.h cites.
 constexpr float kFeatureExponent = 0.5f;
-// Colour differences from 0 to kColorKnee (p_c in the paper) times the largest possible difference become
-// errors from 0 to kErrorAtKnee (p_t in the paper). Larger differences become errors from kErrorAtKnee to 1.
+// The curve from colour difference to error has two straight parts that meet at the knee. The knee lies at
+// kColorKnee (p_c in the paper) times the largest possible difference, and has the error kErrorAtKnee (p_t in
+// the paper). The largest possible difference has the error 1.
 constexpr float kColorKnee = 0.4f;
 constexpr float kErrorAtKnee = 0.95f;
 
@@ -58,8 +59,8 @@ std::vector<glm::vec3> perceived(const Planes& ycxcz, const SensitivityKernels& 
     return lab;
 }
 
-// Returns for each texel the length of the gradient of the luminance. Its two components are `kernel` along x
-// and `kernel` along y; `smooth` is applied perpendicular to `kernel`.
+// Returns for each texel the strength of a feature (edge or point): the length of the vector (x, y). For x,
+// the luminance is filtered with `kernel` along x and with `smooth` along y. For y, the axes are swapped.
 std::vector<float> strength(const Plane& luminance, const std::vector<float>& kernel,
                             const std::vector<float>& smooth) {
     const Plane x = filter_columns(filter_rows(luminance, kernel), smooth);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// One term a · exp(-b · f²) of the eye's contrast sensitivity at f cycles per degree. As a function of the
-// distance d in degrees, this term is a √(π/b) exp(-π² d² / b).
+// One term a · exp(-b · f²) of the eye's contrast sensitivity at f cycles per degree. Its Fourier transform
+// is the blur kernel a √(π/b) exp(-π² d² / b) at the distance d in degrees.
 struct Term {
     double a, b;
 };
@@ -53,7 +53,8 @@ SensitivityKernels sensitivity_kernels(float pixels_per_degree) {
     SensitivityKernels kernels;
     for (size_t channel = 0; channel < kernels.size(); ++channel) {
         double all = 0;
-        // For each term, the sum of its two-dimensional kernel over all pixels: the weight of the term.
+        // One value per term: the sum of the term's two-dimensional kernel over all pixels. The weight of a
+        // term is its share of the sum over all terms.
         std::vector<double> volumes;
         for (const Term& term : kSensitivities[channel]) {
             if (term.a == 0) continue;

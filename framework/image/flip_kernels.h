@@ -1,7 +1,8 @@
 // Purpose: the filter kernels of FLIP. Each two-dimensional kernel is a product of two one-dimensional
-// kernels. Shapes: kernels have odd numbers of taps. Units: pixels per degree. Source: the paper cited in
-// flip.h, sections on spatial filtering and feature detection. The contrast sensitivities are sums of
-// Gaussians as in G. Johnson and M. Fairchild, "A Top Down Description of S-CIELAB and CIEDE2000", 2003.
+// kernels. Shapes: kernels have odd numbers of taps. Units: the resolution of a picture is in pixels per
+// degree of the field of view. Source: the paper cited in flip.h, sections on spatial filtering and feature
+// detection. The contrast sensitivities are sums of Gaussians as in G. Johnson and M. Fairchild, "A Top Down
+// Description of S-CIELAB and CIEDE2000", 2003.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Purpose: the steps that load one tier of a graph. load_graph() uses them for the tier of its request. The
-// choice of formats uses them for all tiers.
+// Purpose: the steps that load one tier of a graph. load_graph() uses them for the tier of its request.
+// tier_formats.h uses them for all tiers, to choose formats that suit every tier.
 #pragma once
 
 #include <map>
@@ -14,12 +14,12 @@ void append(Diagnostics& to, Diagnostics from);
 [[nodiscard]] Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier,
                                            const GraphLimits& limits);
 // Compiles all shaders that passes of the graph name. If passes of different types name the same shader, the
-// shader is compiled once for each type. A shader fits only one type, so that the compilation for every other
-// type gives an error.
+// shader is compiled once for each type. A shader fits only one type, so compiling it for any other type adds
+// an error to `faults`.
 [[nodiscard]] ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input,
                                             Diagnostics& faults);
 // Resolves the graph. `skipped` gives for each image how many of its alternative formats are not used,
-// counted from the first.
+// counted from the first. For example, 1 excludes rg16_snorm from "rg16_snorm|rg16f".
 [[nodiscard]] Result<ResolvedGraph> resolve_formats(const GraphDesc& desc, const ShaderCatalog& shaders,
                                                     const LoadInput& input, const SkippedFormats& skipped,
                                                     Diagnostics& warnings);

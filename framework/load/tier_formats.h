@@ -13,8 +13,8 @@ struct TierVariant {
     ShaderCatalog shaders;
 };
 
-// Chooses the formats for the tier of `input`, with the parameters and observed resources of its request. The
-// other tiers are loaded without these.
+// Chooses the formats for the tier of `input`. This tier is resolved with the parameters and observed
+// resources of the request; the other tiers are resolved without them.
 [[nodiscard]] SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& own,
                                                  const LoadInput& input);
 

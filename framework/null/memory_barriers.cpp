@@ -73,8 +73,8 @@ const char* Memory::why_not_moved(ResourceId object, const MemoryCell& cell, uin
     return cell.layout == barrier.src.layout ? nullptr : "it is not in the layout that the barrier changes";
 }
 
-// Simulates a layout transition or ownership transfer. It rewrites the cell after the barrier's source scope
-// and before its destination scope.
+// Simulates a layout transition or ownership transfer. It acts like a write to the cell, after the barrier's
+// source scope and before its destination scope.
 void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const BarrierDecl& barrier) {
     MemoryCell& cell = cells_[object][index];
     const QueueIndex queue = timeline_.nodes[node].queue;

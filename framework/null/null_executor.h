@@ -1,12 +1,12 @@
 // Purpose: runs a plan without a GPU, in one of the orders that its barriers and semaphores allow, for
 // example with every command delayed as long as possible. Every subresource has one 64-bit value at its place
-// in the plan's memory. A pass writes hashes of all values that it reads, so two runs have equal values only
-// if everything before was equal too. Memory behaves as in Vulkan (1.3 specification, chapter
-// "Synchronization and Cache Control" and appendix "Memory Model"): a write stays in its stage until a
-// dependency makes it available and visible. A read gets poison if no dependency orders it after the write,
-// if other data has replaced the content, or if the layout or the owning queue family is wrong. Poison is a
-// unique value that spreads to all values computed from it. Errors: none; a wrong plan gives wrong values,
-// and `faults` describes the first causes.
+// in the plan's memory. A pass writes hashes of all values that it reads. So two runs have an equal value
+// only if all values from which it was computed were equal, too. Memory behaves as in Vulkan (1.3
+// specification, chapter "Synchronization and Cache Control" and appendix "Memory Model"): other accesses see
+// a write only after a dependency has made it available and visible. A read gets poison if no dependency
+// orders it after the write, if other data has replaced the content, or if the layout or the owning queue
+// family is wrong. Poison is a unique value that spreads to all values computed from it. Errors: none; a
+// wrong plan gives wrong values, and `faults` describes the first causes.
 #pragma once
 
 #include <cstdint>

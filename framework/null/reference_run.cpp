@@ -108,9 +108,9 @@ class Reference {
         }
     }
 
-    // Returns the resource of a ring with this age. UINT32_MAX means age -1, which has no resource. If no
-    // pass writes the ring, it returns the ring's resource of age 0 for age -1, because then all copies are
-    // equal.
+    // Returns the resource of a ring with this age, or kNoId if there is none. begin_frame() computes the age
+    // before age 0 as 0 - 1 = UINT32_MAX. For this age, the result is kNoId if a pass writes the ring. If no
+    // pass writes it, all copies are equal, and the result is the resource of age 0.
     ResourceId role(ResourceId ring, uint32_t age) const {
         if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
         for (ResourceId id(0); id < graph_.resources.size(); ++id)
@@ -166,7 +166,8 @@ class Reference {
 
     const ResolvedGraph& graph_;
     const LiveGraph& live_;
-    // Index: ResourceId. 1 if a live pass uses (or writes) the resource.
+    // Index: ResourceId. `used_`: 1 if a live pass uses a resource of the same ring. `written_`: 1 if a live
+    // pass writes this resource.
     std::vector<uint8_t> used_, written_;
     std::vector<std::vector<Versions>> cells_;  // Indexed by ResourceId, then by cell.
     uint32_t frame_ = 0;

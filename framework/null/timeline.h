@@ -38,8 +38,8 @@ struct Node {
     const BarrierDecl* barrier = nullptr;
     ResourceId resource = kNoId;  // For imports and clears: the resource that the node uses.
     // For attachment accesses: the number of the rendering scope, counted over all frames. The node waits for
-    // earlier nodes of its scope that access the same kind of attachment, and sees their results. Other parts
-    // of the passes do not.
+    // earlier nodes of its scope that access the same kind of attachment (colour or depth), and sees their
+    // results. Nodes that access no attachment have kNoNode.
     uint32_t scope = kNoNode;
 };
 

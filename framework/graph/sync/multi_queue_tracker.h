@@ -73,8 +73,8 @@ class MultiQueueTracker {
     std::optional<Past> source_;
     // Writes of the last writer that no barrier on the writer's queue has made available yet.
     AccessMask unflushed_ = access::kNone;
-    // All writes of the last writer. A later barrier that does not chain with the first barrier after this
-    // writer must make them available again.
+    // All writes of the last writer, also those that a barrier has made available already. If a later barrier
+    // does not wait for the stages of that first barrier, it must make the writes available again.
     AccessMask source_writes_ = access::kNone;
     // Index: bit of the stage. Access types to which the content is visible, on the queue of the last writer.
     std::array<AccessMask, stage::kCount> visible_{};

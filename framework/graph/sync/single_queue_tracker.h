@@ -38,8 +38,9 @@ struct CellBarrier {
     PassId from = kNoId;
     bool previous_frame = false;
     uint32_t src_family = 0, dst_family = 0;
-    // Only for an ownership transfer between queue families: position and state of the other half. Barriers
-    // are merged only if these values are equal, so both halves get the same ranges.
+    // Only for an ownership transfer between queue families, which needs two barriers: a release and an
+    // acquire. These are position and state of the other barrier of the two. Barriers of several cells are
+    // merged into one only if these values are equal too, so that release and acquire get the same ranges.
     Position pair_position = 0;
     AccessState pair_state;
 };
@@ -58,8 +59,8 @@ struct CellSync {
 class SingleQueueTracker {
  public:
     enum class Start : uint8_t {
-        // A transient resource. Its first access always needs a barrier, because it takes memory over. Only
-        // the caller knows the source of that barrier.
+        // A transient resource. Its first access always needs a barrier, because it takes memory over. The
+        // source of that barrier, the last users of the memory, is filled in later by barriers().
         taken_over,
         known,  // A persistent resource: its layout is known, and no access is pending.
     };

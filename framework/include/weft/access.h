@@ -86,7 +86,7 @@ enum class Access : uint8_t {
     uniform_read,
     sampled_read,
     storage_read,
-    storage_write,       // A shader writes the whole range, so that previous content is not visible.
+    storage_write,       // A shader writes the whole range, so the pass does not need the previous content.
     storage_read_write,  // A shader reads and writes the range in place.
     color_write,  // The pass draws to the colour attachment after clearing it, or covers it completely.
     // The pass draws to the colour attachment and needs its content: blending, masked channels, or loading.
@@ -114,8 +114,8 @@ struct AccessState {
 
 // Returns the state that access `a` needs. `shader_stages` are the shader stages that access the resource;
 // accesses by fixed-function stages ignore them. A buffer has no aspects and gets the layout `undefined`.
-// Sampled colour images use `shader_read_only`, sampled depth images `depth_read_only`, so that they can be
-// an attachment at the same time. Storage images use `general`.
+// Sampled colour images use `shader_read_only`. Sampled depth images use `depth_read_only`, so that a depth
+// image can be sampled and be a read-only attachment at the same time. Storage images use `general`.
 [[nodiscard]] AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask aspects);
 [[nodiscard]] bool reads(Access a);  // Returns true if the access can see previous content of the resource.
 [[nodiscard]] bool writes(Access a);

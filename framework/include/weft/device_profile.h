@@ -1,6 +1,6 @@
-// Purpose: describes a device as data, so that the compiler needs no device: queues, limits, formats, memory.
-// Profiles are JSON files in framework/profiles/, or are made from a device (`weft doctor --json`). Units:
-// bytes, pixels.
+// Purpose: describes the queues, limits, formats and memory of a device as data, so that the compiler needs
+// no device. Profiles are JSON files in framework/profiles/, or are made from a device
+// (`weft doctor --json`). Units: bytes, pixels.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,8 @@ struct MemoryTypeProfile {
     uint32_t heap = 0;  // The heap of this memory type: an index into DeviceProfile::memory_heaps.
     bool device_local = true;
     bool host_visible = false;
-    // True on tilers: an attachment in this memory type uses no memory as long as it stays in on-chip memory.
+    // True on tile-based GPUs: an attachment in this memory type uses no memory as long as it stays in
+    // on-chip memory.
     bool lazily_allocated = false;
     MemoryContentMask holds = memory_content::kAll;
     bool operator==(const MemoryTypeProfile&) const = default;

@@ -105,9 +105,9 @@ struct ImportDesc {
     SourceLoc loc;
 };
 
-// Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames: from
-// frame to frame, as long as the plan exists. shared: from frame to frame, also across plans (another tier, a
-// reload). No copies are made.
+// Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames and
+// shared: from frame to frame, and also when a new plan replaces the plan (another tier, a reload). The
+// compiler treats these two values alike.
 enum class KeepMode : uint8_t { none, frames, shared };
 
 struct ResourceDesc {

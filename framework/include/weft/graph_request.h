@@ -1,5 +1,6 @@
 // Purpose: describes which graph a program wants: the file and tier, parameters, output size, and the
-// resources to read back. The command line fills it once; load_graph() and resolve() read it. Units: pixels.
+// resources to read back. The command line fills a GraphRequest once; load_graph() and resolve() read it.
+// Units: pixels.
 #pragma once
 
 #include <map>

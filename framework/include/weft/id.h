@@ -1,6 +1,6 @@
 // Purpose: types for indices of different tables, so that the index of a pass cannot be used as the index of
-// a resource. An Id converts to a number by itself, because it is an index of vectors. A number must be
-// converted to an Id explicitly.
+// a resource. An Id converts to a number implicitly, so that it can be the index of an element in a vector. A
+// number must be converted to an Id explicitly.
 #pragma once
 
 #include <compare>

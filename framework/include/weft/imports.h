@@ -13,8 +13,8 @@ namespace weft {
 
 enum class ImportKind : uint8_t { draw_list, buffer, image, cube, output };
 
-// A variant of the pipelines that draw a list. The draws of a list may need different variants; the set of
-// variants is fixed.
+// A variant of the pipelines that draw a list. Each list has a fixed set of variants, and each draw of the
+// list uses one of them.
 struct DrawVariant {
     std::string name;  // Name of the variant, such as "opaque" or "masked".
     // Values of specialisation constants. A value is ignored if the shader does not declare the constant.

@@ -31,8 +31,9 @@ struct TransitionPlan {
     std::vector<ResourceId> cleared;  // Resources to clear to ResourceDecl::first_frame.
     // Barriers for resources of the new plan, to the states that its first frame expects.
     std::vector<BarrierDecl> after;
-    // By ResourceId of the new plan, for the resource of age 0 in each ring: 1 if the number of frames that
-    // have written the ring continues from the old plan, so that `<port>Valid` stays correct; else 0.
+    // Index: ResourceId of the new plan; only the entry of the resource of age 0 in each ring is used. The
+    // builtin `<port>Valid` depends on the number of frames that have written a ring. 1: frames of the old
+    // plan count, too. 0: the count starts again.
     std::vector<uint8_t> keeps_validity;
 };
 

@@ -57,8 +57,8 @@ Mesh climber(uint32_t count, float half_m, uint32_t seed, const Carrier& carrier
     return builder.finish("climber");
 }
 
-// Maps (a, b) to a point on a column, for a plant that winds around the column: b = 0 is the foot, b = 1 the
-// top. The plant is wide at the foot and narrow at the top.
+// Maps (a, b) to a point on a column, for a plant that winds around the column. `a` goes around the column,
+// `b` goes from the foot (0) to the top (1). The plant is wide at the foot and narrow at the top.
 Hold around_column(float a, float b) {
     const float y = kFloor + 0.1f + 2.75f * (0.4f * b * b + 0.6f * b);
     const float turn = a * 2 * kPi * (1 - 0.55f * b) + 4.0f * b;
@@ -75,8 +75,8 @@ Hold over_parapet(float a, float b) {
     return {{x, 6.14f - drop, out}, glm::normalize(glm::vec3(0, 0.6f * (1 - b), 1))};
 }
 
-// Maps (a, b) to a point on a plant. For `a` below 0.45 the plant grows up a corner pier. For larger `a` it
-// follows a curve over the neighbouring arch.
+// Maps (a, b) to a point on the wall that a plant covers. `a` runs along the plant, `b` across it. For `a`
+// below 0.45 the plant grows up a corner pier. For larger `a` it follows a curve over the neighbouring arch.
 Hold over_arch(float a, float b) {
     constexpr float kUpright = 0.45f;
     const float side = (b - 0.5f) * 2;

@@ -36,8 +36,8 @@ Mesh banner(float length, uint32_t seed) {
     return builder.finish("banner");
 }
 
-// Makes one curtain of a pair. It is pulled aside to x = -1.05 · side, where `side` is +1 or -1, and tied
-// there at 0.56 of its length.
+// Makes one curtain of a pair. `side` is +1 or -1 and selects the curtain. The curtain is tied at 0.56 of its
+// length below the rod; the tie pulls the cloth aside to x = -1.05 · side.
 Mesh curtain(float side, float length) {
     constexpr uint32_t kCols = 21;
     constexpr uint32_t kRows = 8;

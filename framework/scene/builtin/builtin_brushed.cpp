@@ -22,8 +22,9 @@ struct Metal {
     float anisotropy;
 };
 
-// Adds a brushed metal. The tangents of the meshes run along the grain of the metal. The rotation by 90°
-// makes the specular highlight wide across the grain.
+// Adds a brushed metal. The tangents of the meshes run along the grain of the metal. Without a rotation, the
+// specular highlight would be wide along the tangent. anisotropy_rotation_rad = 90° makes the highlight wide
+// across the grain.
 uint32_t add_metal(Scene& scene, const Metal& metal) {
     Material material;
     material.name = metal.name;

@@ -289,8 +289,8 @@ void add_lantern(Scene& scene, uint32_t iron) {
     LightFunction function;
     function.name = "lantern";
     function.picture = add_lantern_picture(scene);
-    // The curve multiplies the inverse-square falloff. So the light is weaker near the lantern than the
-    // inverse square, and zero from 3.4 m on.
+    // The curve is a factor for the inverse-square falloff. It starts at 0.1, so the light near the lantern
+    // is weaker than the inverse square. It ends at 0, so there is no light from 3.4 m on.
     function.curve = {0.1f, 0.7f, 1.6f, 0};
     function.reach_m = 3.4f;
     light.function = add_function(scene, function);

@@ -9,9 +9,10 @@ namespace weft::scene {
 namespace {
 
 constexpr float kTau = 6.283185307f;
-// Mean number of lights whose range contains a point of the scene.
+// Mean number of lights that reach a point of the scene.
 constexpr float kOverlap = 24;
-// Factor for the intensity of moving lights. They are used without other lights, so they can be brighter.
+// Factor for the intensity of moving lights. They replace all other lights of the scene (see the built-in
+// scene "lights"), so they can be brighter.
 constexpr float kNightGain = 6;
 
 // Random numbers that are the same on every machine. std::uniform_real_distribution gives different numbers
@@ -77,8 +78,8 @@ std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t se
         const glm::vec3 room = glm::min(light.position - scene.bounds.min, scene.bounds.max - light.position);
         const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
         const float x = nearest * random.unit(), z = nearest * random.unit();
-        // The path is an ellipse along the x and z axes. Both of its half axes are at most the distance to
-        // the nearest wall, so the light never leaves the bounds of the scene.
+        // The path is an ellipse along the x and z axes. Both of its half axes are at most the distance from
+        // the light to the nearest side of the scene's bounds, so the light never leaves the bounds.
         light.path.across = {x * std::cos(turn), 0, z * std::sin(turn)};
         light.path.along = {-x * std::sin(turn), 0, z * std::cos(turn)};
         light.path.turns_per_s = (random.unit() < 0.5f ? -1.0f : 1.0f) / (4 + 8 * random.unit());

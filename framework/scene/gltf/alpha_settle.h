@@ -7,9 +7,10 @@
 
 namespace weft::scene::gltf {
 
-// Makes materials opaque that are marked as transparent but have an alpha of 1 everywhere. The picture stays
-// the same, and every graph draws opaque surfaces. Alpha is the product of material factor, texture and
-// vertex colour. The texture slots in `materials` must already contain indices of scene textures.
+// Makes materials opaque that are marked as transparent but have an alpha of 1 everywhere. Their surfaces
+// look the same either way. But every graph draws opaque surfaces, and only some graphs draw transparent
+// ones. Alpha is the product of material factor, texture and vertex colour. The texture slots in `materials`
+// must already contain indices of scene textures.
 void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures,
                   std::vector<Material>& materials);
 

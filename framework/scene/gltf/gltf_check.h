@@ -1,6 +1,6 @@
-// Purpose: checks everything that the JSON of a glTF alone can show, before any buffer is read: types,
-// ranges, indices, extents of accessors and views, the node tree, extensions. The result is a reduced JSON
-// text whose buffers have numbers instead of names, so the JSON parser used later never sees a URI.
+// Purpose: checks the JSON of a glTF before any buffer is read: types, ranges, indices, extents of accessors
+// and views, the node tree, extensions. The result is a reduced JSON text for tinygltf. In this text each
+// buffer has a number instead of a URI, so tinygltf never sees a URI.
 #pragma once
 
 #include <cstdint>

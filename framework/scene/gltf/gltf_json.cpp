@@ -85,8 +85,8 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     normalise(*root, false);
     Checker c{Fields(*root, "", report), limits, report};
     check_header(c);
-    // With a wrong array size, every index into the array would cause one more error for the same fault, so
-    // checking stops here.
+    // If an array is wrong, its size counts as 0. Then every index into this array would cause one more error
+    // for the same fault. So checking stops here.
     if (report.failed()) return std::nullopt;
     check_geometry(c);
     check_materials(c);

@@ -57,8 +57,8 @@ class Scan {
         const size_t first = first_keys_.back();
         first_keys_.pop_back();
         const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
-        // The keys of the object without escapes. If any key has an escape, the views in `keys_` refer to
-        // this vector instead of the file's text.
+        // The keys of the object after their escapes are decoded. The vector is filled only if a key has an
+        // escape. Then the views in `keys_` refer to this vector instead of the file's text.
         std::vector<std::string> texts;
         if (std::any_of(begin, keys_.end(), is_escaped)) {
             for (auto key = begin; key != keys_.end(); ++key) texts.push_back(unescaped(key->raw));

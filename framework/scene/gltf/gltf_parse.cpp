@@ -189,8 +189,8 @@ void apply_material_extensions(const tinygltf::ExtensionMap& extensions, Materia
     }
 }
 
-// Reads the texture reference of an extension. It has the same form as a texture reference of the core
-// specification, but tinygltf does not parse it.
+// Reads a texture reference in the JSON of an extension. tinygltf parses only the texture references of the
+// core specification. Both have the same form.
 TextureSlot extension_slot(const tinygltf::Value& extension, const char* key, const tinygltf::Model& model) {
     if (!extension.Has(key)) return {};
     const tinygltf::Value& info = extension.Get(key);
@@ -270,8 +270,9 @@ Light convert(const tinygltf::Light& source) {
     return out;
 }
 
-// Returns the area that the light's shape shows in the direction in which it looks largest. The light's
-// intensity in candela holds for this direction; divided by the area it is a luminance in cd/m².
+// Returns the area of the light's shape as seen from the direction in which it looks largest, for example
+// from the front of a rectangle. The file gives the light's intensity in candela for this direction.
+// Intensity divided by this area is the luminance in cd/m².
 float seen_area_m2(const LightSource& shape) {
     const float a = shape.half_size_m.x, b = shape.half_size_m.y;
     return *shape.shape == LightType::rectangle ? 4 * a * b : b * (4 * a + 3.14159265f * b);

@@ -36,8 +36,8 @@ void check_light(const Fields& light, Report& report) {
     if (!report.failed()) warn_of_cones(*cone, report);
 }
 
-// Warns of wrong values that Weft does not use: the far plane is always at infinity, and the picture sets the
-// aspect ratio.
+// Warns of wrong values of "zfar" and "aspectRatio". Weft ignores both members: the far plane is always at
+// infinity, and the size of the rendered picture sets the aspect ratio.
 void warn_of_unused(const Fields& perspective, double near, Report& report) {
     const std::optional<double> far = perspective.number("zfar", Need::optional);
     if (far && *far <= near)

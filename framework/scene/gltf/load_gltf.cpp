@@ -67,11 +67,11 @@ FileBytes read_scene_file(const fs::path& file, const SceneLimits& limits, Memor
     return bytes;
 }
 
-// Estimated memory in bytes of the parsed JSON, of the strings copied from it and of tinygltf's model. The
-// estimate is larger than the largest measured use.
+// Estimated memory in bytes, per byte of the JSON text and per JSON value, for the parsed JSON, the strings
+// copied from it and tinygltf's model. The estimate is larger than the largest measured use.
 constexpr uint64_t kBytesPerJsonByte = 3, kBytesPerJsonValue = 400;
-// A quarter of the memory for the JSON remains in use while the scene is built: it is the Document. The other
-// three quarters are released before.
+// A quarter of the memory for the JSON is the Document. It remains in use while build_scene() runs. The other
+// three quarters are released before build_scene() begins.
 constexpr uint64_t kJsonPartOfDocument = 4;
 
 // Adds a default material if a primitive has no material, and returns its index. Otherwise returns kNone.

@@ -73,9 +73,9 @@ class Builder {
         shrink(mesh);
         return mesh;
     }
-    // Takes the final size of `mesh` and its name from the memory budget, and gives back the memory that was
-    // used to build the mesh. Returns false after a limit was reached: then all later meshes would exceed the
-    // limit too.
+    // Gives the memory that was used to build `mesh` back to the budget. Then takes the bytes of the finished
+    // mesh and its name from the budget. Returns false after a limit was reached: then all later meshes would
+    // exceed the limit too.
     bool settle(const Mesh& mesh, const std::string& pointer) {
         memory_.give_back(taken_bytes_);
         taken_bytes_ = 0;

@@ -223,7 +223,8 @@ void decode(const Document& document, ByteBudget& in_hand, ImageJob& job, std::v
                              last_use ? std::move(decoded.rgba) : decoded.rgba, job.uses[i]);
         }
     } catch (const std::bad_alloc&) {
-        // No other exception is possible here. It must not leave the job, because jobs run on other threads.
+        // std::bad_alloc must not leave the job, because jobs run on other threads. No other exception is
+        // possible here.
         job.is_out_of_memory = true;
     }
 }

@@ -1,7 +1,7 @@
-// Purpose: the memory budget for loading a scene (scene.memoryBytes). Code takes bytes from it before it
-// allocates: for the file, the scene's streams and mips, temporary data, and the copy on the GPU. Sums are
-// checked for overflow. Errors: S107 (S106 for images), with place and remedy, when more is requested than
-// remains.
+// Purpose: the memory budget for loading a scene (scene.memoryBytes). The loader takes bytes from the budget
+// before it allocates memory: for the file, the scene's streams and mips, temporary data, and the copy on the
+// GPU. Sums are checked for overflow. Errors: S107 (S106 for images) when more bytes are requested than
+// remain. The message names the place in the file and a remedy.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,8 @@ namespace weft::scene {
 void run_on_threads(size_t count, uint32_t threads, const std::function<void(size_t)>& job);
 
 // A limit on the temporary memory of all jobs together. A job takes bytes before it works and returns them
-// afterwards. A job that would exceed the limit waits, unless no other job has taken any bytes.
+// afterwards. A job that would exceed the limit waits until enough bytes are returned. A job that needs more
+// than the whole limit waits until no other job holds bytes, and then runs alone.
 class ByteBudget {
  public:
     explicit ByteBudget(uint64_t limit_bytes) : limit_bytes_(limit_bytes) {}

@@ -20,8 +20,8 @@ inline constexpr uint32_t kMaxLightPictures = 64;
 [[nodiscard]] std::string clamp_light(Light& light);
 [[nodiscard]] std::string clamp_light_function(LightFunction& function);
 
-// Returns warning S158 for each light and each light function of the scene that has a fault. The first few
-// are named one by one; for the others there is only their number.
+// Returns warnings S158 for the lights and light functions of the scene that have faults. Each of the first
+// few faults has its own warning. One last warning gives only the number of the other faults.
 [[nodiscard]] Diagnostics light_warnings(const Scene& scene);
 
 }  // namespace weft::scene

@@ -217,10 +217,10 @@ bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec
     return true;
 }
 
-// Harmonics of three orders become negative around a small bright sun. If these values were clamped to zero,
-// the side away from the sun would have only the colour of the sky. So the coefficients are multiplied by a
-// window that reduces the higher orders only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics",
-// 2017.
+// If a picture has a small bright sun, the sum of harmonics of three orders is negative in some directions
+// that face away from the sun. If these values were clamped to zero, the side away from the sun would have
+// only the colour of the sky. So the coefficients are multiplied by a window that reduces the orders 1 and 2
+// only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics", 2017.
 std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients,
                                          const PictureLevel& level) {
     constexpr double kMostOfIt = 0.7;

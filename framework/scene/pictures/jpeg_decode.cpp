@@ -15,12 +15,12 @@ namespace {
 // Memory of libjpeg's pools and tables in bytes, in addition to the memory for rows and coefficients.
 constexpr uint64_t kJpegLibraryBytes = 1 << 20;
 // Upper limit for the scans of a progressive picture. Each scan processes the whole picture, so many scans
-// cost much time. Encoders write about ten scans. Even 64 coefficients of three channels in separate scans,
-// which no encoder writes, would be fewer than 200.
+// cost much time. Encoders write about ten scans. A separate scan for each of the 64 coefficients of three
+// channels would give fewer than 200 scans, and no encoder writes such a file.
 constexpr int kMostScans = 100;
 
-// State of the decoder. libjpeg reports an error with longjmp, which calls no destructors. So the functions
-// that longjmp leaves must not own resources.
+// State of the decoder. libjpeg reports an error to fail(), which uses longjmp. longjmp calls no destructors.
+// So the functions between setjmp and longjmp on the call stack must not own resources.
 struct JpegReader {
     jpeg_decompress_struct info{};
     jpeg_error_mgr errors{};
@@ -47,8 +47,8 @@ JpegReader& reader_of(j_common_ptr common) {
     std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg's way
 }
 
-// Receives libjpeg's messages; a negative `level` is a warning. libjpeg invents data after the end of a file
-// that is cut off and only warns about the missing data. Here this warning becomes an error.
+// Receives libjpeg's messages; a negative `level` is a warning. If a file is cut off, libjpeg only warns and
+// fills the rest of the picture with invented data. Here this warning becomes an error.
 void hear(j_common_ptr common, int level) {
     if (level < 0 && common->err->msg_code == JWRN_JPEG_EOF)
         fail_with(reader_of(common), "the file ends before the end of the picture");

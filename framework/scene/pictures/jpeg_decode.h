@@ -1,5 +1,6 @@
 // Purpose: decodes JPEG to 8-bit RGBA with libjpeg-turbo: baseline and progressive, grey, YCbCr, RGB, CMYK
-// and YCCK. The limit on memory follows from the file's header, and a file may have at most 100 scans.
+// and YCCK. The limit on the decoder's memory is computed from the picture's size in the file's header. A
+// file may have at most 100 scans.
 // Errors: see image_decode.h.
 #pragma once
 

@@ -60,7 +60,8 @@ class Decoder {
     std::array<float, 256> color_{}, alpha_{};
 };
 
-// Rounds to the nearest byte. The sum is exact in double precision, so this is std::lround(), but faster.
+// Rounds to the nearest byte. Adding 0.5 is exact in double precision, so the result is the same as with
+// std::lround(), which is slower.
 uint8_t to_byte(float value) {
     return static_cast<uint8_t>(static_cast<double>(std::clamp(value, 0.0f, 1.0f) * 255.0f) + 0.5);
 }

@@ -13,8 +13,8 @@ enum class TexelMeaning : uint8_t { srgb_color, linear_data, normal };
 
 struct MipOptions {
     TexelMeaning meaning = TexelMeaning::linear_data;
-    // Cutoff in [0, 1] for an alpha mask, so that all mips keep the coverage of mip 0; negative if there is
-    // no mask.
+    // Cutoff in [0, 1] for an alpha mask; negative if there is no mask. With a cutoff, all mips keep the
+    // coverage of mip 0: the share of texels whose alpha passes the cutoff.
     float alpha_cutoff = -1;
 };
 

@@ -54,14 +54,16 @@ uint64_t compressed_bytes(std::span<const uint8_t> encoded) {
     return sum_bytes;
 }
 
-// Detects a file that would cost much time to decode: libpng inflates all data, even after the last row, and
-// compressed data can expand a thousandfold.
+// Returns true if the file has more compressed data than its picture can need. Such a file would cost much
+// time to decode: libpng inflates all data, even after the last row, and compressed data can expand a
+// thousandfold.
 bool holds_more_than_its_size_needs(std::span<const uint8_t> encoded, const ImageSize& size) {
     return compressed_bytes(encoded) > 2 * inflated_bytes(encoded, size) + kLeastDataBytes;
 }
 
-// State of the decoder. libpng reports an error with longjmp to decode_png_rows(), which calls no
-// destructors. So the functions that longjmp leaves must not own resources.
+// State of the decoder. libpng reports an error to fail(), which uses longjmp to return to decode_png_rows().
+// longjmp calls no destructors. So the functions between decode_png_rows() and fail() on the call stack must
+// not own resources.
 struct PngReader {
     std::span<const uint8_t> encoded;
     size_t at = 0;
@@ -106,8 +108,8 @@ void ask_for_rgba8(png_structp png) {
     png_set_add_alpha(png, 0xFF, PNG_FILLER_AFTER);
 }
 
-// Returns false after a fault and stores the text in `reader.error`. `width` is the width from the header,
-// for which the caller has allocated the result.
+// Decodes all rows into `reader.rgba`. The caller has allocated `reader.rgba` for `width` and `height`, the
+// values from the header. Returns false after a fault and stores the text in `reader.error`.
 bool decode_png_rows(PngReader& reader, uint32_t width, uint32_t height) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng's way
     limit(reader.png);

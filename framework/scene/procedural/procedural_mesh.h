@@ -3,9 +3,9 @@
 // finish() adds tangents and bounds.
 // Units: metres; texture coordinates are in metres too (a material's texture transform sets the repeat),
 // except for cards, which cover a given rectangle of the texture. v increases downwards.
-// Conventions: front faces are counter-clockwise. The surface lies to the right of its profile: profiles go
-// upwards on the outside of a turned shape and downwards on its inside. Corners sharper than about 35° stay
-// sharp.
+// Conventions: front faces are counter-clockwise. The front of a surface is on the right-hand side of its
+// profile's direction: profiles go upwards on the outside of a turned shape and downwards on its inside.
+// Corners sharper than about 35° stay sharp.
 #pragma once
 
 #include <functional>

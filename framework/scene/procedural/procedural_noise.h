@@ -1,5 +1,5 @@
 // Purpose: seeded, tileable noise for textures made at start-up. Every run gives the same numbers: only
-// integer hashes and plain float arithmetic are used, no random numbers of the library.
+// integer hashes and plain float arithmetic are used, not the random numbers of the C++ standard library.
 // Shapes: a Field is a square of floats that wraps at its edges. Noise values lie in about 0..1 with mean
 // 0.5. Sources: integer mixer by Wellons ("Prospecting for Hash Functions", 2018); gradient noise after
 // Perlin, "Improving Noise" (SIGGRAPH 2002); cells after Worley, "A Cellular Texture Basis Function"
@@ -48,8 +48,9 @@ struct FractalShape {
 };
 [[nodiscard]] Field fractal_noise(uint32_t size, const FractalShape& shape, uint32_t seed);
 
-// Result of cell noise, which has one randomly placed point per cell: the distances to the nearest and the
-// second nearest point, in cells, and the id of the nearest point.
+// Result of cell noise at one position. Cell noise places one point at random in each cell. The result has
+// the distances from the position to the nearest and the second nearest point, in cells, and the id of the
+// nearest point.
 struct Cell {
     float nearest = 0;
     float second = 0;

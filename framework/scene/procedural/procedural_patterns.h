@@ -1,6 +1,6 @@
 // Purpose: building blocks for texture recipes: rows of blocks, marble veins, planks, weaves and leaf
-// outlines. Units: positions are texels of a surface of `size` texels unless stated otherwise; colours are
-// display-encoded.
+// outlines. Units: positions are in texels, on a surface of `size` × `size` texels, unless stated otherwise;
+// colours are display-encoded.
 #pragma once
 
 #include <cstdint>

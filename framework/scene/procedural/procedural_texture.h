@@ -1,8 +1,8 @@
 // Purpose: makes the textures of a metallic-roughness material from a function per texel: colour with alpha,
 // metallic-roughness, and a normal map derived from heights, each with its full mip chain.
 // Units: heights and periods in metres, so that the slopes of a normal map are those of the real surface.
-// Conventions: colours are specified and stored display-encoded (sRGB) and averaged in linear light. Row 0 is
-// on top; a normal's green channel points up the picture (glTF's convention).
+// Conventions: colours are specified and stored display-encoded (sRGB). The smaller mips average them in
+// linear light. Row 0 is on top; a normal's green channel points up the picture (glTF's convention).
 #pragma once
 
 #include <cstdint>
@@ -43,9 +43,9 @@ struct SurfaceTextures {
     uint32_t normal = kNone;
 };
 
-// Adds the three textures of a material to the scene. `keep_coverage` rescales alpha in the smaller mips, for
-// a cutoff of 0.5: so masked leaves keep their coverage at a distance (Castaño, "Computing Alpha Mipmaps",
-// 2010).
+// Adds the three textures of a material to the scene. If `keep_coverage` is true, alpha is rescaled in the
+// smaller mips, so that the same share of texels passes a cutoff of 0.5 as in mip 0. So masked leaves do not
+// become thinner at a distance (Castaño, "Computing Alpha Mipmaps", 2010).
 [[nodiscard]] SurfaceTextures add_surface(Scene& scene, const std::string& name, const Surface& surface,
                                           bool keep_coverage = false);
 

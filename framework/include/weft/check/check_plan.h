@@ -1,7 +1,8 @@
 // Purpose: checks a plan independently of the compiler. The checker derives the happens-before order from the
 // declared accesses and the plan alone. In this order it checks every read, write, layout, reuse of memory
-// and lifetime over three consecutive frames. It shares no code with the stages of the compiler; it includes
-// only declarations and plans. Errors: C3xx, each naming both passes and the resource.
+// and lifetime over at least three consecutive frames. It shares no code with the stages of the compiler; it
+// includes only declarations and plans. Errors: C3xx. An error about the order of two passes names both
+// passes and the resource.
 #pragma once
 
 #include "weft/plan.h"

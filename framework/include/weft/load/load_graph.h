@@ -21,8 +21,9 @@
 
 namespace weft {
 
-// For each image, by its name: the number of its alternative formats ("rg16_snorm|rg16f") that are not used,
-// counted from the first. See ResolveInput.
+// Key: name of an image. Value: how many formats at the start of its list of alternatives are skipped, even
+// if the device supports them. Example: with the value 1, "rg16_snorm|rg16f" becomes rg16f. So an image can
+// have the same format in all tiers. See ResolveInput.
 using SkippedFormats = std::map<std::string, size_t>;
 
 // Settings for loading graphs: the folders of graphs and shaders, and the limits.
@@ -55,8 +56,9 @@ struct LoadInput {
     const DeviceProfile& profile;
     // Results of earlier loads, so that unchanged shaders are not compiled again; null: none.
     ShaderMemory* memory = nullptr;
-    // The result of common_formats(). Use it only if the request has no observed resources and no parameters.
-    // Null: load_graph() finds the formats itself, and loads all other tiers for this.
+    // The result of common_formats(). Use it only if the request has no observed resources and no parameters,
+    // because common_formats() ignores them. Null: load_graph() finds the formats itself, and loads all other
+    // tiers for this.
     const SkippedFormats* common_formats = nullptr;
 };
 
@@ -64,7 +66,7 @@ struct LoadedGraph {
     GraphDesc desc;
     ShaderCatalog shaders;
     ResolvedGraph graph;
-    // The numbers of skipped formats with which each image has the same format in all tiers.
+    // The formats that were skipped so that each image has the same format in all tiers.
     SkippedFormats skipped_formats;
 };
 
@@ -81,8 +83,9 @@ struct LoadedGraph {
 [[nodiscard]] Status check_request(const ParsedGraph& parsed, const GraphRequest& request,
                                    const ImportCatalog& imports);
 
-// Returns the formats that all tiers of a document share. Call it once, and pass the result to load_graph()
-// for every tier. It loads every tier; tier, parameters and observed resources of the request are ignored.
+// Returns the formats to skip so that each image has the same format in all tiers of the document. Call this
+// function once, and pass the result to load_graph() for every tier. The function loads every tier. It
+// ignores the tier, parameters, observed resources and debug view of the request.
 [[nodiscard]] SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input);
 
 // Compiles the shaders of a parsed graph and resolves the graph. `parsed` must be the result of parse_graph()

@@ -132,8 +132,8 @@ struct LightFunction {
     // whole sphere.
     uint32_t picture = kNone;
     glm::vec2 picture_half_size{0.7853981634f};
-    // Falloff curve: four Bézier ordinates of a factor, over the distance from 0 to `reach_m`. Beyond
-    // `reach_m` the factor is constant.
+    // Falloff curve: a factor on the light, as a cubic Bézier curve over the distance from 0 to `reach_m`.
+    // `curve` has the four ordinates. Beyond `reach_m` the factor is constant.
     glm::vec4 curve{1};
     float reach_m = 1;
 };

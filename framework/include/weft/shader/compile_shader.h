@@ -3,11 +3,11 @@
 // is a path in the graph's own folder, or else in shaders/. The extension gives the stage: "sky.frag". For a
 // raster pass, "gbuffer" means gbuffer/gbuffer.vert and gbuffer/gbuffer.frag. Numbers: resources without a
 // set are ports of the pass. They belong to set 1 and get their bindings in the order of their names, over
-// all stages. Sets 0, 2 and 3 keep the numbers in the shader. Inputs and outputs of stages without a location
-// are matched by name. Errors: W201 shader not found, W202 GLSL error, W203 include not found or outside the
-// folders, W204 invalid SPIR-V, W205 stages that do not match, W206 an unsupported interface, W207 a stage
-// takes too much memory or time to compile, W208 a SPIR-V capability that is not allowed, W209 variables of a
-// shader need too much memory, X570 the compiler cannot be started.
+// all stages. Resources in sets 0, 2 and 3 keep the binding numbers that the shader gives. Inputs and outputs
+// of stages without a location are matched by name. Errors: W201 shader not found, W202 GLSL error, W203
+// include not found or outside the folders, W204 invalid SPIR-V, W205 stages that do not match, W206 an
+// unsupported interface, W207 a stage takes too much memory or time to compile, W208 a SPIR-V capability that
+// is not allowed, W209 variables of a shader need too much memory, X570 the compiler cannot be started.
 #pragma once
 
 #include <cstdint>

@@ -113,7 +113,7 @@ class Device {
     [[nodiscard]] bool validating() const { return messenger_ != VK_NULL_HANDLE; }
 
     // Returns true if uniform values must be hidden from the compiler of this driver; see opaque_uniforms.h.
-    // Only possible if the device has the feature shaderUniformBufferArrayDynamicIndexing.
+    // Weft can hide them only if the device has the feature shaderUniformBufferArrayDynamicIndexing.
     [[nodiscard]] bool hides_uniforms() const;
 
     // Returns the optional features that are enabled.

@@ -13,7 +13,7 @@ namespace weft::vk {
 
 struct PassTiming {
     std::string pass;
-    double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if the device has no timestamps.
+    double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if it was not measured.
 };
 
 struct FrameTiming {
@@ -23,8 +23,8 @@ struct FrameTiming {
     double wait_ms = 0;  // Time in milliseconds that the host waited for the fence of the frame slot.
 };
 
-// The content of a resource that was read back. For an image: the texels of one mip and layer after another,
-// without padding. For a buffer: its bytes.
+// The content of a resource that was read back. For an image: its texels without padding, in the order mip,
+// then aspect, then layer. For a buffer: its bytes.
 struct ReadbackData {
     std::string pass;  // Name of the readback pass.
     uint64_t frame_index = 0;

@@ -71,7 +71,7 @@ class Image {
 
 // Copies data to a buffer before the first frame; upload_image() does the same for an image. Both functions
 // wait for the copy with a fence (Device::timeout_ns()), so that the staging memory is free when they return.
-// The usage of the target must include transfer_dst. All later submissions to the same queue see the data.
+// The usage of the target must include transfer_dst. All later submissions to Device::queue() see the data.
 // After a time-out no object is destroyed, because the device may still read it.
 [[nodiscard]] Status upload_buffer(Device& device, const Buffer& target, std::span<const std::byte> bytes);
 // Copies texels to an image. levels[i] has all layers of mip i, without padding. Afterwards every mip has the

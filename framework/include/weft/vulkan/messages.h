@@ -1,6 +1,7 @@
 // Purpose: collects the messages of the validation layers. The messenger is created as an object of its own.
-// A messenger that is only in the pNext chain of VkInstanceCreateInfo gets no messages after the creation, so
-// that "0 messages" would prove nothing.
+// A messenger that is only in the pNext chain of VkInstanceCreateInfo gets no messages about frames, because
+// Vulkan uses it only while the instance is created or destroyed. With such a messenger, a run without
+// messages would prove nothing.
 #pragma once
 
 #include <cstdint>

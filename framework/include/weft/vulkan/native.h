@@ -1,6 +1,8 @@
-// Purpose: gives the Vulkan objects to embedders that also draw themselves. After an embedder has used an
-// image or buffer, it must restore layout, pending accesses and ownership. To let Weft use an embedder's
-// objects, see Device::adopt() and enable_features().
+// Purpose: gives the Vulkan objects to embedders that also draw themselves. An embedder may use an image or
+// buffer between two frames. Before the next frame, the embedder must return the object to the state that
+// Weft expects (for an import: ImportState::entry). This means its layout, the accesses that may still be
+// pending, and the queue family that owns it. To let Weft use an embedder's objects, see Device::adopt() and
+// enable_features().
 #pragma once
 
 #include <cstdint>
