@@ -93,8 +93,9 @@ bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) 
 
 // Returns true if the cell has the content that the use wants. If `wanted` is a pass, this is the content
 // that the pass wrote in this frame. If `wanted` is kNoId, it is content from before the frame. For an
-// import, this is the content from outside. For a persistent resource, it is the content of `age` frames ago;
-// if no such frame exists, or if no live pass writes the history, it is the first-frame value.
+// import, this is the content that the program wrote. For a persistent resource, it is the content of `age`
+// frames ago. If the plan has run fewer than `age` frames, or if no live pass writes the history, it is the
+// initial value of the resource (ResourceDecl::first_frame).
 bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const {
     const Content& found = cell.content;
     if (wanted != kNoId)

@@ -105,7 +105,8 @@ struct Silhouette {
     vec3 axis;
     vec3 away;          // Direction from the origin to the axis, perpendicular to the axis.
     float distance;     // Distance of the axis from the origin.
-    float tangent;      // Distance, along `away`, of the two lines where planes through the origin touch the capsule.
+    // Two planes through the origin, parallel to the axis, touch the side of the capsule along one line each.
+    float tangent;      // Distance of these two lines from the origin.
     vec2 ends;          // Positions along the axis where the segment begins and ends.
     float radius;
 };

@@ -39,12 +39,12 @@ JpegReader& reader_of(j_common_ptr common) {
 [[noreturn]] void fail(j_common_ptr common) {
     JpegReader& reader = reader_of(common);
     common->err->format_message(common, reader.error.data());
-    std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg's way
+    std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg requires longjmp after an error
 }
 
 [[noreturn]] void fail_with(JpegReader& reader, const char* text) {
     std::snprintf(reader.error.data(), reader.error.size(), "%s", text);
-    std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg's way
+    std::longjmp(reader.way_out, 1);  // NOLINT: libjpeg requires longjmp after an error
 }
 
 // Receives libjpeg's messages; a negative `level` is a warning. If a file is cut off, libjpeg only warns and
@@ -82,7 +82,7 @@ void begin(JpegReader& reader) {
 // Reads the size of the picture into `size`. Returns false after a fault and stores the text in
 // `reader.error`.
 bool read_header(JpegReader& reader, ImageSize& size) {
-    if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
+    if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg requires longjmp after an error
     begin(reader);
     size = {reader.info.image_width, reader.info.image_height, decoder_bytes(reader.info)};
     return true;
@@ -100,7 +100,7 @@ void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
 // Decodes all rows; read_header() must have been called before. Returns false after a fault and stores the
 // text in `reader.error`.
 bool decode_jpeg_rows(JpegReader& reader, uint64_t most_bytes) {
-    if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg's way
+    if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg requires longjmp after an error
     jpeg_decompress_struct& info = reader.info;
     info.mem->max_memory_to_use = static_cast<long>(most_bytes);
     reader.progress.progress_monitor = count_scans;

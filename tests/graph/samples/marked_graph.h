@@ -15,9 +15,9 @@ namespace weft::test {
 
 struct FaultCase {
     const char* name;
-    // Text of the graph, with "$$" before each fault, in the order of the file.
+    // Text of the graph, with "$$" before each fault.
     std::string text;
-    // Expected diagnostic codes, one for each "$$".
+    // Expected diagnostic codes, one for each "$$" in `text`, in the same order.
     std::vector<std::string> codes;
     // Text that the message of the first error must contain.
     std::string message;

@@ -33,7 +33,8 @@ struct RandomGraphOptions {
     // Adds resources that keep their content from frame to frame. Passes modify them in place, and others
     // read them before and after the change.
     bool keep = false;
-    // Gives passes hints to run on compute and transfer queues. Most imports become concurrent.
+    // Gives passes hints to run on compute and transfer queues. Most imports become usable on all queue
+    // families (ImportState::concurrent), so that these hints have an effect on their passes.
     bool queues = false;
     // Adds edges (`after`) between passes that share no resource.
     bool after = false;

@@ -16,8 +16,8 @@ constexpr Extent3D kReloadSize{64, 36, 1};
 // The number of frames after which the picture no longer changes: the longest history has 2 frames.
 constexpr uint32_t kSettlingFrames = 3;
 
-// A valid edit, which the test applies and undoes alternately, and the work that it may cause (compiled
-// shaders, new pipelines, a new plan).
+// A valid edit, which the test applies and undoes alternately, and the most work that it is allowed to cause
+// (compiled shaders, new pipelines, a new plan).
 struct GoodEdit {
     const char* name;
     std::function<void(LiveFolder&, bool there)> apply;

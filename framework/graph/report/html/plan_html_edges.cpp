@@ -26,8 +26,9 @@ class Occupied {
           rows_(drawing.y / kSquare_px + 1),
           owners_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), kFree) {}
 
-    // Marks the squares of an area as occupied by `path`, which represents all paths with the same name. With
-    // kNoId, no name may be placed there. A square occupied by paths of two names also becomes kNoId.
+    // Marks the squares of an area as occupied by `path`. All paths with the same name use one number. If
+    // `path` is kNoId, the area belongs to a box or to the text of a name, so no other name may be written
+    // there. A square that paths of two names occupy gets kNoId too.
     void take(const AreaPx& area, uint32_t path) {
         for_squares(area, [&](size_t square) {
             const uint32_t owner = owners_[square];
