@@ -4,12 +4,13 @@
 #include <array>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "check/check_frame_slices.h"
 #include "check/check_scopes.h"
-#include "check/overlaps.h"
+#include "check/memory_collisions.h"
 
 namespace weft::check {
 namespace {
@@ -95,31 +96,10 @@ std::string users(const FramePlan& plan, FaultList& faults, ResourceId resource)
            faults.pass_name(plan.schedule.order[span.last]);
 }
 
-bool outlives_the_frame(const FramePlan& plan, ResourceId resource) {
-    return plan.graph.resources[resource].lifetime == ResourceLifetime::persistent;
-}
-
-bool live_together(const FramePlan& plan, ResourceId a, ResourceId b) {
-    const LifetimeSpan &s = plan.lifetimes.spans[a], &t = plan.lifetimes.spans[b];
-    return outlives_the_frame(plan, a) || outlives_the_frame(plan, b) ||
-           (s.first <= t.last && t.first <= s.last);
-}
-
-// Returns the pairs of placements that share bytes while both resources are alive, sorted by index.
-std::vector<std::pair<uint32_t, uint32_t>> collisions(const FramePlan& plan) {
-    const std::vector<Placement>& all = plan.memory.placements;
-    std::vector<std::pair<uint32_t, uint32_t>> pairs;
-    for_each_overlap(all, [&](uint32_t i, uint32_t j) {
-        if (live_together(plan, all[i].resource, all[j].resource)) pairs.emplace_back(i, j);
-    });
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
-}
-
 void check_placements(const FramePlan& plan, FaultList& faults) {
     std::vector<uint8_t> placed(plan.graph.resources.size(), 0);
     const std::vector<Placement>& all = plan.memory.placements;
-    const std::vector<std::pair<uint32_t, uint32_t>> pairs = collisions(plan);
+    const std::vector<std::pair<uint32_t, uint32_t>> pairs = memory_collisions(plan);
     size_t next = 0;
     for (size_t i = 0; i < all.size(); ++i) {
         const Placement& a = all[i];
@@ -244,13 +224,16 @@ void check_transfers(const FramePlan& plan, FaultList& faults) {
         for (const std::vector<BarrierDecl>* list : {&step.barriers, &step.after})
             for (const BarrierDecl& barrier : *list)
                 if (barrier.src_family != barrier.dst_family) halves.push_back(&barrier);
+    const auto key = [](const BarrierDecl* half) {
+        const SubresourceRange& r = half->range;
+        return std::tuple(half->resource, half->src_family, half->dst_family, half->src.layout, half->dst.layout,
+                          r.mip, r.mips, r.layer, r.layers, r.aspects);
+    };
+    // Number of halves with the same parameters.
+    std::map<decltype(key(nullptr)), size_t> same;
+    for (const BarrierDecl* half : halves) ++same[key(half)];
     for (const BarrierDecl* half : halves) {
-        const auto same = std::count_if(halves.begin(), halves.end(), [&](const BarrierDecl* other) {
-            return other->resource == half->resource && other->range == half->range &&
-                   other->src_family == half->src_family && other->dst_family == half->dst_family &&
-                   other->src.layout == half->src.layout && other->dst.layout == half->dst.layout;
-        });
-        if (same % 2 == 0) continue;
+        if (same[key(half)] % 2 == 0) continue;
         faults.add("C360", plan.graph.resources[half->resource].loc,
                    faults.resource_name(half->resource) + range_text(half->range) +
                        " goes from queue family " + std::to_string(half->src_family) + " to " +

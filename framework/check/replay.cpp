@@ -3,31 +3,9 @@
 #include <algorithm>
 
 #include "check/check_scopes.h"
-#include "check/overlaps.h"
 
 namespace weft::check {
 namespace {
-
-bool lies_in(const Placement& inner, const Placement& outer) {
-    return outer.offset_bytes <= inner.offset_bytes &&
-           inner.offset_bytes + inner.size_bytes <= outer.offset_bytes + outer.size_bytes;
-}
-
-std::vector<std::vector<Neighbour>> memory_neighbours(const FramePlan& plan) {
-    const std::vector<Placement>& all = plan.memory.placements;
-    std::vector<std::vector<uint32_t>> overlaps(all.size());
-    for_each_overlap(all, [&](uint32_t i, uint32_t j) {
-        overlaps[i].push_back(j);
-        overlaps[j].push_back(i);
-    });
-    std::vector<std::vector<Neighbour>> neighbours(plan.graph.resources.size());
-    for (size_t i = 0; i < all.size(); ++i) {
-        std::sort(overlaps[i].begin(), overlaps[i].end());
-        for (const uint32_t j : overlaps[i])
-            neighbours[all[i].resource].push_back({all[j].resource, lies_in(all[j], all[i])});
-    }
-    return neighbours;
-}
 
 std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     std::vector<std::vector<ResourceId>> rings(graph.resources.size());
@@ -42,6 +20,16 @@ std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
         if (std::find(ring.begin(), ring.end(), kNoId) != ring.end())
             ring.clear();  // A resource of the ring is missing. The replay leaves such a ring out.
     return rings;
+}
+
+// Returns for each resource of age 0 of a ring the parts of it that live passes write. Index: ResourceId.
+std::vector<std::vector<SubresourceRange>> written_parts(const FramePlan& plan) {
+    std::vector<std::vector<SubresourceRange>> parts(plan.graph.resources.size());
+    for (const PassId pass : plan.schedule.order)
+        for (const UseDecl& use : plan.graph.passes[pass].uses)
+            if (writes(use.access) && plan.graph.resources[use.resource].ring == use.resource)
+                parts[use.resource].push_back(use.range);
+    return parts;
 }
 
 }  // namespace
@@ -68,8 +56,8 @@ Replay::Replay(const FramePlan& plan, FaultList& faults)
       faults_(faults),
       clock_(plan),
       logs_(plan.schedule.queues.size()),
-      superseded_by_(plan.graph.resources.size(), kNoId),
-      neighbours_(memory_neighbours(plan)),
+      holders_(plan),
+      written_(written_parts(plan)),
       rings_(rings_of(plan.graph)) {
     cells_.reserve(plan.graph.resources.size());
     for (const ResourceDecl& resource : plan.graph.resources) cells_.emplace_back(resource);
@@ -95,6 +83,7 @@ void Replay::prologue() {
     for (const ResourceId id : prologue.cleared) {
         const ResourceDecl& resource = plan_.graph.resources[id];
         const AccessState cleared = clear_state(resource);
+        holders_.use(id);
         UseDecl use;
         use.resource = id;
         use.access = Access::clear_write;
@@ -214,7 +203,7 @@ void Replay::uses(const PassStep& step, bool scope_continues) {
 
 void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state) {
     size_t source = 0;
-    superseded_by_[use.resource] = kNoId;
+    holders_.use(use.resource);
     cells_[use.resource].each(use.range, [&](Cell& cell) {
         expect_owner(by, use, cell);
         expect_order(by, use, cell, state, false);
@@ -245,7 +234,6 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.lifetime == ResourceLifetime::transient)
         expect_free_memory(by, use.resource, use.loc, state.stages, nullptr);
-    superseded_by_[use.resource] = kNoId;
     cells_[use.resource].each(use.range, [&](Cell& cell) {
         // If a pass discards the content of a buffer, the family of the pass's queue becomes the owner of the
         // buffer without an ownership transfer. For an image, the transition from UNDEFINED changes the
@@ -263,7 +251,7 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
         cell.write = AccessRecord(by, state.stages, state.access, true);
         cell.content = kept ? Content{Content::Kind::written, by.pass, frame_, kNoId} : Content{};
     });
-    overwrite_neighbours(by.pass, use.resource);
+    take_memory(by.pass, use.resource);
 }
 
 }  // namespace weft::check

@@ -8,17 +8,11 @@
 #include "check/batch_clock.h"
 #include "check/cells.h"
 #include "check/fault_list.h"
+#include "check/memory_holders.h"
 #include "check/ordering.h"
 #include "weft/plan.h"
 
 namespace weft::check {
-
-// A resource B that shares memory with a resource A. The list neighbours_[A] contains it.
-struct Neighbour {
-    ResourceId resource = kNoId;  // The resource B.
-    // True if all memory of B lies inside the memory of A. Then a write to A overwrites all of B.
-    bool covered = false;
-};
 
 class Replay {
  public:
@@ -81,18 +75,13 @@ class Replay {
     // cells often match the same entry.
     void expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint);
     [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const;
-    [[nodiscard]] bool anybody_writes(ResourceId resource, const SubresourceRange& range) const;
+    [[nodiscard]] bool anybody_writes(ResourceId ring, const SubresourceRange& range) const;
     void expect_order(const Actor& by, const UseDecl& use, Cell& cell, const AccessState& state, bool writes);
     void expect_owner(const Actor& by, const UseDecl& use, Cell& cell);
     void expect_free_memory(const Actor& by, ResourceId resource, SourceLoc loc, StageMask stages,
                             const BarrierDecl* transition);
-    void overwrite_neighbours(PassId by, ResourceId resource);
-    // Returns true if `taker`, which takes over memory of `resource`, need not wait for `resource`, because
-    // another resource has already waited for it.
-    [[nodiscard]] bool is_superseded(ResourceId resource, ResourceId taker) const {
-        const ResourceId by = superseded_by_[resource];
-        return by != kNoId && by != taker;
-    }
+    // Takes over the memory of `resource`. The content of all other resources in this memory is lost.
+    void take_memory(PassId by, ResourceId resource);
 
     const FramePlan& plan_;
     FaultList& faults_;
@@ -103,13 +92,9 @@ class Replay {
     // Number of the current rendering scope, counted over all frames.
     uint32_t scope_ = 0;
     std::vector<Cells> cells_;  // Index: ResourceId. The states of the resource's subresources.
-    // Index: ResourceId of A. The resource B that has taken over all memory of A since the last use of A,
-    // after it waited for that use; or kNoId. If a third resource takes over the memory, it waits for B, and
-    // so also for A. B itself is an exception: it may take over the memory part by part, so it always waits
-    // for A. This table is separate from cells_, because each use reads it for all neighbours.
-    std::vector<ResourceId> superseded_by_;
-    // Index: ResourceId. The resources that share memory with it.
-    std::vector<std::vector<Neighbour>> neighbours_;
+    MemoryHolders holders_;
+    // Index: ResourceId of age 0 of a ring. The parts of the ring's resources that live passes write.
+    std::vector<std::vector<SubresourceRange>> written_;
     // Index: the ring's resource of age 0. All resources of the ring, ordered by age.
     std::vector<std::vector<ResourceId>> rings_;
 };

@@ -1,5 +1,6 @@
 // Simulates barriers: their effects on ordering, visibility, layouts and queue family ownership.
-#include <map>
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "check/replay.h"
@@ -41,7 +42,7 @@ void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
 }
 
 void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId before) {
-    superseded_by_[barrier.resource] = kNoId;
+    if (!drops_content(barrier)) holders_.use(barrier.resource);
     cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         cell.layout = barrier.dst.layout;
         if (drops_content(barrier)) {
@@ -53,7 +54,7 @@ void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId befo
         cell.write = AccessRecord::transition(actor(before, true), scopes);
         cell.reads.clear();
     });
-    if (drops_content(barrier)) overwrite_neighbours(before, barrier.resource);
+    if (drops_content(barrier)) take_memory(before, barrier.resource);
 }
 
 // Simulates one half of an ownership transfer: the release on the old queue family or the acquire on the new
@@ -68,7 +69,7 @@ void Replay::transfer(const BarrierDecl& barrier, PassId before) {
                     "pass " + faults_.pass_name(before) + " transfers " + what +
                         " between two queue families, but runs on a queue of a third family",
                     "record both halves of a transfer on queues of its two families");
-    superseded_by_[barrier.resource] = kNoId;
+    holders_.use(barrier.resource);
     cells_[barrier.resource].each(barrier.range, [&](Cell& cell) {
         if (releases) {
             cell.released_to = barrier.dst_family;
@@ -123,36 +124,39 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
 // they are checked.
 void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
     StageChain all;
-    // Key: ResourceId. Its barriers, as indices into `batch`.
-    std::map<ResourceId, std::vector<size_t>> on_resource;
+    // The barriers of each resource, as indices into `batch`. Sorted by resource.
+    std::vector<std::pair<ResourceId, size_t>> on_resource;
     for (size_t i = 0; i < batch.size(); ++i) {
         all.add(scopes[i]);
-        on_resource[batch[i].resource].push_back(i);
+        on_resource.emplace_back(batch[i].resource, i);
         for (const ResourceId from : batch[i].aliased_from)
-            if (from != batch[i].resource) on_resource[from].push_back(i);
+            if (from != batch[i].resource) on_resource.emplace_back(from, i);
     }
+    std::sort(on_resource.begin(), on_resource.end());
     std::vector<Scopes> on_memory;
     const auto pass_through = [&](AccessRecord& record) {
         if (record.actor().queue != clock_.queue()) return;
         follow(record);
         record.pass_barriers(all, on_memory);
     };
-    const auto pass_cell = [&](ResourceId resource, const std::vector<size_t>& indices, Cell& cell) {
-        if (std::exchange(cell.last_batch, barrier_batches_) == barrier_batches_) return;
-        on_memory.clear();
-        for (const size_t i : indices)
-            if (batch[i].resource != resource || overlaps(batch[i].range, cell.range))
-                on_memory.push_back(scopes[i]);
-        if (cell.has_write) pass_through(cell.write);
-        for (AccessRecord& record : cell.reads) pass_through(record);
-    };
     ++barrier_batches_;
-    for (const auto& entry : on_resource) {
-        const ResourceId resource = entry.first;
-        for (const size_t i : entry.second) {
+    for (size_t first = 0, last = 0; first < on_resource.size(); first = last) {
+        const ResourceId resource = on_resource[first].first;
+        while (last < on_resource.size() && on_resource[last].first == resource) ++last;
+        const std::span same(on_resource.begin() + first, on_resource.begin() + last);
+        const auto pass_cell = [&](Cell& cell) {
+            if (std::exchange(cell.last_batch, barrier_batches_) == barrier_batches_) return;
+            on_memory.clear();
+            for (const auto& [id, i] : same)
+                if (batch[i].resource != resource || overlaps(batch[i].range, cell.range))
+                    on_memory.push_back(scopes[i]);
+            if (cell.has_write) pass_through(cell.write);
+            for (AccessRecord& record : cell.reads) pass_through(record);
+        };
+        for (const auto& [id, i] : same) {
             const bool taken_over = batch[i].resource != resource;
-            cells_[resource].each(taken_over ? plan_.graph.resources[resource].whole() : batch[i].range,
-                                  [&](Cell& cell) { pass_cell(resource, entry.second, cell); });
+            cells_[resource].each(
+                taken_over ? plan_.graph.resources[resource].whole() : batch[i].range, pass_cell);
         }
     }
     logs_[clock_.queue()].append(all);

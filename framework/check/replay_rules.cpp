@@ -80,15 +80,9 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     }
 }
 
-// Returns true if any live pass writes a part of the range.
-bool Replay::anybody_writes(ResourceId resource, const SubresourceRange& range) const {
-    const auto write_it = [&](const UseDecl& use) {
-        return use.resource == resource && writes(use.access) && overlaps(use.range, range);
-    };
-    return std::any_of(plan_.schedule.order.begin(), plan_.schedule.order.end(), [&](PassId pass) {
-        const std::vector<UseDecl>& uses = plan_.graph.passes[pass].uses;
-        return std::any_of(uses.begin(), uses.end(), write_it);
-    });
+// Returns true if any live pass writes a part of the range of `ring`, a resource of age 0.
+bool Replay::anybody_writes(ResourceId ring, const SubresourceRange& range) const {
+    return std::ranges::any_of(written_[ring], [&](const SubresourceRange& r) { return overlaps(r, range); });
 }
 
 // Returns true if the cell has the content that the use wants. If `wanted` is a pass, this is the content
@@ -188,8 +182,7 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
                                         " needs a barrier whose source is " + stages_text(record.stages()) +
                                         " and " + access_text(record.access() & access::kAllWrites)));
     };
-    for (const auto& [owner, covered] : neighbours_[resource]) {
-        if (is_superseded(owner, resource)) continue;
+    for (const ResourceId owner : holders_.to_wait_for(resource)) {
         for (Cell& cell : cells_[owner]) {
             if (cell.has_write) expect_over(owner, cell.write);
             for (AccessRecord& record : cell.reads) expect_over(owner, record);
@@ -197,15 +190,13 @@ void Replay::expect_free_memory(const Actor& by, ResourceId resource, SourceLoc 
     }
 }
 
-void Replay::overwrite_neighbours(PassId by, ResourceId resource) {
-    for (const auto& [other, covered] : neighbours_[resource]) {
-        if (is_superseded(other, resource)) continue;
+void Replay::take_memory(PassId by, ResourceId resource) {
+    for (const ResourceId other : holders_.take_over(resource)) {
         for (Cell& cell : cells_[other]) {
             if (cell.content.kind == Content::Kind::written)
                 cell.content = {Content::Kind::overwritten, by, frame_, resource};
             cell.layout = Layout::undefined;
         }
-        if (covered) superseded_by_[other] = resource;
     }
 }
 

@@ -106,6 +106,8 @@ struct Placement {
     uint32_t heap = 0;
     uint64_t offset_bytes = 0;
     uint64_t size_bytes = 0;
+
+    [[nodiscard]] uint64_t end_bytes() const { return offset_bytes + size_bytes; }
 };
 
 // The resource `to` takes over memory that the resource `from` used before. If `wrap` is true, `from` used

@@ -1,0 +1,58 @@
+// Purpose: tracks which resources use each byte of the heaps while the checker simulates a plan. Resources that
+// share memory take it over from each other. A resource that takes over memory must wait only for the resources
+// that use this memory now. Those have waited for all earlier resources in it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "weft/plan.h"
+
+namespace weft::check {
+
+class MemoryHolders {
+ public:
+    explicit MemoryHolders(const FramePlan& plan);
+
+    // Makes `taker` the only holder of its memory. Returns the other resources that held a part of it.
+    std::vector<ResourceId> take_over(ResourceId taker);
+    // Records a use of `resource`. If the resource does not hold all of its memory, it becomes an additional
+    // holder. In a correct plan this happens only before the first write to its memory.
+    void use(ResourceId resource);
+    // Returns the other resources that `taker` must wait for before it writes to its memory: the holders of this
+    // memory. If there are none, these are the resources from which `taker` took the memory over. It waits for
+    // them again, because it may write one part of its memory later than another part.
+    [[nodiscard]] std::vector<ResourceId> to_wait_for(ResourceId taker) const;
+
+ private:
+    // The first byte of a region: index of its heap, and offset in bytes.
+    using Address = std::pair<uint32_t, uint64_t>;
+
+    // A part of a heap, from its key in `regions_` to `end_bytes`.
+    struct Region {
+        uint64_t end_bytes = 0;
+        std::vector<ResourceId> holders;
+    };
+    using Regions = std::map<Address, Region>;
+
+    // Cuts the region that contains `at` in two, so that one region begins at `at`.
+    void cut(const Address& at);
+    // Cuts the regions at both ends of `placement`.
+    void cut(const Placement& placement);
+    // Returns the first region that ends after the start of `placement`.
+    [[nodiscard]] Regions::const_iterator first_in(const Placement& placement) const;
+    [[nodiscard]] std::vector<ResourceId> others_in(ResourceId resource) const;
+    template <class Visit>
+    void for_each_placement(ResourceId resource, Visit visit) const;
+
+    std::vector<Placement> placements_;  // All placements, sorted by resource.
+    std::vector<size_t> first_;          // Index: ResourceId. Its first element of `placements_`.
+    Regions regions_;                    // Regions without a holder are left out.
+    std::vector<uint8_t> holds_all_;     // Index: ResourceId. 1 if it is a holder of all its memory.
+    // Index: ResourceId. The resources from which it last took over memory.
+    std::vector<std::vector<ResourceId>> taken_from_;
+};
+
+}  // namespace weft::check
