@@ -244,13 +244,12 @@ std::vector<std::string> keys_of(TypeMask types) {
 }
 
 void check_keys(ParseContext& context, const JsonNode& node, TypeMask mask, const std::string& type) {
-    const std::vector<std::string> allowed = keys_of(mask);
     for (const JsonMember& member : node.members) {
         if (context.is_full()) break;
         const PointerScope scope(context, member.key);
         const PassKey* key = find_key(member.key);
         if (key == nullptr)
-            unknown_key(context, member, mask == kAll ? "a pass" : article(type), allowed);
+            unknown_key(context, member, mask == kAll ? "a pass" : article(type), keys_of(mask));
         else if ((key->types & mask) == 0)
             context.error(
                 member.key_loc, "W101", article(type) + " does not use the key \"" + member.key + "\"",

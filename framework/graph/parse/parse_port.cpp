@@ -153,6 +153,7 @@ void list_port_grammar(std::vector<GrammarTable>& lists) {
 }
 
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.in.reserve(node.members.size());
     read_ports(context, node, [&](const JsonMember& member) {
         PortDraft draft =
             read_port(context, member.value, member.key, member.key_loc, "an input", kInputKeys);

@@ -115,6 +115,16 @@ const char* number_fault(std::string_view s) {
     return i == s.size() ? nullptr : "write a decimal number, or put text in double quotes";
 }
 
+// Returns how many characters at the start of `text` stand for themselves in a string: no quote, no backslash
+// and no control character.
+size_t plain_length(std::string_view text) {
+    size_t length = 0;
+    while (length < text.size() && text[length] != '"' && text[length] != '\\' &&
+           static_cast<unsigned char>(text[length]) >= 0x20)
+        ++length;
+    return length;
+}
+
 // Returns the length in bytes of the well-formed UTF-8 sequence at text[i], or 0 if the bytes there are not
 // well-formed (Unicode 15, table 3-7).
 size_t utf8_length(std::string_view text, size_t i) {
@@ -159,7 +169,9 @@ std::string printable(char c) {
 std::optional<JsonFault> skip_blank(JsonCursor& cursor) {
     for (;;) {
         const char c = cursor.peek();
-        if (c == ' ' || c == '\t' || c == '\n' || c == '\r') {
+        if (c == ' ' || c == '\t' || c == '\r') {
+            cursor.advance_in_line(1);
+        } else if (c == '\n') {
             cursor.advance();
         } else if (c == '/' && cursor.peek(1) == '/') {
             while (!cursor.at_end() && cursor.peek() != '\n') cursor.advance();
@@ -191,8 +203,9 @@ std::optional<JsonFault> scan_string(JsonCursor& cursor, std::string& out) {
             if (auto fault = scan_escape(cursor, out)) return fault;
             continue;
         }
-        out.push_back(c);
-        cursor.advance();
+        const size_t plain = plain_length(cursor.rest());
+        out.append(cursor.rest(), 0, plain);
+        cursor.advance_in_line(plain);
     }
     cursor.advance();
     return std::nullopt;
@@ -218,19 +231,25 @@ std::optional<JsonFault> scan_number(JsonCursor& cursor, double& number, std::st
 }
 
 std::optional<JsonFault> check_utf8(std::string_view text) {
-    JsonCursor cursor(text);
-    while (!cursor.at_end()) {
-        const size_t length = utf8_length(text, cursor.position());
-        if (length == 0)
-            return JsonFault{"W005",
-                             cursor.here(),
-                             "the file is not UTF-8: found the invalid byte " + printable(cursor.peek()),
-                             "save the file as UTF-8",
-                             std::nullopt,
-                             {}};
-        cursor.advance(length);
+    size_t position = 0;
+    while (position < text.size()) {
+        if (static_cast<unsigned char>(text[position]) < 0x80) {
+            ++position;
+            continue;
+        }
+        const size_t length = utf8_length(text, position);
+        if (length == 0) break;
+        position += length;
     }
-    return std::nullopt;
+    if (position == text.size()) return std::nullopt;
+    JsonCursor cursor(text);
+    cursor.advance(position);
+    return JsonFault{"W005",
+                     cursor.here(),
+                     "the file is not UTF-8: found the invalid byte " + printable(cursor.peek()),
+                     "save the file as UTF-8",
+                     std::nullopt,
+                     {}};
 }
 
 }  // namespace weft

@@ -39,6 +39,9 @@ class JsonCursor {
         return {file_, line_, static_cast<uint32_t>(position_ - line_start_) + 1, length};
     }
     void advance(size_t count = 1);
+    // Moves over `count` characters, none of which is a line break.
+    void advance_in_line(size_t count) { position_ += count; }
+    [[nodiscard]] std::string_view rest() const { return text_.substr(position_); }
 
  private:
     std::string_view text_;

@@ -145,6 +145,8 @@ class JsonReader {
         if (c != '"')
             return syntax(loc, "found '" + printable(c) + "' where a key was wanted",
                           c == ',' ? "remove one of the two commas" : "write \"key\": value");
+        constexpr size_t kUsualMembers = 4;
+        if (node.members.empty()) node.members.reserve(kUsualMembers);
         JsonMember& entry = node.members.emplace_back();
         entry.key_loc = loc;
         if (!string(entry.key)) return false;
@@ -197,7 +199,17 @@ class JsonReader {
                         close);
     }
 
+    // Returns true if two members have the same key. It compares all pairs, so it is for small objects.
+    static bool has_duplicate(const std::vector<JsonMember>& members) {
+        for (size_t i = 1; i < members.size(); ++i)
+            for (size_t k = 0; k < i; ++k)
+                if (members[i].key == members[k].key) return true;
+        return false;
+    }
+
     void report_duplicates(const JsonNode& node) {
+        constexpr size_t kSmall = 8;
+        if (node.members.size() <= kSmall && !has_duplicate(node.members)) return;
         std::vector<size_t> order(node.members.size());
         std::iota(order.begin(), order.end(), size_t{0});
         const auto key = [&](size_t i) -> const std::string& { return node.members[i].key; };

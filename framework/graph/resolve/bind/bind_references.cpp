@@ -25,6 +25,7 @@ class ReferenceBinder {
     BoundPasses run() {
         const auto count = static_cast<PassId>(result_.passes.size());
         BoundPorts outputs;
+        outputs.reserve(count);
         for (PassId id(0); id < count; ++id) outputs.push_back(bind_outputs(id));
         const Presence presence(declared_, outputs, result_.suspects, report_, reporter_);
         for (PassId id(0); id < count; ++id) {
@@ -33,10 +34,12 @@ class ReferenceBinder {
                 if (!ref.pass.empty()) presence.find_pins(id, ref, output);
             }
         }
+        BoundPorts inputs;
+        inputs.reserve(count);
+        for (PassId id(0); id < count; ++id) inputs.push_back(bind_inputs(id, presence));
         for (PassId id(0); id < count; ++id) {
-            std::vector<BoundPort> ports = bind_inputs(id, presence);
-            ports.insert(ports.end(), outputs[id].begin(), outputs[id].end());
-            store_ports(id, std::move(ports));
+            store_ports(id, inputs[id]);
+            store_ports(id, outputs[id]);
         }
         return std::move(result_);
     }
@@ -179,10 +182,9 @@ class ReferenceBinder {
         }
     }
 
-    // Stores the ports of a pass: inputs first, then outputs, each group sorted by name.
-    void store_ports(PassId id, std::vector<BoundPort> ports) {
-        std::ranges::stable_sort(ports, {},
-                                 [](const BoundPort& p) { return std::pair(p.use.is_output, p.use.port); });
+    // Moves ports to the end of the ports of a pass, sorted by name.
+    void store_ports(PassId id, std::vector<BoundPort>& ports) {
+        std::ranges::stable_sort(ports, {}, [](const BoundPort& p) { return std::string_view(p.use.port); });
         for (BoundPort& port : ports) {
             result_.passes[id].uses.push_back(std::move(port.use));
             result_.passes[id].ports.push_back(std::move(port.draft));

@@ -158,10 +158,12 @@ class ShaderBinder {
     }
 
     bool check_direction(const UseDecl& use, const ShaderBinding& binding) {
-        const std::string what = "port " + quote(use.port) + " of pass " + quote(at_.draft.decl.name);
+        const auto what = [&] {
+            return "port " + quote(use.port) + " of pass " + quote(at_.draft.decl.name);
+        };
         if (use.is_output && !binding.writes) {
             Diagnostic& d = error(
-                use, "W112", what + " is an output, but shader " + quote(desc().shader) + " only reads it");
+                use, "W112", what() + " is an output, but shader " + quote(desc().shader) + " only reads it");
             add_help(d, is_storage(binding.kind)
                             ? "remove `readonly` in the shader, or move the port to \"in\""
                             : "declare a storage image or buffer in the shader, or move the port to \"in\"");
@@ -169,7 +171,7 @@ class ShaderBinder {
         }
         if (!use.is_output && binding.writes) {
             Diagnostic& d = error(
-                use, "W112", what + " is an input, but shader " + quote(desc().shader) + " may write it");
+                use, "W112", what() + " is an input, but shader " + quote(desc().shader) + " may write it");
             add_help(d, "add `readonly` in the shader, or move the port to \"out\"");
             return false;
         }
@@ -177,7 +179,7 @@ class ShaderBinder {
         if (buffer != is_buffer(binding.kind)) {
             Diagnostic& d =
                 error(use, "W173",
-                      what + " is " + (buffer ? "a buffer" : "an image") + ", but shader " +
+                      what() + " is " + (buffer ? "a buffer" : "an image") + ", but shader " +
                           quote(desc().shader) + " declares " + (buffer ? "an image" : "a buffer"));
             add_help(d, "bind " + std::string(buffer ? "an image" : "a buffer") +
                             " to the port, or change the declaration in the shader");
@@ -185,7 +187,7 @@ class ShaderBinder {
         }
         if (binding.count != 1) {
             Diagnostic& d =
-                error(use, "W173", what + " is an array of descriptors in shader " + quote(desc().shader));
+                error(use, "W173", what() + " is an array of descriptors in shader " + quote(desc().shader));
             add_help(d, "use one image with layers, or one port for each image or buffer");
             return false;
         }

@@ -17,7 +17,8 @@ ResourceNames watched_resources(const GraphDesc& graph) {
     for (const auto& [name, view] : graph.debug) watched.insert(view.show.name);
     for (const GraphTestDesc& test : graph.tests)
         for (const ExpectationDesc& expectation : test.expect)
-            watched.insert(expectation.ref.substr(0, expectation.ref.find_first_of("@[.")));
+            watched.insert(
+                std::string_view(expectation.ref).substr(0, expectation.ref.find_first_of("@[.")));
     return watched;
 }
 

@@ -1,14 +1,15 @@
 // Purpose: collects the names of the resources that ports, debug views and tests mention.
 #pragma once
 
-#include <set>
-#include <string>
+#include <string_view>
+#include <unordered_set>
 
 #include "weft/graph_desc.h"
 
 namespace weft {
 
-using ResourceNames = std::set<std::string, std::less<>>;
+// The names are parts of the GraphDesc from which they were collected.
+using ResourceNames = std::unordered_set<std::string_view>;
 
 // Adds the names of the resources that a port may use, including the resource of its "else".
 void add_names(const PortDesc& port, ResourceNames& names);

@@ -52,8 +52,23 @@ void add_use(const VersionedGraph& graph, const CellUse& use, Cell& cell) {
     }
 }
 
+bool all_of_one_range(const VersionedGraph& graph, const std::vector<CellUse>& uses) {
+    const auto range = [&](const CellUse& u) -> const SubresourceRange& {
+        return graph.passes[u.pass].uses[u.use].range;
+    };
+    return std::ranges::all_of(uses, [&](const CellUse& u) { return range(u) == range(uses.front()); });
+}
+
 void cut_resource(const VersionedGraph& graph, ResourceId resource, const std::vector<CellUse>& uses,
                   std::vector<Cell>& cells, Reporter& reporter) {
+    if (all_of_one_range(graph, uses)) {
+        reporter.spend(kStepsPerCell + 2 * uses.size(), graph.resources[resource].loc);
+        Cell& cell = cells.emplace_back();
+        cell.resource = resource;
+        cell.range = graph.passes[uses.front().pass].uses[uses.front().use].range;
+        for (const CellUse& u : uses) add_use(graph, u, cell);
+        return;
+    }
     const Cuts cuts = find_cuts(graph, uses);
     const size_t first = cells.size();
     const size_t rows = cuts.layers.size() - 1;
@@ -112,6 +127,7 @@ std::vector<Cell> make_cells(const VersionedGraph& graph, Reporter& reporter) {
         }
     }
     std::vector<Cell> cells;
+    cells.reserve(uses_of.size());
     for (ResourceId resource(0); resource < uses_of.size(); ++resource) {
         if (!uses_of[resource].empty()) cut_resource(graph, resource, uses_of[resource], cells, reporter);
     }
@@ -119,6 +135,7 @@ std::vector<Cell> make_cells(const VersionedGraph& graph, Reporter& reporter) {
 }
 
 std::vector<VersionSource> merge_sources(const std::vector<VersionSource>& cells) {
+    if (cells.size() <= 1) return cells;
     std::vector<VersionSource> rows;
     for (const VersionSource& cell : cells) {
         if (!rows.empty() && rows.back().producer == cell.producer &&
