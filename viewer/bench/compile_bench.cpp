@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "graph/compile/bench_graph.h"
+#include "viewer/bench/front_end_bench.h"
 
 namespace weft::viewer {
 namespace {
@@ -56,6 +57,8 @@ CompiledGraph measure_graph(const BenchOptions& options, uint32_t seed) {
     std::ranges::sort(later);
     result.min_us = later.front();
     result.median_us = later[later.size() / 2];
+    result.front_end = measure_front_end(graph);
+    result.check_us = measure_check_us(plan);
     result.memory = std::move(plan.memory);
     result.memory.placements.clear();
     result.memory.alias_transitions.clear();

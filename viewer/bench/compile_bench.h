@@ -1,5 +1,6 @@
-// Purpose: measures the graph compiler for `weft bench compile`: it compiles several generated graphs, which
-// differ in their seeds, and collects times and properties of the plans. Units: microseconds and bytes.
+// Purpose: measures the graph compiler for `weft bench compile`. It compiles several generated graphs, which
+// differ in their seeds, reads them from the text of a file, and checks their plans. It collects times and
+// properties of the plans. Units: microseconds and bytes.
 #pragma once
 
 #include <cstdint>
@@ -19,6 +20,8 @@ struct CompiledGraph {
     double min_us = 0;              // Time of the fastest later compilation.
     double median_us = 0;           // Median time of all later compilations.
     std::vector<StageTime> stages;  // Times of the compiler's stages in the fastest later compilation.
+    std::vector<StageTime> front_end;  // Times from the text of a file to the resolved graph.
+    double check_us = 0;               // Time of the checker.
     MemoryPlan memory;              // Without placements and alias transitions.
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;  // Name of the chosen candidate.

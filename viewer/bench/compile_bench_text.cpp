@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "viewer/bench/compile_bench.h"
+#include "viewer/bench/front_end_bench.h"
 #include "viewer/output/formatted.h"
 
 namespace weft::viewer {
@@ -11,9 +12,45 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kMib = 1048576.0;
 
+// The list of stages of a graph that a function prints: CompiledGraph::stages or CompiledGraph::front_end.
+using StageList = std::vector<StageTime> CompiledGraph::*;
+
 // Returns the time of one stage of the graphs. All graphs have the same stages.
-OverSeeds stage_us(const std::vector<CompiledGraph>& graphs, size_t stage) {
-    return over_seeds(graphs, [stage](const CompiledGraph& graph) { return graph.stages[stage].us; });
+OverSeeds stage_us(const std::vector<CompiledGraph>& graphs, StageList list, size_t stage) {
+    return over_seeds(graphs, [=](const CompiledGraph& graph) { return (graph.*list)[stage].us; });
+}
+
+OverSeeds front_end_us(const std::vector<CompiledGraph>& graphs) {
+    return over_seeds(graphs, [](const CompiledGraph& graph) { return total_us(graph.front_end); });
+}
+
+OverSeeds check_us(const std::vector<CompiledGraph>& graphs) {
+    return over_seeds(graphs, [](const CompiledGraph& graph) { return graph.check_us; });
+}
+
+// Returns one line for each stage; `total` is the median time of all stages together.
+std::string stages_text(const std::vector<CompiledGraph>& graphs, StageList list, double total) {
+    std::string text;
+    for (size_t stage = 0; stage < (graphs.front().*list).size(); ++stage) {
+        const OverSeeds us = stage_us(graphs, list, stage);
+        text += formatted("  %-16s %9.1f us  %5.1f %%   worst %9.1f us\n",
+                          (graphs.front().*list)[stage].stage.c_str(), us.median, 100 * us.median / total,
+                          us.worst);
+    }
+    return text;
+}
+
+Json stages_json(const std::vector<CompiledGraph>& graphs, StageList list) {
+    Json stages = Json::object();
+    for (size_t stage = 0; stage < (graphs.front().*list).size(); ++stage) {
+        const OverSeeds us = stage_us(graphs, list, stage);
+        stages[(graphs.front().*list)[stage].stage] = {{"median", us.median}, {"worst", us.worst}};
+    }
+    return stages;
+}
+
+Json us_json(const OverSeeds& us) {
+    return {{"median", us.median}, {"worst", us.worst}, {"worst_seed", us.worst_seed}};
 }
 
 OverSeeds compile_us(const std::vector<CompiledGraph>& graphs) {
@@ -50,12 +87,15 @@ Json graph_json(const CompiledGraph& graph) {
                               {"peak_live_bytes", c.peak_live_bytes},
                               {"batches", c.barrier_batches},
                               {"queue_switches", c.queue_switches}});
-    Json stages = Json::object();
+    Json stages = Json::object(), front_end = Json::object();
     for (const StageTime& time : graph.stages) stages[time.stage] = time.us;
+    for (const StageTime& time : graph.front_end) front_end[time.stage] = time.us;
     return {{"seed", graph.seed},
             {"cold_us", graph.first_us},
             {"warm_us", {{"min", graph.min_us}, {"median", graph.median_us}}},
             {"stages_us", stages},
+            {"front_end_us", front_end},
+            {"check_us", graph.check_us},
             {"peak_live_bytes", graph.memory.peak_live_bytes},
             {"heap_bytes", graph.memory.heap_bytes},
             {"candidates", candidates},
@@ -76,12 +116,13 @@ std::string compile_bench_text(const BenchOptions& options, const std::vector<Co
             formatted("%zu graphs: seeds %u to %u\n", graphs.size(), graphs.front().seed, graphs.back().seed);
     text += formatted("compile    median %.0f us, worst %.0f us (seed %u), first in this process %.0f us\n",
                       total.median, total.worst, total.worst_seed, graphs.front().first_us);
-    for (size_t stage = 0; stage < graphs.front().stages.size(); ++stage) {
-        const OverSeeds us = stage_us(graphs, stage);
-        text += formatted("  %-16s %9.1f us  %5.1f %%   worst %9.1f us\n",
-                          graphs.front().stages[stage].stage.c_str(), us.median,
-                          100 * us.median / total.median, us.worst);
-    }
+    text += stages_text(graphs, &CompiledGraph::stages, total.median);
+    const OverSeeds front_end = front_end_us(graphs), check = check_us(graphs);
+    text += formatted("front end  median %.0f us, worst %.0f us (seed %u): from the text of a file to the graph\n",
+                      front_end.median, front_end.worst, front_end.worst_seed);
+    text += stages_text(graphs, &CompiledGraph::front_end, front_end.median);
+    text += formatted("check      median %.0f us, worst %.0f us (seed %u): proof of the plan\n", check.median,
+                      check.worst, check.worst_seed);
     const OverSeeds heap = over_seeds(graphs, &CompiledGraph::heap_to_peak);
     text += formatted("heap / peak of live bytes: mean %.4f, worst %.4f (seed %u)\n", heap.mean, heap.worst,
                       heap.worst_seed);
@@ -90,18 +131,17 @@ std::string compile_bench_text(const BenchOptions& options, const std::vector<Co
 
 std::string compile_bench_json(const BenchOptions& options, const std::vector<CompiledGraph>& graphs) {
     const OverSeeds total = compile_us(graphs), heap = over_seeds(graphs, &CompiledGraph::heap_to_peak);
-    Json stages = Json::object(), all = Json::array();
-    for (size_t stage = 0; stage < graphs.front().stages.size(); ++stage) {
-        const OverSeeds us = stage_us(graphs, stage);
-        stages[graphs.front().stages[stage].stage] = {{"median", us.median}, {"worst", us.worst}};
-    }
+    Json all = Json::array();
     for (const CompiledGraph& graph : graphs) all.push_back(graph_json(graph));
     const Json json{
         {"passes", options.passes},
         {"shape", options.shape},
         {"queues", options.queues},
-        {"us", {{"median", total.median}, {"worst", total.worst}, {"worst_seed", total.worst_seed}}},
-        {"stages_us", stages},
+        {"us", us_json(total)},
+        {"stages_us", stages_json(graphs, &CompiledGraph::stages)},
+        {"front_end_us", us_json(front_end_us(graphs))},
+        {"front_end_stages_us", stages_json(graphs, &CompiledGraph::front_end)},
+        {"check_us", us_json(check_us(graphs))},
         {"heap_to_peak", {{"mean", heap.mean}, {"worst", heap.worst}, {"worst_seed", heap.worst_seed}}},
         {"graphs", all}};
     return json.dump(2) + "\n";

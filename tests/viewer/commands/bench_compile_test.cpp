@@ -15,7 +15,7 @@ TEST(BenchCompile, CompilesGraphsOfChanceAndSaysWhereTheTimeGoes) {
     const RunResult text = run_weft({"bench", "compile", "--passes", "50", "--shape", "chain"});
     EXPECT_EQ(text.exit_code, 0) << text.text();
     for (const char* part : {"50 passes, chain, 1 queue, 30 graphs: seeds 1 to 30", "schedule", "alias",
-                             "barriers", "heap / peak ", "program 30 times"})
+                             "barriers", "heap / peak ", "program 30 times", "front end ", "resolve ", "check  "})
         EXPECT_NE(text.out.find(part), std::string::npos) << text.text();
     const RunResult one = run_weft({"bench", "compile", "--passes", "50", "--seeds", "1"});
     for (const char* part : {"50 passes, random, 1 queue, seed 1", "<- chosen", "all resources"})
@@ -44,6 +44,13 @@ TEST(BenchCompile, ReportsEachGraphAndTheWorstOfThemAsJson) {
     EXPECT_LE(json.at("us").at("median"), json.at("us").at("worst"));
     EXPECT_DOUBLE_EQ(json.at("heap_to_peak").at("worst"), worst_heap);
     EXPECT_TRUE(json.at("stages_us").at("alias").contains("worst"));
+    EXPECT_TRUE(json.at("front_end_stages_us").at("resolve").contains("worst"));
+    double worst_check_us = 0;
+    for (const Json& graph : json.at("graphs")) {
+        EXPECT_GT(graph.at("front_end_us").at("read"), 0);
+        worst_check_us = std::max(worst_check_us, graph.at("check_us").get<double>());
+    }
+    EXPECT_DOUBLE_EQ(json.at("check_us").at("worst"), worst_check_us);
 }
 
 }  // namespace

@@ -1,0 +1,78 @@
+#include "viewer/bench/bench_file.h"
+
+#include <array>
+#include <utility>
+
+#include "viewer/output/formatted.h"
+
+namespace weft::viewer {
+namespace {
+
+constexpr std::array kReadPorts{"a", "b"};  // The ports of the passes that read an image.
+
+std::string image_text(const ResourceDecl& image) {
+    return formatted(R"(  "%s": {"format": "rgba8", "size": [%u, %u]})", image.name.c_str(), image.extent.width,
+                     image.extent.height);
+}
+
+std::string pass_text(const ResolvedGraph& graph, const PassDecl& pass) {
+    std::string in, out;
+    size_t reads = 0;
+    for (const UseDecl& use : pass.uses) {
+        std::string& ports = use.is_output ? out : in;
+        if (!ports.empty()) ports += ", ";
+        ports += formatted(R"("%s": "%s")", use.port.c_str(), graph.resources[use.resource].name.c_str());
+        reads += use.is_output ? 0 : 1;
+    }
+    return formatted(R"(  "%s": {"type": "compute", "shader": "read%zu.comp", "in": {%s}, "out": {%s}})",
+                     pass.name.c_str(), reads, in.c_str(), out.c_str());
+}
+
+}  // namespace
+
+std::string bench_file_text(const ResolvedGraph& graph) {
+    std::string images, passes;
+    for (const ResourceDecl& image : graph.resources)
+        images += (images.empty() ? "\n" : ",\n") + image_text(image);
+    for (const PassDecl& pass : graph.passes) passes += (passes.empty() ? "\n" : ",\n") + pass_text(graph, pass);
+    return formatted("{\"version\": 1, \"name\": \"%s\", \"resources\": {", graph.name.c_str()) + images +
+           "}, \"passes\": {" + passes + "}}\n";
+}
+
+ShaderCatalog bench_shaders() {
+    ShaderCatalog catalog;
+    for (size_t reads = 0; reads <= kReadPorts.size(); ++reads) {
+        ShaderProgram program;
+        program.reference = formatted("read%zu.comp", reads);
+        program.modules.resize(1);
+        ShaderInterface& interface = program.interface;
+        interface.stages = stage_bit(ShaderStage::compute);
+        interface.local_size = {8, 8, 1};
+        const auto add = [&interface](const char* name, BindingKind kind) -> ShaderBinding& {
+            ShaderBinding& binding = interface.bindings.emplace_back();
+            binding.name = name;
+            binding.set = kPortSet;
+            binding.binding = static_cast<uint32_t>(interface.bindings.size() - 1);
+            binding.kind = kind;
+            binding.stages = interface.stages;
+            return binding;
+        };
+        for (size_t port = 0; port < reads; ++port) add(kReadPorts.at(port), BindingKind::sampled_image);
+        ShaderBinding& written = add("dst", BindingKind::storage_image);
+        written.storage_format = Format::rgba8;
+        written.reads = false;
+        written.writes = true;
+        catalog.emplace(program.reference, std::move(program));
+    }
+    return catalog;
+}
+
+DeviceProfile bench_profile() {
+    DeviceProfile profile;
+    profile.name = "bench";
+    profile.formats[Format::rgba8] =
+        format_feature::kSampled | format_feature::kSampledLinear | format_feature::kStorage;
+    return profile;
+}
+
+}  // namespace weft::viewer
