@@ -59,8 +59,9 @@ std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
         const Position position = to.schedule.position[other];
         if (position != kNoId) common.push_back({to.graph.passes[other].name, p, position});
     }
-    // `ends[n]` is the last pass of the best sequence of n + 1 passes; `previous[i]` is the pass before pass
-    // i in its sequence. Both contain indices into `common`.
+    // Considers sequences of n + 1 passes that have the same order in both plans. Of these, `ends[n]` is the
+    // last pass of the sequence that ends earliest in the new plan. `previous[i]` is the pass before pass i
+    // in its sequence. Both contain indices into `common`.
     std::vector<size_t> ends, previous(common.size(), SIZE_MAX);
     for (size_t i = 0; i < common.size(); ++i) {
         const auto it =

@@ -73,8 +73,8 @@ class BarrierAnswer {
         });
     }
 
-    // Appends the explanation of one barrier. `before` is the pass before which the barrier is recorded;
-    // kNoId means that it is recorded right after the first pass.
+    // Appends the explanation of one barrier. The barrier is recorded directly before the pass `before`. If
+    // `before` is kNoId, it is recorded directly after the pass `first_`.
     void add(const BarrierDecl& b, PassId before) {
         const bool image = plan_.graph.resources[b.resource].kind == ResourceKind::image;
         text_ += describe_part(plan_, b.resource, b.range) + ": a barrier " +

@@ -8,7 +8,7 @@ namespace weft {
 namespace {
 
 // A pass that needs the result of the pass in question. `use` is the port of `reader` that reads this result,
-// written in the same frame or in an earlier frame.
+// either in the same frame or in a later frame.
 struct Need {
     PassId reader = kNoId;
     const UseDecl* use = nullptr;

@@ -16,8 +16,8 @@ uint32_t batch_of(const FramePlan& plan, Position position) {
     return static_cast<uint32_t>(it - batches.begin());
 }
 
-// Returns a line for each use of `resource` by the pass at `position`. These uses are the reason for a
-// dependency between queues.
+// Returns one line for each use of `resource` by the pass at `position`. The lines explain why one queue
+// waits for another: both queues use `resource`.
 std::string uses_at(const FramePlan& plan, Position position, ResourceId resource) {
     if (position >= plan.schedule.order.size()) return "";
     std::string text;

@@ -13,7 +13,7 @@ std::string place(const FramePlan& plan, const SourceLoc& loc) {
     return loc.file < plan.graph.sources.files.size() ? " (" + plan.graph.sources.describe(loc) + ")" : "";
 }
 
-// Returns the iterations of the `repeat` with this name: the items "name#1", "name#2" and so on.
+// Returns the ids of all items that a `repeat` made from the item `name`: "name#1", "name#2" and so on.
 template <class Index, class T>
 std::vector<Index> rounds_of(const std::vector<T>& items, const std::string& name) {
     std::vector<Index> rounds;

@@ -19,13 +19,14 @@ namespace weft {
 // Returns a text such as: port "hdr" (deferred.json:31:9) reads and writes "hdr".
 [[nodiscard]] std::string describe_use(const FramePlan& plan, const UseDecl& use);
 [[nodiscard]] const char* access_verb(Access access);  // Returns "reads", "writes" or "reads and writes".
-// Returns the position and its pass, such as: 2 "lighting".
+// Returns the position in the schedule and the name of the pass there, such as: 2 "lighting".
 [[nodiscard]] std::string describe_position(const FramePlan& plan, Position position);
 // Returns stages, accesses and, for an image, the layout, such as: color_output color_write color_attachment.
 [[nodiscard]] std::string describe_state(const AccessState& state, bool image);
 
-// Finds a pass or resource by name. Errors: W104 (pass), W103 (resource). The error suggests similar names,
-// or lists the iterations if `name` is that of a `repeat`. The `file` of the error is the graph's.
+// Finds a pass or resource by name. Errors: W104 (pass), W103 (resource). The error suggests similar names.
+// If `name` is the name of a `repeat`, the error lists the names of its iterations instead. The `file` of the
+// error is the graph file.
 [[nodiscard]] Result<PassId> named_pass(const FramePlan& plan, const std::string& name);
 [[nodiscard]] Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name);
 // Like named_pass() and named_resource(), but the name of a `repeat` gives all its iterations: "down" gives

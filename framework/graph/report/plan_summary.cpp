@@ -18,8 +18,8 @@ namespace {
 
 using Facts = std::vector<std::string>;
 
-// Visits every field of a struct without ids and makes a text of each, such as "depthTest 1" or
-// "stencilFront.readMask 255".
+// Makes a text of each field of a struct, such as "depthTest 1" or "stencilFront.readMask 255". The struct
+// must contain no ids, because ids differ between plans.
 class FieldFacts {
  public:
     explicit FieldFacts(std::string prefix) : prefix_(std::move(prefix)) {}

@@ -79,8 +79,9 @@ class PassAttacher : PassStage<Attachments> {
               "alternatives \"d32f_s8|d24_s8\"; or remove \"stencil\"");
     }
 
-    // Checks the size and the place of the viewport. Vulkan allows a viewport up to the size of the largest
-    // image that the device can draw to (s pixels), and places from -2 s to 2 s - 1.
+    // Checks the size and the position of the viewport. Let s be the side of the largest 2D image of the
+    // device, in pixels. Then a side of the viewport is at most s pixels, and all its coordinates are in the
+    // range [-2 s, 2 s - 1].
     void check_viewport() {
         if (!draft_.decl.state.viewport) return;
         const RectPx& view = *draft_.decl.state.viewport;
@@ -99,7 +100,7 @@ class PassAttacher : PassStage<Attachments> {
 
     void add_resolve(const ResolveDesc& resolve) {
         const auto port = std::ranges::find(bound_.ports, &resolve.target, &PortDraft::desc);
-        // If the port is missing, bind() has already reported an error.
+        // If the target of the resolve is not bound, bind() has already reported an error.
         if (port == bound_.ports.end()) return;
         const auto target = static_cast<uint32_t>(port - bound_.ports.begin());
         const auto color = std::ranges::find_if(result_.colors, [&](const AttachmentDecl& c) {

@@ -33,9 +33,9 @@ struct PortDraft {
     const ShaderBinding* binding = nullptr;
     // The fragment output of the shader; null unless the port is a colour attachment.
     const StageVariable* color_output = nullptr;
-    // The passes that `@pass` in the reference names: the reference selects the version of the resource after
-    // these passes. If the named pass has a repeat, all its passes in the order of the repeat. Empty: the
-    // reference contains no `@pass`.
+    // The passes that `@pass` in the reference names. The port uses the version of the resource after these
+    // passes. If the named pass has a repeat, `pins` contains all passes of the repeat, in their order. If
+    // the reference contains no `@pass`, `pins` is empty.
     std::vector<PassId> pins;
     WriteRank rank = WriteRank::fresh;
     bool is_depth_port = false;

@@ -12,8 +12,9 @@ namespace weft {
 // that each subresource has one layout during a pass. Errors: W105, W163, W164, W166, W172, W173, W182.
 [[nodiscard]] Suspects check_interfaces(const Declared& declared, const FormattedGraph& graph,
                                         Reporter& reporter);
-// Checks the passes with `perFrame`, of which only a part runs in each frame: each must have a repeat and
-// must write resources that keep their content between frames. Errors: W124.
+// Checks the passes with `perFrame`. In each frame, only some passes of such a repeat run. So a pass with
+// `perFrame` must have a repeat, and must write resources that keep their content between frames. Errors:
+// W124.
 [[nodiscard]] Suspects check_frame_slices(const Declared& declared, const FormattedGraph& graph,
                                           Suspects suspects, Reporter& reporter);
 // Checks that the clear value of each resource can be stored in its format. Errors: W109.

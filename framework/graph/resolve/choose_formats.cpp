@@ -77,15 +77,16 @@ bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
-// Returns the resource of age 0 in a ring of history copies, or `id` itself for other resources. The copies
-// of a ring rotate through all ages, so all of them must meet the requirements of all.
+// Returns the resource of age 0 if the resource has a history, otherwise `id` itself. The copies of a
+// resource with history change their roles every frame ("x" becomes "x[-1]"). So the requirements of all
+// roles are collected at age 0, and every copy must meet them.
 ResourceId base_of(const std::vector<ResourceDecl>& resources, ResourceId id) {
     const ResourceId ring = resources[id].ring;
     return ring == kNoId ? id : ring;
 }
 
-// Adds transfer usage to persistent resources. Their first content comes from a clear, or from a copy of the
-// same resource in another plan.
+// Adds transfer usage to persistent resources. The first content of such a resource comes from a clear. If
+// the plan replaces an old plan, the content is copied from the resource of the old plan instead.
 void need_transfers(std::vector<ResourceDecl>& resources) {
     for (ResourceDecl& resource : resources) {
         if (resource.lifetime == ResourceLifetime::persistent)

@@ -1,7 +1,7 @@
 // Purpose: the stage of resolve() that makes the passes of the graph from their descriptions. A description
-// results in one pass, in several passes (`repeat`), or in none (`if`). An observed reference becomes a
-// separate pass that reads the resource back. Each pass gets its kind, shader and fixed-function state.
-// Errors: W106, W107, W109, W115, W125, W177, W187, and those of references.
+// results in one pass, in several passes (`repeat`), or in none (`if`). Each reference in
+// GraphRequest::observed becomes a separate pass that reads the resource back. Each pass gets its kind,
+// shader and fixed-function state. Errors: W106, W107, W109, W115, W125, W177, W187, and those of references.
 #pragma once
 
 #include <map>
@@ -32,8 +32,8 @@ struct PassDraft {
 struct Expansion {
     // All passes, sorted by name. The index is the PassId.
     std::vector<PassDraft> passes;
-    // The passes that each description results in, by the name that the author gave. The passes of a repeat
-    // are in the order of the repeat.
+    // For each pass description, by its name in the graph file: the passes that were made from it. The passes
+    // of a repeat are in the order of the repeat.
     std::map<std::string, std::vector<PassId>, std::less<>> instances = {};
     // The descriptions that result in no pass, because their `if` is false or their repeat is empty.
     std::map<std::string, const PassDesc*, std::less<>> dropped = {};

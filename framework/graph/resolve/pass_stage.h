@@ -1,5 +1,5 @@
-// Purpose: the data that a stage of resolve() reads about one pass, and the stage's way to report its faults.
-// Base of the classes that treat one pass.
+// Purpose: a base class for the stages of resolve() that handle one pass at a time. It holds the data about
+// the pass that such a stage reads, and reports errors of the pass.
 #pragma once
 
 #include <string>

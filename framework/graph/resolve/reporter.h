@@ -36,9 +36,9 @@ class Reporter {
 
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);
 
-    // Counts steps of work before the work is done. Used wherever the file determines the amount of work. One
-    // step is about 100 ns of time or 32 bytes of memory. Throws ResolveStopped if the steps exceed the
-    // limit.
+    // Counts steps of work. Called before the work is done, wherever the content of the graph file determines
+    // the amount of work. One step is about 100 ns of time or 32 bytes of memory. Throws ResolveStopped if
+    // the steps exceed the limit.
     void spend(uint64_t count, SourceLoc loc);
     // Returns the number of steps that resolving one tier may take, an equal part of the limit graph.steps.
     [[nodiscard]] uint64_t most_steps() const;

@@ -24,11 +24,12 @@ struct ResolveInput {
     const ShaderCatalog& shaders;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
-    // Parameter values, output size and observed resources. resolve() uses no other member.
+    // resolve() uses only the parameter values, the output size and the observed references of the request.
     GraphRequest request;
     GraphLimits limits = {};
-    // For images with a list of formats, by name: how many formats at the start of the list to skip although
-    // the device supports them. Used to give an image the same format in all tiers.
+    // For images with a list of formats, by the name of the image: the number of formats at the start of the
+    // list that are skipped although the device supports them. Used to give an image the same format in all
+    // tiers.
     std::map<std::string, size_t> skipped_formats = {};
 };
 // Returns an error W120 for each parameter value that the graph does not allow (default values included), and

@@ -87,8 +87,9 @@ class DispatchSizer : PassStage<Dispatches> {
               "make local_size in the shader smaller");
     }
 
-    // Returns the three sides of a dispatch. A single number n means (n, 1, 1), a size means (x, y, 1), and
-    // an array gives each side.
+    // Returns the three sides of a dispatch, in the unit of `sides`: workgroups for "groups", shader
+    // invocations for "threads". A single number n means (n, 1, 1), a size means (x, y, 1), and an array
+    // gives each side.
     std::optional<std::array<double, 3>> evaluate_sides(const std::vector<Expr>& sides) {
         std::array<double, 3> result{1, 1, 1};
         for (size_t i = 0; i < std::min<size_t>(3, sides.size()); ++i) {

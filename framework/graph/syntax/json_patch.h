@@ -7,11 +7,11 @@
 
 namespace weft {
 
-// Collects the results of a merge besides the merged document: errors, and for each replaced value the value
-// that replaced it (in SourceMap::replacements).
+// Collects further results of a merge: its errors, and (in SourceMap::replacements) the places of each
+// replaced value and of the value that replaced it.
 struct PatchLog {
     SourceMap& sources;
-    // Errors with code W128: a null in the patch is to remove a member that does not exist.
+    // Errors with code W128: a null in the patch names a member that does not exist.
     Diagnostics errors;
 };
 

@@ -36,8 +36,8 @@ void append_utf8(uint32_t code, std::string& out) {
     }
 }
 
-// Reads the four hexadecimal digits after "\u" and returns their value, or nullopt if they are not four
-// digits. Does not move the cursor.
+// Reads the four hexadecimal digits of an escape "\u", which begin `ahead` bytes after the cursor. Returns
+// their value, or nullopt if they are not four hexadecimal digits. Does not move the cursor.
 std::optional<uint32_t> hex4(const JsonCursor& cursor, size_t ahead) {
     uint32_t code = 0;
     for (size_t i = 0; i < 4; ++i) {

@@ -48,8 +48,8 @@ class IncludeReader {
         }
     }
 
-    // Checks the number of tiers, and the limit graph.jsonValues with the number of values counted once per
-    // tier and once for the graph without a tier, because each tier is merged and parsed separately.
+    // Checks the number of tiers and the limit graph.jsonValues. The values of all files count once for each
+    // tier, and once for the graph without a tier, because each of these is merged and parsed separately.
     void check_tiers() {
         std::set<std::string_view> names;
         for (const IncludedJson& included : doc_.included) check_tiers(included.root, names);

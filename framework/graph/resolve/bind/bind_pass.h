@@ -35,13 +35,14 @@ void bind_fixed_ports(PassBinding& pass);
 void bind_custom_ports(PassBinding& pass);
 // Gives the specialisation constants of the shader their values. Errors: W113.
 void bind_constants(PassBinding& pass);
-// Binds the draw lists of a raster pass, or evaluates its numbers of vertices and instances. Errors: W114,
-// W118, W167.
+// Binds the draw lists of a raster pass. If the pass has no draw lists, evaluates its number of vertices and
+// its number of instances. Errors: W114, W118, W167.
 void bind_draws(PassBinding& pass);
 // Finds the view that the pass is drawn from among the views that the program offers. Errors: W109, W118.
 void bind_view(PassBinding& pass);
-// Checks needs of a shader other than ports and parameters: descriptors that the program binds, gl_PointSize
-// when points are drawn, and an explicit local size. Errors: W185, W186. Warnings: W137.
+// Checks what a shader needs besides ports and parameters. It may use only descriptors that the program
+// binds, it must write gl_PointSize if the pass draws points, and it should state its local size. Errors:
+// W185, W186. Warnings: W137.
 void check_shader_fit(PassBinding& pass);
 
 }  // namespace weft

@@ -45,15 +45,17 @@ class ReferenceBinder {
     }
 
  private:
-    // Marks resources with names similar to a misspelt output as suspect. The author may have meant one of
-    // them, so a pass that reads this resource must not be reported because nothing writes it.
+    // Called when the name of an output is misspelt. Marks the resources with similar names as suspect,
+    // because the author may have meant to write one of them. So the passes that read these resources cause
+    // no error W110 (no pass writes the resource).
     void suspect_near_names(const std::vector<std::string>& near_names) {
         for (const std::string& near : near_names)
             result_.suspects.writers[resource_id(declared_.shapes.resources, near)] = 1;
     }
 
-    // Returns true if the name is probably an import that the graph's "imports" misspell: the program offers
-    // this name, and an import with a similar name has an error. That error was already reported.
+    // Returns true if `name` is probably an import that is misspelt in "imports" of the graph: the program
+    // offers an import `name`, but "imports" contains only a similar name. The error about that similar name
+    // was already reported.
     bool means_faulty_import(PassId pass, const std::string& name,
                              const std::vector<std::string>& near_names) {
         for (const std::string& near : near_names) {
@@ -124,7 +126,8 @@ class ReferenceBinder {
             return std::nullopt;
         }
         if (!check_pin(pass, ref) || result_.suspects.shapes[resource]) {
-            // The pass writes this resource, but it is unknown which range of the resource.
+            // The port is not bound. If it is an output, the pass does write this resource, but the written
+            // range is unknown.
             result_.suspects.passes[pass] = 1;
             if (is_output) result_.suspects.writers[resource] = 1;
             return std::nullopt;

@@ -236,8 +236,8 @@ class ShaderBinder {
         });
     }
 
-    // Returns true if the description of the pass has a port of this name. The bound ports are not searched:
-    // a port with an error is not bound, but must not also be reported as missing.
+    // Returns true if the description of the pass has a port of this name. Does not search the bound ports: a
+    // port with an error is not bound, and a second error "the port is missing" would be wrong.
     bool names_port(const std::string& name) const {
         const auto named = [&](const PortDesc& p) { return p.port == name; };
         return std::ranges::any_of(desc().in, named) || std::ranges::any_of(desc().out, named);
@@ -254,8 +254,8 @@ class ShaderBinder {
         }
     }
 
-    // Returns true if the pass probably misspells the port `name`: it has a port with a similar name that the
-    // shader does not have. That port was already reported as misspelt, or its resource as unknown.
+    // Returns true if the pass probably misspells the port `name`: the pass has a port with a similar name,
+    // and the shader has no binding of that similar name. An error about that port was already reported.
     bool is_misspelt(const std::string& name) const {
         std::vector<std::string> unmatched;
         const std::vector<std::string> known = list_bindings(true);

@@ -20,8 +20,8 @@ bool passes_on(const PassDesc& desc, const std::string& name) {
     return reads_it || blend_of(desc, out->port).enabled;
 }
 
-// Returns the name of the pass whose version of the resource a removed pass itself selects with `@pass`, or
-// null if the removed pass contains no such reference.
+// A removed pass may itself use the resource `name` with an `@pass`, for example "color@fog". Returns the
+// name of the pass in that reference ("fog"), or null if there is no such reference.
 const std::string* own_pin(const PassDesc& desc, const std::string& name) {
     for (const std::vector<PortDesc>* ports : {&desc.in, &desc.out}) {
         for (const PortDesc& port : *ports) {

@@ -1,7 +1,7 @@
 // Purpose: handles references to passes that `if` removes. Private to bind(). If a removed pass modifies a
-// resource in place, references to its version see the previous version instead. If no remaining pass writes
-// the resource that a port reads, the port uses its "else", or nothing if the port is optional; otherwise
-// error W123 is reported.
+// resource in place, a reference to the version after that pass sees the previous version instead. If no
+// remaining pass writes the resource that a port reads, the port uses its "else". Without an "else", an
+// optional port stays unbound, and any other port is error W123.
 #pragma once
 
 #include <vector>

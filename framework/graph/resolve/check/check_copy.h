@@ -1,5 +1,5 @@
-// Purpose: checks that source and target of a copy have the same shape, and that source and target of a blit
-// fit.
+// Purpose: checks that source and target of a copy have the same shape, and that a blit between its source
+// and its target is possible.
 #pragma once
 
 #include "graph/resolve/version.h"

@@ -1,5 +1,6 @@
-// Checks passes with `perFrame`, of which only a part runs in each frame. The results of the other passes
-// must stay available, so they must be written to resources that keep their content between frames.
+// Checks passes with `perFrame`. In each frame, only some passes of such a repeat run. The results of its
+// other passes come from earlier frames, so all its passes must write resources that keep their content
+// between frames.
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 

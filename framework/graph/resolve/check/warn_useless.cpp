@@ -48,8 +48,8 @@ class UselessSearch {
         }
     }
 
-    // Returns true if a use needs the content of the resource. Some writes need it too: a pass uses its depth
-    // attachment if it tests against it, and a multisampled attachment if it resolves it.
+    // Returns true if a use needs the content of the resource. Some writes need the content too: a depth
+    // attachment is used by the depth or stencil test, and a multisampled attachment is used by its resolve.
     static bool sees(const PassDecl& decl, const PortDraft& port, const UseDecl& use) {
         if (reads(use.access)) return true;
         if (port.is_depth_port) return decl.state.depth_test || decl.state.stencil_test;
@@ -74,8 +74,8 @@ class UselessSearch {
         return !desc.condition.empty() || std::ranges::any_of(written_ports(desc), at_times);
     }
 
-    // Warns if the pass is culled. If several passes are culled together, warns only about the last one,
-    // whose result nothing reads, because it is the cause.
+    // Warns if the pass is culled. If a chain of passes is culled, warns only about the last pass of the
+    // chain. Nothing reads its result, so this pass is the cause.
     void judge_pass(const std::string& name, const std::vector<PassId>& ids) {
         const auto is_culled = [&](PassId id) { return live_.live_passes[id] == 0; };
         const auto is_cause = [&](PassId id) { return live_.reasons[id] == CullReason::unused_output; };

@@ -146,8 +146,8 @@ class ParamCosts {
         for (const Expr& bound : *view.range) add(bound, ParamCost::live);
     }
 
-    // Returns the names of all resources and draw lists that passes use, including passes that do not run,
-    // and of those that debug views and tests use.
+    // Returns the names of all resources and draw lists that passes, debug views or tests use. This includes
+    // passes that do not run.
     ResourceNames named_resources() const {
         ResourceNames named = watched_resources(graph_);
         const auto add_named = [&](const PortDesc& port) {

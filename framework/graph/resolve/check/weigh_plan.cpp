@@ -9,8 +9,8 @@ namespace {
 
 // Steps per subresource: several tables of the compiler and the checker have an entry for each subresource.
 constexpr uint64_t kStepsPerSubresource = 16;
-// Number of frames that the checker simulates if no resource has a history. With histories, it simulates as
-// many more frames as the longest history has.
+// Number of frames that the checker simulates if no resource has a history. Otherwise it simulates this
+// number of frames plus the length of the longest history, in frames.
 constexpr uint64_t kCheckedFrames = 3;
 
 uint64_t count_subresources(const SubresourceRange& range) {

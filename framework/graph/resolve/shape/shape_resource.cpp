@@ -15,8 +15,9 @@ namespace {
 
 constexpr uint32_t kCubeFaces = 6;
 
-// Rounds down, but to 1 if the result would be less, so that repeated halving of a size ends at 1. Clamps
-// values far above the limits of any device; the check of the limits reports such values.
+// Rounds down to a whole number, but returns at least 1, so that repeated halving of a size ends at 1. Clamps
+// values that are far above the limits of any device. A clamped value still exceeds these limits, so the
+// check of the limits reports it.
 uint32_t at_least_one(double value) {
     constexpr double kMost = 1u << 30;
     return saturated<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));

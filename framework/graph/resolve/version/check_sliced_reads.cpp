@@ -1,5 +1,5 @@
-// Checks reads if passes with `perFrame` run only in some frames: each read must see the version that its
-// reference names in every frame, whichever passes run in that frame.
+// Checks the reads of resources that passes with `perFrame` write. Such a pass runs only in some frames. But
+// a read must see the version that its reference names in every frame, whichever passes run in that frame.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -23,12 +23,14 @@ FrameSlice slice_of(const Declared& declared, PassId pass) {
     return decl.frame_slices > 1 ? FrameSlice{decl.frame_slices, decl.frame_slice} : FrameSlice{};
 }
 
-// Checks the reads of one cell (a part of a resource that every use covers completely or not at all) that
-// passes with different frame slices write. The frame slice of a pass is the set of frames in which it runs.
-// The rule does not depend on which slice comes first. A read is right in every frame if one of these holds:
+// Checks the reads of one cell. A cell is a part of a resource that every use covers completely or not at
+// all. The writers of the cell may have different frame slices. The frame slice of a pass is the set of
+// frames in which the pass runs.
+// The rule must hold in any order of the slices. A read is right in every frame if one of these holds:
 // - The pass whose version the read names runs in every frame in which the reader runs.
 // - The named version is the last one of the cell, and all writers of the cell run in the same frames.
-// - Every writer modifies the content in place. Then each read names the current content and sees it.
+// - Every writer modifies the content in place. Then there is only one content, and every read means its
+//   newest state.
 class SlicedCell {
  public:
     using Reported = std::set<std::tuple<const PassDesc*, const PassDesc*, ResourceId>>;

@@ -127,8 +127,8 @@ class VersionConnector {
         decl.state = access_state(decl.access, stages, buffer ? aspect::kNone : resource.aspects);
     }
 
-    // Returns true if the use needs the earlier content. A partial copy or clear reads nothing, but the
-    // earlier content must stay where it does not write.
+    // Returns true if the use needs the earlier content. For example, a partial copy or clear reads nothing,
+    // but the earlier content must stay in the part of the resource that the pass does not write.
     bool sees_content(const CellUse& u) {
         return reads(use(u).access) || port(u).rank == WriteRank::in_place;
     }

@@ -9,8 +9,9 @@
 
 namespace weft {
 
-// Returns those passes named by the port's `@pass` whose versions `pass` may see. If `pass` belongs to the
-// named repeat itself, these are only the earlier passes of the repeat.
+// Returns the passes that the `@pass` of the port names. If `pass` itself belongs to the named repeat,
+// returns only the passes of the repeat before `pass`, because `pass` cannot see the versions of itself or of
+// later passes.
 [[nodiscard]] std::span<const PassId> visible_pins(const PortDraft& port, PassId pass);
 // Returns which version of a cell (a part of a resource) `reader` sees, as an index into the ordered writers
 // of the cell. -1 means the content from before the frame.

@@ -10,11 +10,13 @@
 namespace weft {
 namespace {
 
-// Finds the order of the passes that write each cell, a part of a resource that every use covers completely
-// or not at all. First collects what orders passes: `after`, references with `@pass`, and reads that must
-// follow all writers. Then puts the writers of each cell in order. This orders more passes, because the
-// readers of a version run before the next writer; so this step is repeated until nothing changes. Writers
-// that have no order in the end are error W111, and a cycle is error W150.
+// Finds the order of the passes that write each cell. A cell is a part of a resource that every use covers
+// completely or not at all. First adds the arcs ("pass A runs before pass B") that follow directly from the
+// graph file, for example from `after`, from references with `@pass`, and from reads that must follow all
+// writers. Then sorts the writers of each cell by these arcs. Each sorted cell gives new arcs, because the
+// readers of a version run before the next writer. The new arcs may order the writers of other cells, so this
+// step is repeated until no further cell can be sorted. Writers without an order are then error W111. A cycle
+// is error W150.
 class WriterOrder {
  public:
     WriterOrder(const Declared& declared, VersionedGraph& graph, std::vector<Cell>& cells, Reporter& reporter)
@@ -165,9 +167,9 @@ class WriterOrder {
         }
     }
 
-    // If exactly one writer of the cell starts a new version, adds arcs so that this writer runs before all
-    // other writers. If no writer starts a new version, the same holds for a single writer that continues a
-    // version but can also start without one (WriteRank::resumes).
+    // If exactly one writer of the cell replaces all content (WriteRank::fresh), adds arcs so that this
+    // writer runs before all other writers. If no writer replaces all content, but exactly one can start
+    // without an earlier version (WriteRank::resumes), adds such arcs for that writer.
     void add_base(const Cell& cell) {
         if (cell.writers.size() < 2) return;
         const auto rank = [this](const CellUse& w) { return port(w).rank; };

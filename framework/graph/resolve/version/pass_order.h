@@ -1,6 +1,6 @@
-// Purpose: the known part of the order of passes, while versions are being found. Private to version(). An
-// arc says that pass `to` runs after pass `from`, and why, so that a message about a cycle can give the
-// reasons.
+// Purpose: stores the arcs that are known so far between passes, while version() searches for the order of
+// all passes. Private to version(). An arc says that pass `to` runs after pass `from`, and why, so that a
+// message about a cycle can give the reasons.
 #pragma once
 
 #include <vector>
@@ -41,8 +41,9 @@ class PassOrder {
 
  private:
     enum class Visit : uint8_t { enter, skip, stop };
-    // Calls visit(pass) for the end of every arc that leaves `from` or a pass that `visit` entered, until
-    // `visit` stops.
+    // Follows arcs, beginning at `from`. Calls visit(pass) for the pass at the end of each arc. If `visit`
+    // returns `enter`, also follows the arcs of that pass; `skip` does not follow them; `stop` ends the
+    // search.
     template <class Visitor>
     void search(PassId from, const Visitor& visit) const;
 

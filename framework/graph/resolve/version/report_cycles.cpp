@@ -162,8 +162,8 @@ class CycleReport {
         });
     }
 
-    // Returns true if the pass belongs to a repeat whose passes read the results of earlier passes of the
-    // same repeat.
+    // Returns true if the pass belongs to a repeat of several passes and writes the resource. If the pass
+    // also reads the resource, it probably reads the result of an earlier pass of the same repeat.
     bool reads_own_repeat(PassId pass, ResourceId resource) const {
         const auto& instances = declared_.expansion.instances;
         const auto own = instances.find(declared_.author_name(pass));
