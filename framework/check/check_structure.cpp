@@ -226,8 +226,8 @@ void check_transfers(const FramePlan& plan, FaultList& faults) {
                 if (barrier.src_family != barrier.dst_family) halves.push_back(&barrier);
     const auto key = [](const BarrierDecl* half) {
         const SubresourceRange& r = half->range;
-        return std::tuple(half->resource, half->src_family, half->dst_family, half->src.layout, half->dst.layout,
-                          r.mip, r.mips, r.layer, r.layers, r.aspects);
+        return std::tuple(half->resource, half->src_family, half->dst_family, half->src.layout,
+                          half->dst.layout, r.mip, r.mips, r.layer, r.layers, r.aspects);
     };
     // Number of halves with the same parameters.
     std::map<decltype(key(nullptr)), size_t> same;

@@ -80,7 +80,8 @@ std::vector<ResourceId> MemoryHolders::take_over(ResourceId taker) {
     holds_all_[taker] = 1;
     for_each_placement(taker, [&](const Placement& placement) {
         cut(placement);
-        const Address begin{placement.heap, placement.offset_bytes}, end{placement.heap, placement.end_bytes()};
+        const Address begin{placement.heap, placement.offset_bytes},
+            end{placement.heap, placement.end_bytes()};
         regions_.erase(regions_.lower_bound(begin), regions_.lower_bound(end));
         regions_.emplace(begin, Region{end.second, {taker}});
     });
@@ -103,7 +104,8 @@ void MemoryHolders::use(ResourceId resource) {
                 continue;
             }
             const bool stops = next != regions_.end() && next->first.first == placement.heap;
-            const uint64_t end = stops ? std::min(placement.end_bytes(), next->first.second) : placement.end_bytes();
+            const uint64_t end =
+                stops ? std::min(placement.end_bytes(), next->first.second) : placement.end_bytes();
             regions_.emplace(Address{placement.heap, at}, Region{end, {resource}});
             at = end;
         }

@@ -155,8 +155,8 @@ void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scop
         };
         for (const auto& [id, i] : same) {
             const bool taken_over = batch[i].resource != resource;
-            cells_[resource].each(
-                taken_over ? plan_.graph.resources[resource].whole() : batch[i].range, pass_cell);
+            cells_[resource].each(taken_over ? plan_.graph.resources[resource].whole() : batch[i].range,
+                                  pass_cell);
         }
     }
     logs_[clock_.queue()].append(all);

@@ -1,29 +1,76 @@
 #include "render/graph_loader.h"
 
+#include <utility>
+
 namespace weft::render {
 
-Result<LoadedGraph> GraphLoader::load(const GraphRequest& request, const ParsedGraph* parsed,
-                                      Diagnostics& warnings, std::set<std::filesystem::path>& files) {
+bool GraphLoader::has_document(const GraphRequest& request) const {
+    return settings_.reads_disk && last_ && last_->request.path == request.path && last_->stamps.hold();
+}
+
+// Compiles the shaders of the graph and resolves it. If `parsed` is null, the function merges and parses the
+// document of the last load for the tier of the request.
+Result<LoadedGraph> GraphLoader::resolve(const GraphRequest& request, const ParsedGraph* parsed,
+                                         Diagnostics& warnings) {
+    ++work_.resolved;
+    memory_.begin();
+    const ImportCatalog imports = imports_at(request.size);
+    const LoadInput input{.request = request,
+                          .settings = settings_,
+                          .passes = passes_,
+                          .imports = imports,
+                          .profile = profile_,
+                          .memory = &memory_};
+    Result<LoadedGraph> loaded = parsed != nullptr ? load_graph(*parsed, input, warnings)
+                                                   : load_graph(last_->document, input, warnings);
+    if (loaded) memory_.forget_unused();
+    return loaded;
+}
+
+Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const ParsedGraph* parsed,
+                                        uint64_t known, Diagnostics& warnings,
+                                        std::set<std::filesystem::path>& files) {
+    ++work_.loads;
+    const bool same_files = parsed == nullptr && has_document(request);
+    if (same_files && last_->number == known && last_->request == request) {
+        files.insert(last_->files.begin(), last_->files.end());
+        warnings.insert(warnings.end(), last_->warnings.begin(), last_->warnings.end());
+        return LoadedVersion{known, std::nullopt};
+    }
+    // Created before the files are read.
+    FileStamps stamps;
     std::optional<ParsedGraph> own;
-    if (parsed == nullptr) {
+    if (!same_files && parsed == nullptr) {
+        ++work_.read;
         Result<ParsedGraph> made = parse_graph(request, settings_, &files);
         if (!made) return made.take_errors();
         parsed = &own.emplace(std::move(*made));
     }
-    files.insert(parsed->files.begin(), parsed->files.end());
-    memory_.begin();
-    const ImportCatalog imports = imports_at(request.size);
-    Result<LoadedGraph> loaded = load_graph(*parsed,
-                                            {.request = request,
-                                             .settings = settings_,
-                                             .passes = passes_,
-                                             .imports = imports,
-                                             .profile = profile_,
-                                             .memory = &memory_},
-                                            warnings);
+    const std::set<std::filesystem::path>& graph_files = parsed ? parsed->files : last_->graph_files;
+    files.insert(graph_files.begin(), graph_files.end());
+    Diagnostics found;
+    Result<LoadedGraph> loaded = resolve(request, parsed, found);
+    warnings.insert(warnings.end(), found.begin(), found.end());
     files.insert(memory_.files().begin(), memory_.files().end());
-    if (loaded) memory_.forget_unused();
-    return loaded;
+    if (!loaded) return loaded.take_errors();
+    if (own) {
+        last_.emplace();
+        last_->stamps = std::move(stamps);
+        last_->document = std::move(own->document);
+        last_->graph_files = std::move(own->files);
+    }
+    // The caller may have parsed its document long before this call. So only an own document is kept.
+    if (own || same_files) remember(request, std::move(found));
+    return LoadedVersion{work_.loads, std::move(*loaded)};
+}
+
+void GraphLoader::remember(const GraphRequest& request, Diagnostics warnings) {
+    last_->request = request;
+    last_->number = work_.loads;
+    last_->warnings = std::move(warnings);
+    last_->files = last_->graph_files;
+    last_->files.insert(memory_.files().begin(), memory_.files().end());
+    last_->stamps.take(last_->files);
 }
 
 Result<ResolvedGraph> GraphLoader::resolve_again(const LoadedGraph& loaded, const GraphRequest& request,

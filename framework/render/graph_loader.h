@@ -1,15 +1,32 @@
-// Purpose: loads graphs repeatedly for one device and scene. Shaders that did not change since the last load
-// are not compiled again. load() may run on only one thread at a time; the other functions may run on any
-// thread.
+// Purpose: loads graphs repeatedly for one device and scene, and does only the work that a change needs.
+// Shaders that did not change since the last load are not compiled again. If no file changed, only the stages
+// that depend on the request run again. load() may run on only one thread at a time; the other functions may
+// run on any thread.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <set>
 
+#include "load/file_stamps.h"
 #include "shader/shader_memory.h"
 #include "weft/load/load_graph.h"
 
 namespace weft::render {
+
+// The result of a load.
+struct LoadedVersion {
+    uint64_t number = 0;  // Number of the load. Different results have different numbers.
+    // The loaded graph; absent if the caller has it already.
+    std::optional<LoadedGraph> graph;
+};
+
+// Counts the stages that load() has run so far.
+struct LoadWork {
+    uint64_t loads = 0;     // Number of calls of load().
+    uint64_t read = 0;      // Number of times that the graph files were read.
+    uint64_t resolved = 0;  // Number of times that the shaders were looked up and the graph was resolved.
+};
 
 class GraphLoader {
  public:
@@ -23,9 +40,12 @@ class GraphLoader {
           imports_(std::move(imports)) {}
 
     // Loads the graph of `request`. Parses the graph file, unless `parsed` contains the result already. Adds
-    // to `files` the files that were searched.
-    [[nodiscard]] Result<LoadedGraph> load(const GraphRequest& request, const ParsedGraph* parsed,
-                                           Diagnostics& warnings, std::set<std::filesystem::path>& files);
+    // to `files` the files that were searched. `known` is the number of the load whose result the caller has,
+    // or 0. If that was the last successful load, and the files and the request are still the same, the
+    // result has the same number and no graph.
+    [[nodiscard]] Result<LoadedVersion> load(const GraphRequest& request, const ParsedGraph* parsed,
+                                             uint64_t known, Diagnostics& warnings,
+                                             std::set<std::filesystem::path>& files);
     [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const GraphRequest& request,
                                                       Diagnostics& warnings) const;
 
@@ -33,13 +53,34 @@ class GraphLoader {
     [[nodiscard]] const PassCatalog& passes() const { return passes_; }
     // Returns the scene's imports with an output of this size.
     [[nodiscard]] ImportCatalog imports_at(Extent3D size) const;
+    [[nodiscard]] const LoadWork& work() const { return work_; }
 
  private:
+    // The last successful load.
+    struct Last {
+        FileStamps stamps;
+        GraphRequest request;
+        JsonDoc document;
+        std::set<std::filesystem::path> graph_files;  // The files of the document, without shaders.
+        std::set<std::filesystem::path> files;
+        Diagnostics warnings;
+        uint64_t number = 0;
+    };
+
+    // Returns true if the graph file of `request` is surely the one that the last load read.
+    [[nodiscard]] bool has_document(const GraphRequest& request) const;
+    [[nodiscard]] Result<LoadedGraph> resolve(const GraphRequest& request, const ParsedGraph* parsed,
+                                              Diagnostics& warnings);
+    // Stores a successful load of the document in `last_`.
+    void remember(const GraphRequest& request, Diagnostics warnings);
+
     const DeviceProfile& profile_;
     const LoadSettings settings_;
     const PassCatalog passes_;
     const ImportCatalog imports_;
     ShaderMemory memory_;
+    std::optional<Last> last_;
+    LoadWork work_;
 };
 
 }  // namespace weft::render

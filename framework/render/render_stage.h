@@ -39,6 +39,8 @@ struct StageFingerprint {
     // The shader programs of the graph, by the name under which the graph refers to them.
     std::map<std::string, Program, std::less<>> programs;
     VkImage output = VK_NULL_HANDLE;
+    // LoadedVersion::number of the graph at its own size; 0 if the graph was resolved again for another size.
+    uint64_t load = 0;
     // Number of the running graph's state: each replacement, also of values only, adds 1. The number shows
     // whether a replacement was prepared for the state that runs now or for an older one. 0: no graph runs
     // yet.

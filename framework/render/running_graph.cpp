@@ -3,15 +3,29 @@
 #include <utility>
 
 namespace weft::render {
+namespace {
+
+// Returns parts that replace nothing: the running graph is the selected one already.
+std::unique_ptr<SwapParts> keep_running(const Selection& selection, StageFingerprint running) {
+    auto next = std::make_unique<SwapParts>();
+    next->selection = selection;
+    next->follows = running.generation;
+    next->rebuilt.shaders = static_cast<uint32_t>(running.programs.size());
+    next->fingerprint = std::move(running);
+    return next;
+}
+
+}  // namespace
 
 RunningGraph::RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports)
     : loader_(device.profile(), input.load, *input.passes, std::move(imports)),
       selection_{input.request, input.output} {}
 
 Status RunningGraph::load_first(const ParsedGraph* parsed, Diagnostics& warnings) {
-    Result<LoadedGraph> loaded = loader_.load(selection_.request, parsed, warnings, first_files_);
+    Result<LoadedVersion> loaded = loader_.load(selection_.request, parsed, 0, warnings, first_files_);
     if (!loaded) return loaded.take_errors();
-    loaded_ = std::move(*loaded);
+    loaded_ = std::move(*loaded->graph);
+    fingerprint_.load = loaded->number;
     return Unit{};
 }
 
@@ -21,6 +35,7 @@ Result<PendingSwap> RunningGraph::start(vk::Device& device, const GpuScene& scen
     Result<std::unique_ptr<SwapParts>> first =
         maker_->make(selection_, loaded_.shaders, loaded_.graph, StageFingerprint{});
     if (!first) return first.take_errors();
+    (*first)->fingerprint.load = fingerprint_.load;
     return PendingSwap(std::move(*first));
 }
 
@@ -33,12 +48,19 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     const std::lock_guard one_at_a_time(preparing_);
     Diagnostics warnings;
     std::set<std::filesystem::path> files;
-    Result<LoadedGraph> loaded = loader_.load(selection.request, nullptr, warnings, files);
+    StageFingerprint now = running();
+    // With another output, the stage must be made again from the graph.
+    const uint64_t known = now.output == selection.output ? now.load : 0;
+    Result<LoadedVersion> loaded = loader_.load(selection.request, nullptr, known, warnings, files);
     if (!loaded) return {loaded.take_errors(), std::move(warnings), std::move(files)};
-    Result<std::unique_ptr<SwapParts>> next =
-        maker_->make(selection, loaded->shaders, loaded->graph, running());
+    if (!loaded->graph)
+        return {PendingSwap(keep_running(selection, std::move(now))), std::move(warnings), std::move(files)};
+    LoadedGraph& graph = *loaded->graph;
+    Result<std::unique_ptr<SwapParts>> next = maker_->make(selection, graph.shaders, graph.graph, now);
     if (!next) return {next.take_errors(), std::move(warnings), std::move(files)};
-    (*next)->loaded = std::move(*loaded);
+    (*next)->fingerprint.load = loaded->number;
+    (*next)->loaded = std::move(graph);
+    if ((*next)->rebuilt.nothing()) note_same(**next);
     return {PendingSwap(std::move(*next)), std::move(warnings), std::move(files)};
 }
 
@@ -52,6 +74,11 @@ Result<PendingSwap> RunningGraph::prepare_resize(Extent3D size, VkImage output, 
     if (!next) return next.take_errors();
     (*next)->resolved = std::move(*graph);
     return PendingSwap(std::move(*next));
+}
+
+void RunningGraph::note_same(const SwapParts& next) {
+    const std::lock_guard lock(fingerprint_mutex_);
+    if (fingerprint_.generation == next.follows) fingerprint_.load = next.fingerprint.load;
 }
 
 bool RunningGraph::is_next(const SwapParts& next) const {

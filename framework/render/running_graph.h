@@ -44,6 +44,8 @@ class RunningGraph {
 
  private:
     [[nodiscard]] StageFingerprint running() const;
+    // Stores that the running graph is the same as the graph of `next`, which was loaded later.
+    void note_same(const SwapParts& next);
 
     // Ensures that only one prepare() runs at a time.
     std::mutex preparing_;

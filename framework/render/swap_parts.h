@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "render/graph_loader.h"
 #include "render/render_stage.h"
-#include "weft/load/load_graph.h"
 #include "weft/render/pending_swap.h"
 
 namespace weft::render {

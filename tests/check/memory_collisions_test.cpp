@@ -17,8 +17,8 @@ Pairs by_all_pairs(const FramePlan& plan) {
         for (uint32_t j = i + 1; j < all.size(); ++j) {
             const Placement &a = all[i], &b = all[j];
             const LifetimeSpan &s = plan.lifetimes.spans[a.resource], &t = plan.lifetimes.spans[b.resource];
-            const bool always = check::outlives_the_frame(plan, a.resource) ||
-                                check::outlives_the_frame(plan, b.resource);
+            const bool always =
+                check::outlives_the_frame(plan, a.resource) || check::outlives_the_frame(plan, b.resource);
             const bool same_time = always || (s.first <= t.last && t.first <= s.last);
             const bool same_bytes =
                 a.heap == b.heap && a.offset_bytes < b.end_bytes() && b.offset_bytes < a.end_bytes();

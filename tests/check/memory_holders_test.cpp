@@ -40,9 +40,8 @@ class ByteModel {
     }
     std::vector<ResourceId> others(ResourceId resource) {
         std::set<ResourceId> found;
-        each_byte(resource, [&](const std::set<ResourceId>& holders) {
-            found.insert(holders.begin(), holders.end());
-        });
+        each_byte(resource,
+                  [&](const std::set<ResourceId>& holders) { found.insert(holders.begin(), holders.end()); });
         found.erase(resource);
         return {found.begin(), found.end()};
     }
@@ -52,8 +51,8 @@ class ByteModel {
     std::map<ResourceId, std::vector<ResourceId>> taken_from_;
 };
 
-// Takes memory over and uses it, in a random order, and compares each answer with the model. `uses` of 10 steps
-// are uses.
+// Takes memory over and uses it, in a random order, and compares each answer with the model. `uses` of 10
+// steps are uses.
 void compare(uint32_t seed, uint32_t most_bytes, uint32_t uses) {
     const FramePlan plan = random_placements(seed, 40, 60, most_bytes, 10);
     MemoryHolders holders(plan);

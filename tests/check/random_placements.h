@@ -8,8 +8,8 @@
 
 namespace weft::test {
 
-// Returns a plan with `count` transient resources at random places in two heaps of `heap_bytes` bytes each. Each
-// has up to `most_bytes` bytes and is alive at up to `most_positions` positions.
+// Returns a plan with `count` transient resources at random places in two heaps of `heap_bytes` bytes each.
+// Each has up to `most_bytes` bytes and is alive at up to `most_positions` positions.
 inline FramePlan random_placements(uint32_t seed, uint32_t count, uint32_t heap_bytes, uint32_t most_bytes,
                                    uint32_t most_positions) {
     std::mt19937 random(seed);

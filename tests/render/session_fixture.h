@@ -84,6 +84,7 @@ class SessionTest : public ::testing::Test {
         input.request.size = size;
         input.request.observed = std::move(observed);
         input.load.reader = reader;
+        input.load.reads_disk = true;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
         input.passes = &passes_;

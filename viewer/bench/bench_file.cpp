@@ -11,8 +11,8 @@ namespace {
 constexpr std::array kReadPorts{"a", "b"};  // The ports of the passes that read an image.
 
 std::string image_text(const ResourceDecl& image) {
-    return formatted(R"(  "%s": {"format": "rgba8", "size": [%u, %u]})", image.name.c_str(), image.extent.width,
-                     image.extent.height);
+    return formatted(R"(  "%s": {"format": "rgba8", "size": [%u, %u]})", image.name.c_str(),
+                     image.extent.width, image.extent.height);
 }
 
 std::string pass_text(const ResolvedGraph& graph, const PassDecl& pass) {
@@ -34,7 +34,8 @@ std::string bench_file_text(const ResolvedGraph& graph) {
     std::string images, passes;
     for (const ResourceDecl& image : graph.resources)
         images += (images.empty() ? "\n" : ",\n") + image_text(image);
-    for (const PassDecl& pass : graph.passes) passes += (passes.empty() ? "\n" : ",\n") + pass_text(graph, pass);
+    for (const PassDecl& pass : graph.passes)
+        passes += (passes.empty() ? "\n" : ",\n") + pass_text(graph, pass);
     return formatted("{\"version\": 1, \"name\": \"%s\", \"resources\": {", graph.name.c_str()) + images +
            "}, \"passes\": {" + passes + "}}\n";
 }
@@ -67,12 +68,36 @@ ShaderCatalog bench_shaders() {
     return catalog;
 }
 
+std::map<std::string, std::string> bench_shader_texts() {
+    std::map<std::string, std::string> texts;
+    std::string inputs, sum = "vec4(0)";
+    for (size_t reads = 0; reads <= kReadPorts.size(); ++reads) {
+        texts[formatted("read%zu.comp", reads)] =
+            "#version 460\nlayout(local_size_x = 8, local_size_y = 8) in;\n"
+            "layout(rgba8) writeonly uniform image2D dst;\n" +
+            inputs + "void main() {\n    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);\n" +
+            "    imageStore(dst, at, " + sum + ");\n}\n";
+        if (reads == kReadPorts.size()) break;
+        inputs += formatted("uniform sampler2D %s;\n", kReadPorts.at(reads));
+        sum += formatted(" + texelFetch(%s, at, 0)", kReadPorts.at(reads));
+    }
+    return texts;
+}
+
 DeviceProfile bench_profile() {
     DeviceProfile profile;
     profile.name = "bench";
     profile.formats[Format::rgba8] =
         format_feature::kSampled | format_feature::kSampledLinear | format_feature::kStorage;
     return profile;
+}
+
+GraphLimits bench_limits() {
+    GraphLimits limits;
+    limits.json_bytes = limits.json_values = limits.expression_parts = 1ull << 40;
+    limits.passes = limits.ports = limits.resources = limits.steps = 1ull << 40;
+    limits.transient_bytes = 1ull << 60;
+    return limits;
 }
 
 }  // namespace weft::viewer

@@ -2,20 +2,26 @@
 // long such a file takes to read, to merge, to parse and to resolve.
 #pragma once
 
+#include <map>
 #include <string>
 
 #include "weft/device_profile.h"
+#include "weft/limits.h"
 #include "weft/plan.h"
 #include "weft/shader_interface.h"
 
 namespace weft::viewer {
 
-// Returns the text of a graph file with the passes and images of `graph`, a result of make_bench_graph(). When
-// it is read and resolved, the result has the same passes, uses, images and edges.
+// Returns the text of a graph file with the passes and images of `graph`, a result of make_bench_graph().
+// When it is read and resolved, the result has the same passes, uses, images and edges.
 [[nodiscard]] std::string bench_file_text(const ResolvedGraph& graph);
 // The interfaces of the shaders that the text names. They have no code.
 [[nodiscard]] ShaderCatalog bench_shaders();
+// The texts of these shaders, by the name of the file.
+[[nodiscard]] std::map<std::string, std::string> bench_shader_texts();
 // Describes a device that can do all that the passes need.
 [[nodiscard]] DeviceProfile bench_profile();
+// Returns limits that a generated file with a million passes does not exceed.
+[[nodiscard]] GraphLimits bench_limits();
 
 }  // namespace weft::viewer

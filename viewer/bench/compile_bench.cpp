@@ -6,6 +6,7 @@
 
 #include "graph/compile/bench_graph.h"
 #include "viewer/bench/front_end_bench.h"
+#include "viewer/bench/unchanged_bench.h"
 
 namespace weft::viewer {
 namespace {
@@ -74,11 +75,13 @@ double CompiledGraph::heap_to_peak() const {
     return static_cast<double>(memory.heap_bytes) / static_cast<double>(memory.peak_live_bytes);
 }
 
-std::vector<CompiledGraph> measure_compile(const BenchOptions& options,
+std::vector<CompiledGraph> measure_compile(const BenchOptions& options, const LoadSettings& settings,
                                            const std::function<void(uint32_t)>& progress) {
     std::vector<CompiledGraph> graphs;
     for (uint32_t i = 0; i < options.seeds; ++i) {
         graphs.push_back(measure_graph(options, options.seed + i));
+        if (i == 0)
+            graphs[0].unchanged_us = measure_unchanged_us(make_graph(options, options.seed), settings);
         progress(i + 1);
     }
     return graphs;

@@ -10,19 +10,22 @@
 
 #include "viewer/options/options.h"
 #include "weft/compile.h"
+#include "weft/load/load_graph.h"
 
 namespace weft::viewer {
 
 // The results for one graph. It is compiled several times.
 struct CompiledGraph {
     uint32_t seed = 0;
-    double first_us = 0;            // Time of the first compilation.
-    double min_us = 0;              // Time of the fastest later compilation.
-    double median_us = 0;           // Median time of all later compilations.
-    std::vector<StageTime> stages;  // Times of the compiler's stages in the fastest later compilation.
+    double first_us = 0;               // Time of the first compilation.
+    double min_us = 0;                 // Time of the fastest later compilation.
+    double median_us = 0;              // Median time of all later compilations.
+    std::vector<StageTime> stages;     // Times of the compiler's stages in the fastest later compilation.
     std::vector<StageTime> front_end;  // Times from the text of a file to the resolved graph.
     double check_us = 0;               // Time of the checker.
-    MemoryPlan memory;              // Without placements and alias transitions.
+    // Time to find that the files of the graph have not changed. Measured only for the first graph, else 0.
+    double unchanged_us = 0;
+    MemoryPlan memory;  // Without placements and alias transitions.
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;  // Name of the chosen candidate.
     uint32_t barriers = 0;
@@ -31,8 +34,10 @@ struct CompiledGraph {
     [[nodiscard]] double heap_to_peak() const;
 };
 
-// Calls `progress` with the number of compiled graphs after each graph.
+// `settings` is for loading the first graph from files. Calls `progress` with the number of compiled graphs
+// after each graph.
 [[nodiscard]] std::vector<CompiledGraph> measure_compile(const BenchOptions& options,
+                                                         const LoadSettings& settings,
                                                          const std::function<void(uint32_t)>& progress);
 
 // One value of all graphs: its mean, its median, and the graph with the largest value.

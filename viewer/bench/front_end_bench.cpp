@@ -22,15 +22,6 @@ double us_since(Clock::time_point start) {
     return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
-// Returns the limits for generated files, which may have a million passes.
-GraphLimits generous_limits() {
-    GraphLimits limits;
-    limits.json_bytes = limits.json_values = limits.expression_parts = 1ull << 40;
-    limits.passes = limits.ports = limits.resources = limits.steps = 1ull << 40;
-    limits.transient_bytes = 1ull << 60;
-    return limits;
-}
-
 // Runs one stage and adds its time to `times`.
 template <class Stage>
 auto timed(const char* name, std::vector<StageTime>& times, Stage stage) {
@@ -43,7 +34,7 @@ auto timed(const char* name, std::vector<StageTime>& times, Stage stage) {
 
 std::vector<StageTime> run_once(const std::string& text, const ShaderCatalog& shaders,
                                 const DeviceProfile& profile) {
-    const GraphLimits limits = generous_limits();
+    const GraphLimits limits = bench_limits();
     const FileReader reader = [&text](const std::string&) { return std::optional(text); };
     std::vector<StageTime> times;
     JsonDoc document =

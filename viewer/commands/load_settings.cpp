@@ -7,6 +7,7 @@ namespace weft::viewer {
 LoadSettings load_settings(const Limits& limits) {
     const std::filesystem::path root = shipped_root();
     return {.reader = reader_up_to(limits.graph.json_bytes),
+            .reads_disk = true,
             .graph_root = root / "graphs",
             .shader_root = root / "shaders",
             .shader_cache = shader_cache(),

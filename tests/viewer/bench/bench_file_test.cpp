@@ -1,4 +1,5 @@
-// Resolves the graph files that `weft bench compile` reads, and compares the results with the generated graphs.
+// Resolves the graph files that `weft bench compile` reads, and compares the results with the generated
+// graphs.
 #include "viewer/bench/bench_file.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +27,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text) {
     const ImportCatalog no_imports;
     const ShaderCatalog shaders = viewer::bench_shaders();
     const DeviceProfile profile = viewer::bench_profile();
-    GraphLimits limits;
-    limits.transient_bytes = 1ull << 40;
+    const GraphLimits limits = viewer::bench_limits();
     Diagnostics warnings;
     return resolve({.graph = *desc,
                     .passes = no_passes,

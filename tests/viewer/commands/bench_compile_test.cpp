@@ -14,8 +14,9 @@ using Json = nlohmann::json;
 TEST(BenchCompile, CompilesGraphsOfChanceAndSaysWhereTheTimeGoes) {
     const RunResult text = run_weft({"bench", "compile", "--passes", "50", "--shape", "chain"});
     EXPECT_EQ(text.exit_code, 0) << text.text();
-    for (const char* part : {"50 passes, chain, 1 queue, 30 graphs: seeds 1 to 30", "schedule", "alias",
-                             "barriers", "heap / peak ", "program 30 times", "front end ", "resolve ", "check  "})
+    for (const char* part :
+         {"50 passes, chain, 1 queue, 30 graphs: seeds 1 to 30", "schedule", "alias", "barriers",
+          "heap / peak ", "program 30 times", "front end ", "resolve ", "check  ", "unchanged  "})
         EXPECT_NE(text.out.find(part), std::string::npos) << text.text();
     const RunResult one = run_weft({"bench", "compile", "--passes", "50", "--seeds", "1"});
     for (const char* part : {"50 passes, random, 1 queue, seed 1", "<- chosen", "all resources"})
@@ -45,6 +46,7 @@ TEST(BenchCompile, ReportsEachGraphAndTheWorstOfThemAsJson) {
     EXPECT_DOUBLE_EQ(json.at("heap_to_peak").at("worst"), worst_heap);
     EXPECT_TRUE(json.at("stages_us").at("alias").contains("worst"));
     EXPECT_TRUE(json.at("front_end_stages_us").at("resolve").contains("worst"));
+    EXPECT_GT(json.at("unchanged_us"), 0);
     double worst_check_us = 0;
     for (const Json& graph : json.at("graphs")) {
         EXPECT_GT(graph.at("front_end_us").at("read"), 0);

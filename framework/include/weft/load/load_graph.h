@@ -29,6 +29,9 @@ using SkippedFormats = std::map<std::string, size_t>;
 // Settings for loading graphs: the folders of graphs and shaders, and the limits.
 struct LoadSettings {
     FileReader reader;  // Function that reads the texts of graph files.
+    // True: `reader` returns the contents of files on disk. Then a session looks only at the times and sizes
+    // of the files to see that a graph has not changed.
+    bool reads_disk = false;
     // The folder graphs/ that is shipped with Weft. Included files are searched there too.
     std::filesystem::path graph_root;
     // The folder shaders/ that is shipped with Weft. Its subfolder include/ is the root of includes in
