@@ -39,7 +39,7 @@ std::string folder_of_scene(const std::string& scene) {
     return std::filesystem::is_directory(scene) ? scene : folder_of(scene);
 }
 
-// The declared commands and the options that parsing the command line fills.
+// The declared commands, and the structs into which parsing the command line stores the options.
 struct CommandLine {
     CLI::App app{"weft compiles a render graph written as JSON, checks the plan, and runs it on Vulkan.",
                  "weft"};
@@ -74,8 +74,8 @@ struct CommandLine {
 
 CommandLine::CommandLine() {
     app.set_version_flag("--version", "weft 0.1.0");
-    // CLI11 also accepts zero commands here. With a minimum of one, CLI11 would not name a misspelt command
-    // in its error.
+    // The minimum is zero commands, although a command is required. With a minimum of one, the error of CLI11
+    // for a misspelt command would not contain that word.
     app.require_subcommand(0, 1);
     add_render(*render, render_options, raw);
     add_view(*view, view_options, raw);

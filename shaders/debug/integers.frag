@@ -12,7 +12,7 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform usampler2D shown;
-uniform sampler2D surface;  // Depth image of the same pass: 0 where nothing was drawn. Such pixels are striped.
+uniform sampler2D surface;  // Depth drawn with `shown`. Pixels with depth 0 (nothing drawn) are striped.
 
 layout(push_constant) uniform Params {
     float black, white;  // The values that are shown as black and as white.

@@ -28,7 +28,7 @@ void main() {
     }
     const float y = (float(shown.items[i]) - params.black) / (params.white - params.black);
     const vec3 picked = DECODE == 12 ? index_color(uint(shown.items[i])) : DECODE == 11 ? heat_color(y) : vec3(y);
-    // Choose the legend. All decoders except "index" (12) show a buffer in heat colours (11) or in grey.
+    // Choose the legend. Decoder 12 ("index") shows index colours, decoder 11 heat colours, all others grey.
     const uint legend = DECODE == 12 || DECODE == 11 ? DECODE : kFirstChannel;
     color = vec4(with_legend(clamp(picked, 0.0, 1.0), legend, params.black, params.white), 1.0);
 }

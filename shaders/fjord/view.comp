@@ -31,9 +31,10 @@ vec3 sky(vec3 ray) {
     return color + vec3(42.0, 26.0, 13.0) * smoothstep(0.99982, 0.99992, toward) * (1.0 - cloud);
 }
 
-// Returns the distance at which the ray hits the land, or kFarthest. A step is a quarter of the height above the land,
-// and at least `least` times the distance. When a step ends below the land, its interval is halved 5 times. This
-// precision decides on which side of a ridge the ray ends, and the far side of a ridge is sunlit.
+// Returns the distance at which the ray hits the land, or kFarthest. The length of a step is a quarter of the
+// height above the land, and at least `least` times the distance. When a step ends below the land, the
+// interval of this step is halved 5 times. Without the halvings, the ray could end on the far side of a
+// ridge. That side is sunlit, so the pixel would be too bright.
 float land_distance(vec3 from, vec3 ray, float start, float least) {
     float t = start, before = start, gap = 1.0;
     for (int i = 0; i < kSteps; ++i) {

@@ -46,7 +46,8 @@ void reduce_pixels(ivec2 quarter, ivec2 thread, ivec2 last) {
     ranges[in_square.y * kSide1 + in_square.x] = range;
 }
 
-// Returns a texel of the next mip from four texels of this mip, which starts at `from` with rows of 2 × `side`.
+// Returns the texel `at` of the next mip, from four texels of this mip. The next mip has `side` texels per
+// row, this mip 2 × `side`. `from` is the index in `ranges` at which this mip starts.
 vec2 next_range(int from, ivec2 at, int side) {
     const int first = from + at.y * 4 * side + at.x * 2;
     return merged(merged(ranges[first], ranges[first + 1]),

@@ -1,10 +1,10 @@
-// Light of capsules and rectangles that emit uniformly. Vector irradiance means ∫ ω dω over the solid angle of the
-// light (sr), for unit radiance; its dot product with a normal is the irradiance divided by the radiance. Rectangle:
-// Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), clipped at the horizon. The fit of an arc over
-// its sine: Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time Polygonal-Light Shading with Linearly Transformed
-// Cosines". Capsule: the same contour integral, ½ ∮ r × dr, over its silhouette, which has two great-circle arcs and,
-// at the ends, two small-circle arcs. Highlights: representative points, Karis 2013, "Real Shading in Unreal Engine
-// 4".
+// Light of capsules and rectangles that emit uniformly. Vector irradiance means ∫ ω dω over the solid angle
+// of the light (sr), for unit radiance; its dot product with a normal is the irradiance divided by the
+// radiance. Rectangle: Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), clipped at the
+// horizon. The fitted formula for an angle divided by its sine is from Heitz, Dupuy, Hill and Neubelt 2016,
+// "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines". Capsule: the same contour integral,
+// ½ ∮ r × dr, over its silhouette, which has two great-circle arcs and, at the ends, two small-circle arcs.
+// Highlights: representative points, Karis 2013, "Real Shading in Unreal Engine 4".
 #ifndef WEFT_AREA_LIGHTS
 #define WEFT_AREA_LIGHTS
 #include "brdf.glsl"
@@ -56,8 +56,9 @@ vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
 }
 
 // Returns the vector irradiance of the part of a rectangle above the horizon. Arguments: its middle, and vectors of
-// half its width and height. Corners are counter-clockwise, seen from the surface. Loops keep the code short, because
-// compilers inline every call: without them, this file was two thirds of the code of shaders with area lights.
+// half its width and height. Corners are counter-clockwise, seen from the surface. Compilers inline every
+// call, so this file uses loops to keep the compiled code short. Without the loops, this file was two thirds
+// of the code of shaders with area lights.
 vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
     vec3 down = vec3(0.0), up = vec3(0.0), sum = vec3(0.0), to_side = -x, to_next = -y;
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {

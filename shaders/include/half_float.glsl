@@ -4,7 +4,8 @@
 #ifndef WEFT_HALF_FLOAT
 #define WEFT_HALF_FLOAT
 vec3 nearest_half(vec3 x) {
-    // The mantissa of a half float is 13 bits shorter. Below 2⁻¹⁴, the smallest normal half float, steps are 2⁻²⁴ wide.
+    // The mantissa of a half float is 13 bits shorter than that of a float. 2⁻¹⁴ is the smallest normal half
+    // float; below it, neighbouring half floats differ by 2⁻²⁴.
     const vec3 normal = uintBitsToFloat((floatBitsToUint(x) + 0x1000u) & 0xFFFFE000u);
     const vec3 tiny = round(x * 16777216.0) / 16777216.0;
     return mix(normal, tiny, lessThan(abs(x), vec3(6.103515625e-5)));

@@ -24,7 +24,8 @@ float falloff_curve(LightFunction f, float distance_m) {
     return dot(f.curve, vec4(s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t));
 }
 
-// Returns 1 between the barn doors (the four flaps) of a lamp and 0 behind a flap. `at` is a position on the plane at distance 1 in front of the light.
+// Returns 1 between the barn doors (the four flaps) of a lamp and 0 behind a flap. `at` is a position on the
+// plane at distance 1 in front of the light.
 float between_doors(LightFunction f, vec2 at) {
     const vec4 within = f.doors + vec4(at.x, -at.x, at.y, -at.y);
     const vec4 open = smoothstep(vec4(-0.5 * f.softness), vec4(0.5 * f.softness), within);
@@ -46,14 +47,16 @@ struct PictureSpot {
     float weight;
 };
 
-// Finds the place in a picture around a point light. Its middle is in the light's direction, and +up is at the top.
+// Finds the position in a picture that surrounds a point light. The middle of the picture is in the direction
+// `forward` of the light, its top edge in the direction `up`.
 PictureSpot picture_around(LightFunction f, vec3 local, float distance_m, float pixel_m) {
     const vec2 uv = vec2(0.5 + atan(local.x, local.z) / 6.28318530718, acos(clamp(local.y, -1.0, 1.0)) / 3.14159265359);
     return PictureSpot(uv, (pixel_m / distance_m + f.softness) / 3.14159265359, 1.0);
 }
 
-// Finds the place in a projected picture, which is on the plane at distance 1 in front of the light and has soft edges.
-// For directional lights (`endless`), its size is in metres and it repeats. `pixel`: width of a pixel there.
+// Finds the position in a projected picture. The picture is on the plane at distance 1 in front of the light,
+// and its edges are soft. For directional lights (`endless`), the size of the picture is in metres, and the
+// picture repeats. `at`: position on this plane. `pixel`: width of a screen pixel on this plane.
 PictureSpot picture_ahead(LightFunction f, vec2 at, float pixel, bool endless) {
     const vec2 place = at * f.picture_scale;
     const vec2 inside = (1.0 - abs(place)) / (f.picture_scale * f.softness);

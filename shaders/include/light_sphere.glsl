@@ -6,8 +6,9 @@
 // Returns the cosine of the angle between the axis of a spot and the edge of its cone.
 float cone_edge(Light light) { return -light.cone_offset / light.cone_scale; }
 
-// Returns centre and radius of the sphere. The light must have a position and a range. A spot gets the smallest sphere
-// around its cone: if axis and edge are at most 45° apart, through tip and rim, otherwise with the rim as equator.
+// Returns centre and radius of the sphere. The light must have a position and a range. A spot gets the
+// smallest sphere around its cone. If the edge of the cone is at most 45° from the axis, this sphere passes
+// through the tip and the rim. If the cone is wider, the rim is the equator of the sphere.
 vec4 light_sphere(Light light) {
     const float range_m = light.range_m;
     if (light.type == kLightCapsule) return vec4(light.position, light.half_size_m.x + range_m);

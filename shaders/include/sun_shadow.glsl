@@ -45,8 +45,9 @@ bool is_in_map(SunPlace place) {
     return all(greaterThanEqual(place.at.xy, vec2(2.0))) && all(lessThanEqual(place.at.xy, place.size - 2.0));
 }
 
-// Returns the lit share of the tent filter, from four gathers of 2 × 2 texels. Per direction, the four texels have the
-// weights 1 − f, 2 − f, 1 + f and f, where f is the position after the centre of the second texel.
+// Returns the lit share of the tent filter, from four gathers of 2 × 2 texels. In x, the four texels have the
+// weights 1 − f, 2 − f, 1 + f and f, where f is the distance in x from the centre of the second texel to the
+// point, in texels. The same holds for y.
 float filtered(SunPlace place) {
     const vec2 second = floor(place.at.xy - 0.5);
     const vec2 f = place.at.xy - 0.5 - second;

@@ -13,7 +13,8 @@ const uint kPerThread = 4u;
 const uint kRound = kPerThread * kThreads;
 const uint kWords = kRound / 32u;
 
-// One set of bits each for this round, the next round, and the previous round, which slower threads may still read.
+// Three sets of bits: for this round, for the next round, and for the previous round, whose set slower
+// threads may still read. The sets rotate: round r uses set r % 3.
 shared uint entering[3][kWords];
 shared uint entering_one[3];
 uint round_ = 0u, round_of_ones = 0u;
@@ -24,8 +25,9 @@ void begin_rounds() {
     if (gl_LocalInvocationIndex == 0u) entering_one[0] = 0u;
 }
 
-// Does one round. Thread t tests the entries 4 t to 4 t + 3, and `bits` marks the entries to add. The result is the
-// number of the round's set of bits, for the functions below. The set is valid until two rounds later.
+// Does one round. Thread t tests the entries 4 t to 4 t + 3, and `bits` marks the entries to add. Returns the
+// index in `entering` of the set that this round used; the functions below take this index as `slot`. The set
+// is cleared two rounds later.
 uint enter_some(uint bits) {
     const uint slot = round_ % 3u;
     if (bits != 0u) atomicOr(entering[slot][gl_LocalInvocationIndex / 8u], bits << gl_LocalInvocationIndex % 8u * 4u);

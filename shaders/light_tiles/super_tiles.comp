@@ -52,7 +52,8 @@ void find_sides(ivec2 origin) {
     if (i >= kTilesPerSide) return;
     const ivec2 end = origin + (i + 1) * kTilePx;
     const ivec2 last = last_before(end);
-    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));  // Outside: last column.
+    // Columns and rows of tiles outside the picture get the planes of the last column and row of pixels.
+    const SidePlanes sides = planes_of(slopes_of(min(end - kTilePx, last), last));
     column_sides[i] = vec4(sides.left, sides.right);
     row_sides[i] = vec4(sides.lower, sides.upper);
 }

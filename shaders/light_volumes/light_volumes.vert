@@ -5,10 +5,10 @@
 // Each volume is drawn twice in one draw; primitives are rasterised in order. First, its back faces set the
 // stencil where the surface is in front of them. Then its front faces shade the pixels with a set stencil
 // whose surface is behind them, and clear the stencil. Triangles with the other orientation are collapsed. If
-// the eye or the near plane is inside the volume, its front is clipped. In this case the second half draws
-// the back faces again, with reversed orientation, so that they count as front faces, and at the depth of the
-// near plane. Depth is reversed. Volumes are 1 % too large, so that rounding errors at their edges are
-// invisible.
+// the eye or the near plane is inside the volume, the near plane would clip the front faces. In this case the
+// second drawing uses the back faces again, at the depth of the near plane. Their orientation is reversed, so
+// that they count as front faces. Depth is reversed. Volumes are 1 % too large, so that rounding errors at
+// their edges are invisible.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"

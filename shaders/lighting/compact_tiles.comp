@@ -1,6 +1,7 @@
-// Writes the list of tiles of each class, after the size of its indirect dispatch. There is one workgroup. Each
-// invocation counts the classes in a consecutive range of tiles. The prefix sum of the counts gives its start in the
-// lists, and it writes its tiles there. No atomics are used, so the lists are in order and equal in every run.
+// Writes the list of tiles of each class. Each list starts with the size of its indirect dispatch. There is
+// one workgroup. Each invocation counts the classes in a consecutive range of tiles. From the prefix sum of
+// the counts, the invocation gets its start position in each list, and writes its tiles there. No atomics are
+// used, so the lists are in order and equal in every run.
 #version 460
 layout(local_size_x = 256) in;
 

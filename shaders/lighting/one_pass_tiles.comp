@@ -1,10 +1,11 @@
-// Culls lights and shades pixels in one dispatch. A workgroup is a tile of 16 × 16 pixels. It finds the nearest and
-// farthest depth of its surfaces, and tests the bounding sphere of each light against the four side planes of the tile
-// and this depth range. Then it adds the light of the passed lights and of the sky to each pixel. Sources: Andersson
-// 2009, "Parallel Graphics in Frostbite"; White and Barré-Brisebois 2011, "More Performance!". Passed lights are bits
-// in shared memory and are processed in ascending order. So the order of additions is always the same, and no list can
-// overflow. Output hdr: scene-linear Rec.709, cd/m² × preExposure, added to the emission. Output listed: number of
-// passed lights per tile.
+// Culls lights and shades pixels in one dispatch. A workgroup is a tile of 16 × 16 pixels. It finds the
+// nearest and farthest depth of its surfaces, and tests the bounding sphere of each light against the four
+// side planes of the tile and this depth range. Lights that pass both tests are called "passed lights". Then
+// the workgroup adds the light of the passed lights and of the sky to each pixel. Sources: Andersson 2009,
+// "Parallel Graphics in Frostbite"; White and Barré-Brisebois 2011, "More Performance!". Passed lights are
+// bits in shared memory, and are processed in ascending order. So the order of additions is always the same,
+// and no list can overflow. Output hdr: scene-linear Rec.709, cd/m² × preExposure, added to the emission.
+// Output listed: number of passed lights per tile.
 #version 460
 layout(local_size_x = 16, local_size_y = 16) in;
 

@@ -1,6 +1,7 @@
-// Debug view of the sun's shadow maps, drawn over `depth`. The colour shows which map each point uses (from the eye on:
-// orange, green, blue, violet), the pattern shows the size of the map's texels. Where two maps are blended, the colours
-// are blended, too. Surfaces that face away from the sun are dark.
+// Debug view of the sun's shadow maps. Positions are computed from the resource `depth`. The colour shows
+// which map each point uses (orange for the nearest map, then green, blue, violet). The chequered pattern
+// shows the size of the map's texels. Where two maps are blended, the colours are blended, too. Surfaces that
+// face away from the sun are dark.
 #version 460
 #include "frame_set.glsl"
 

@@ -1,6 +1,7 @@
-// Samples a picture between texels, sharper than linear filtering: history is filtered every frame, and linear
-// filtering would blur it more and more. Catmull-Rom weights for four texels per axis; one tap reads both inner texels,
-// and corners are left out, so five bilinear taps are enough. Source: Jimenez 2016, "Filmic SMAA".
+// Samples a picture between texels with the Catmull-Rom filter. The history is filtered again in every frame,
+// so linear filtering would blur it more and more. The filter weights four texels per axis. A bilinear tap
+// reads the two inner texels of an axis at once, and the corners are left out, so five taps are enough.
+// Source: Jimenez 2016, "Filmic SMAA".
 
 vec4 catmull_rom(sampler2D src, vec2 uv) {
     const vec2 size = vec2(textureSize(src, 0));

@@ -1,5 +1,6 @@
-// Renders the shipped graphs on Vulkan drivers other than the packaged one, with the newest validation layer.
-// The layer must give no message, and the pictures may differ only as much as Vulkan allows.
+// Renders the shipped graphs on Vulkan drivers other than the packaged one (the driver of the other tests),
+// with the newest validation layer. The layer must give no message, and the pictures may differ only as much
+// as Vulkan allows.
 // tests/drivers/fetch.sh puts the drivers and the layer into build/drivers.
 #include <gtest/gtest.h>
 

@@ -82,8 +82,8 @@ bool snap_vertices(const fs::path& shader, Triangles triangles) {
     std::string text = read(shader);
     const size_t projection = text.find("gl_Position = view.view_projection *");
     if (projection == std::string::npos) return false;
-    // kMarkBeyond marks triangles that reach beyond the edge of the picture. The shader of the shadow maps
-    // does not get it, because the edge of a shadow map is not the edge of the picture.
+    // kMarkBeyond marks triangles that reach beyond the edge of the picture. It is not inserted into the
+    // shader of the shadow maps, because the edge of a shadow map is not the edge of the picture.
     const bool marks = triangles == Triangles::whole && shader.filename() != "sun_shadow.vert";
     text.insert(text.find(';', projection) + 1, std::string(kOnGrid) + (marks ? kMarkBeyond : ""));
     const bool has_main = insert_before(text, kMain, "layout(location = 12) out float beyond_picture;\n\n");

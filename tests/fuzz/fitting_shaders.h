@@ -1,5 +1,5 @@
-// Purpose: makes shader interfaces that match the passes of any graph. With such interfaces, a fuzzer tests
-// the stages after the matching of ports without compiling shaders.
+// Purpose: makes shader interfaces that match the passes of any graph. With such interfaces, the fuzzer
+// can test the stages after the matching of ports, although no shader is compiled.
 #pragma once
 
 #include "weft/graph_desc.h"

@@ -1,4 +1,5 @@
-// Decodes the fuzzer's bytes as a picture with every reader of pictures that cannot be trusted.
+// Decodes the fuzzer's bytes with each reader of untrusted picture files: textures of glTF files,
+// environments, and the pictures of `weft compare`.
 #include <cstdlib>
 #include <span>
 
@@ -14,7 +15,7 @@ namespace {
 // Larger pictures are skipped, because most of the time would be spent on filling memory.
 constexpr uint64_t kMostTexels = 1 << 20;
 
-// Uses the picture as one that a light projects: a texture that is resized to a common size.
+// Uses the picture as one that a light projects. light_pictures() resizes all projected pictures to one size.
 void show_by_a_light(const weft::scene::DecodedImage& image) {
     constexpr uint64_t kMostForLights = 1 << 14;
     if (image.size.texels() > kMostForLights) return;

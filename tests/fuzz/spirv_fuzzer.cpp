@@ -1,6 +1,6 @@
-// Takes the fuzzer's words as a SPIR-V module through all checks for modules from the compiler or the cache:
-// the gate, spirv-val and reflection. If the gate and spirv-val accept a module, all its capabilities must be
-// allowed by the capability table.
+// Interprets the fuzzer's bytes as the words of a SPIR-V module. The module passes through all checks for
+// modules from the compiler or the cache: the gate (shader/gate/spirv_gate.h), spirv-val and reflection. If
+// the gate and spirv-val accept a module, all its capabilities must be allowed by the capability table.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>

@@ -1,7 +1,8 @@
 // Tests which graphs with `perFrame` passes are accepted. Such passes run only in some frames. resolve() and
 // the checker are compared with a brute-force search over every set of frame slices that may run in a frame.
-// A graph is wrong if a read can see a version other than the one that its reference names. If every writer
-// modifies the content in place, a read just sees the current content.
+// A graph is wrong if a read can see a version other than the one that its reference names. Exception: if
+// every writer of a layer modifies it in place, reads of this layer are never wrong, because they mean the
+// content that the layer has at that time.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -22,7 +23,7 @@ struct SliceGraph {
     std::string text;
     // Text of the same graph without `perFrame`.
     std::string steady;
-    // For each repeated pass: the value of `perFrame`, the number of iterations per frame.
+    // For each repeated pass: the value of `perFrame`, which is the number of iterations per frame.
     std::map<std::string, uint32_t> at_once;
     // For each repeated pass: the number of iterations.
     std::map<std::string, uint32_t> rounds;
@@ -189,8 +190,8 @@ class BruteForce {
                     const std::pair cell(use.resource, layer);
                     if (source->producer != kNoId)
                         wrong |= !memory.contains(cell) || memory.at(cell) != source->producer;
-                    // The read names the content from before the frame. All passes run in frame 0, so its
-                    // content is the expected one in all later frames.
+                    // Without a producer, the reference names the content from before the frame. All passes
+                    // run in frame 0, so every later frame must see the same content as after frame 0.
                     else if (frame > 0)
                         wrong |= memory[cell] != first[cell];
                 });
@@ -236,7 +237,7 @@ TEST_F(FrameSliceRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     for (uint32_t seed = 0; seed < seeds; ++seed) {
         const SliceGraph made = SliceGenerator(seed).run();
         Result<ResolvedGraph> steady = run(made.steady);
-        // The random graph has a cycle or unordered writers.
+        // Skip a random graph that resolve() rejects, because it has a cycle or unordered writers.
         if (!steady) continue;
         ResolvedGraph graph = std::move(*steady);
         set_slices(made, graph);
@@ -265,8 +266,8 @@ TEST_F(FrameSliceRule, RefusesWhatBruteForceFindsWrongAndNothingElse) {
     EXPECT_GE(wrong * 15, seeds);
 }
 
-// Culling must not change results: for any set of frame slices that runs, the plan must give the same content
-// as all passes together.
+// Culling must not change results: the null executor runs the plan, which may leave out passes. The content
+// must be the same as in the reference run, which keeps all passes.
 TEST_F(FrameSliceRule, WhatIsAcceptedGivesWhatTheWholeGraphMeans) {
     uint32_t compared = 0, culled = 0;
     for (uint32_t seed = 0; seed < 1000; ++seed) {

@@ -16,8 +16,8 @@ CompileOptions several_queues(uint32_t seed) {
     return options;
 }
 
-// Makes every pass that writes only persistent content run in one of three frames. Returns the number of such
-// passes.
+// Changes every pass that writes only persistent content: it runs in frame 0, and afterwards in every third
+// frame. Returns the number of such passes.
 uint32_t spread_over_frames(ResolvedGraph& graph) {
     uint32_t count = 0;
     for (PassDecl& pass : graph.passes) {

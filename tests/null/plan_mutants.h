@@ -27,10 +27,11 @@ struct Mutant {
     FramePlan plan;
 };
 
-// Calls `visit` for every mutant of the plan. A mutant removes a barrier, or one stage or access bit of a
-// barrier's source or destination. Or it removes a semaphore wait, one half of an ownership transfer, or one
-// previous owner of the memory in an alias barrier. Or a pass that continues a rendering scope gets its own
-// scope, without a barrier before it.
+// Calls `visit` for every mutant of the plan. Each mutant removes exactly one of these parts: a barrier, one
+// stage or access bit of a barrier's source or destination, a semaphore wait, one half of an ownership
+// transfer, or one resource that an alias barrier waits for because it used the same memory earlier. One more
+// kind of mutant lets a pass begin its own rendering scope, although the plan merges the pass into the scope
+// of the pass before it. The new scope has no barrier before it.
 void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit);
 
 }  // namespace weft::test

@@ -1,4 +1,5 @@
-// Tests that the checker rejects every mutant of a plan that gives wrong results in the null executor.
+// Tests the plan checker with mutants of plans. If a mutant gives wrong results in the null executor, then
+// the checker must reject the mutant.
 #include <gtest/gtest.h>
 
 #include "tests/null/mutant_judge.h"

@@ -42,7 +42,8 @@ TEST(RandomPlans, GiveWhatTheGraphMeansOnOneQueue) {
     }
 }
 
-// Expects that enough graphs have the important features; otherwise the test would show little.
+// Expects that enough of the random graphs use each important feature, for example aliased memory. Otherwise
+// the test would hardly test that feature.
 void expect_shares(const GraphCoverage& coverage) {
     EXPECT_GE(coverage.alias_transitions * 2, coverage.graphs);
     for (const uint32_t count :

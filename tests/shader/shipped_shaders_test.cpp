@@ -65,8 +65,8 @@ TEST_P(Headers, CompileAlone) {
     write("graph/alone.frag", "#version 460\n" + body + "}\n");
     write("graph/vertices/vertices.vert", "#version 460\n" + body + "gl_Position = vec4(0); }\n");
     write("graph/vertices/vertices.frag", "#version 460\nvoid main() { }\n");
-    // This vertex shader writes the values that vertex shaders of drawn surfaces pass to their fragment
-    // shaders.
+    // This vertex shader calls place_surface(), as the vertex shaders of surfaces do. place_surface() writes
+    // the outputs that the surface's fragment shader reads.
     write("graph/surface/surface.vert",
           "#version 460\n#include \"surface_vertex.glsl\"\n"
           "void main() { place_surface(); gl_Position = vec4(0); }\n");

@@ -25,7 +25,8 @@ using shader::CapabilityRow;
 using shader::CapabilityRule;
 
 struct CapabilityShader {
-    // Name of the SPIR-V capability, or of an extension or a use that has no capability.
+    // Name of a SPIR-V capability. Some extensions and some uses of variables have no capability of their
+    // own; for these, the name of the extension or of the use.
     std::string name;
     ProgramKind kind = ProgramKind::compute;
     std::string extension;
@@ -227,8 +228,8 @@ TEST_F(ShaderGate, SubgroupOperationsAreForComputeStages) {
     expect_refused(shader, kEverything, "W208");
 }
 
-// Vulkan requires the feature vertexPipelineStoresAndAtomics for such writes. SPIR-V has no capability for
-// them, so the gate must find the writes itself.
+// Vulkan requires the feature vertexPipelineStoresAndAtomics for a vertex shader that writes to a buffer.
+// SPIR-V has no capability for such writes, so the gate must find the writes itself.
 TEST_F(ShaderGate, AVertexStageWritesToNoBuffer) {
     const auto vertex = [](const std::string& qualifier) {
         return "#version 460\n" + qualifier +

@@ -24,7 +24,7 @@ double seconds(const timeval& time) {
 }
 
 // Replaces the forked child process by the program: connects stdin, stdout and stderr, sets the environment,
-// and calls exec. The function does not return to the child.
+// and calls exec. The function never returns. If a call fails, it ends the child with exit code 126 or 127.
 [[noreturn]] void become(std::vector<char*>& arguments, const Environment& environment,
                          const std::filesystem::path& folder, const char* out, const char* err) {
     const int out_file = open(out, O_WRONLY | O_CREAT | O_TRUNC, 0600);

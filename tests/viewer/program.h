@@ -18,7 +18,8 @@ struct RunResult {
     // Processor time in seconds, including all child processes. It does not depend on the load of the
     // machine.
     double cpu_s = 0;
-    // Most memory that one process used, in bytes; child processes are compared too.
+    // Peak resident memory in bytes of the process that used the most: the program itself or one of its child
+    // processes.
     uint64_t max_rss_bytes = 0;
 
     // Returns the exit code, time, memory and output as one text for failure messages.

@@ -1,5 +1,5 @@
-// Purpose: compares blits with filters that are implemented in this file: any sizes, mips and layers,
-// volumes, integers and depth.
+// Purpose: compares blits of the device with reference filters, which this file computes on the CPU. The
+// tests cover images of different sizes, mips and layers, volumes, integer formats and depth.
 #include <algorithm>
 #include <cmath>
 

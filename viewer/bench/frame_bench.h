@@ -60,10 +60,11 @@ struct GraphResult {
 // The number of lights at which one graph becomes faster than another one. The number is computed from the
 // median times without the common passes.
 struct Crossing {
-    // Names of the graph that is slower, and of the graph that is faster, with more than `lights` lights.
+    // Names of two graphs. With more lights than `lights`, the graph `slower` takes more time than the graph
+    // `faster`.
     std::string slower, faster;
-    // The number of lights at the crossing: interpolated between the two measured numbers in `between`, on
-    // logarithmic scales.
+    // The number of lights at the crossing. It is interpolated on a logarithmic axis between the two measured
+    // numbers of lights in `between`.
     double lights = 0;
     std::array<uint32_t, 2> between{};
 };

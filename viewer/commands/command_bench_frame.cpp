@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr uint32_t kWarmFrames = 2;  // Number of unmeasured frames; afterwards each frame slot was used once.
+constexpr uint32_t kWarmFrames = 2;  // Unmeasured frames at the start; they use each frame slot once.
 constexpr const char* kLightsParam = "maxLights";
 
 // One of the sessions that take turns: a measured graph, or the graph of the reference passes.

@@ -29,7 +29,7 @@ struct RunOutcome {
     std::optional<vk::ReadbackData> last_readback;
 };
 
-// Prints the number of finished frames to stderr if rendering takes longer than a moment. The number does not
+// Prints the number of finished frames to stderr if rendering takes longer than a second. The number does not
 // include the last submitted frames, which the device may still be rendering.
 class RenderProgress {
  public:

@@ -21,8 +21,8 @@ constexpr double kFrame_s = 1.0 / 60.0;
 
 // Results collected while the frames of one test are rendered.
 struct Measured {
-    // Last contents of each resource that the test reads back. The key is the reference to the resource in
-    // the test.
+    // Last contents of each resource that the test reads back. The key is the reference that the test uses in
+    // "expect", such as "y.mip(0)".
     std::map<std::string, vk::ReadbackData> resources;
     size_t black_frames = 0;
     // Names of persistent resources whose contents a change of tier did not keep.
@@ -107,7 +107,7 @@ class TestRun {
 
     // Subtracts the frames of a run from the frames that all tests together may render. If too few are left,
     // the function adds an error and returns false. The parser already checked the frame counts that are
-    // written in tests; a test without one uses the frame count of the graph, which is known only here.
+    // written in tests. A test without "frames" uses the frame count of the graph, which is known only here.
     bool take_frames(uint64_t frames) {
         if (frames <= frames_left_) {
             frames_left_ -= frames;
@@ -166,8 +166,9 @@ class TestRun {
         for (ResourceId id(0); id < to.graph.resources.size(); ++id) {
             const ResourceDecl& resource = to.graph.resources[id];
             if (resource.ring != id) continue;
-            // A resource with history has several copies. Only the copies of earlier frames must be kept,
-            // because the current frame overwrites its own copy.
+            // A resource with history has copies for this frame and for earlier frames. A change of tier
+            // keeps only the copies of earlier frames, because the first new frame overwrites its own copy.
+            // So a resource counts as lost only if none of its copies is kept.
             const bool carried = std::ranges::any_of(
                 between.carried, [&](const ContentCopy& c) { return to.graph.resources[c.to].ring == id; });
             if (!carried) measured_.lost.insert(resource.name);

@@ -13,7 +13,7 @@
 namespace weft::viewer {
 namespace {
 
-// Waits until a watched file changes. Returns false if the user ended the command before.
+// Waits until a watched file changes. Returns false if the user ends the command first.
 bool wait_for_change(render::FileWatch& watch, EndSignals& end) {
     std::atomic<bool> is_over = false, has_changed = false;
     std::thread waiter([&] {

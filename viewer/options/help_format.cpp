@@ -22,7 +22,8 @@ constexpr std::array kValueNames{
     ValueName{"metric", "NAME"},         ValueName{"shape", "NAME"},
 };
 
-// Returns an empty text for a positional argument, because its own name says what to write.
+// Returns the placeholder of an option's value, such as "FILE" for --output. Returns an empty text for a
+// positional argument, because the help already shows the name of the argument.
 const char* value_name(const CLI::Option& option) {
     for (const std::string& name : option.get_lnames())
         for (const ValueName& row : kValueNames)
@@ -43,7 +44,8 @@ std::string default_value(const CLI::Option& option) {
 
 class HelpFormatter final : public CLI::Formatter {
  public:
-    // A validator describes the value, as in "TEXT:WxH", so the type before the colon says nothing more.
+    // CLI11 prints the type of a value before the text of its validator, as in "TEXT:WxH". The help shows
+    // only the text of the validator ("WxH"), because it is more exact than the type.
     std::string make_option_opts(const CLI::Option* option) const override {
         std::string text = CLI::Formatter::make_option_opts(option);
         for (const char* type : {"TEXT:", "UINT:", "FLOAT:"}) text = erased(std::move(text), type);

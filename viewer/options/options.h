@@ -105,7 +105,7 @@ struct DiffOptions {
 struct CompareOptions {
     std::string reference, test;
     std::string metric = "flip";  // Method of comparison: flip, psnr or max.
-    std::optional<double> max;    // Upper limit: for flip, of the mean; for max, of the largest difference.
+    std::optional<double> max;    // Upper limit of the mean (metric flip) or of the largest value (max).
     std::optional<double> min;    // Lower limit of the PSNR, in dB.
     std::string output;           // Path of the PNG file for the heat map; if empty, no heat map is written.
     bool json = false;

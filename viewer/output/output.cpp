@@ -21,7 +21,7 @@ ExitCode outcome(const Status& status, ExitCode code = ExitCode::ok) {
 }
 
 // Returns the canonical path of the regular file to which `path` leads. Returns an empty path for anything
-// else, such as a pipe or terminal, because several outputs may use the same stream.
+// else. The caller does not compare such paths: several outputs may use the same pipe or terminal.
 std::filesystem::path plain_file(const std::string& path) {
     const FileTarget target = find_target(path);
     if (path.empty() || target.error != 0 || target.kind != TargetKind::file) return {};

@@ -10,7 +10,7 @@
 namespace weft::viewer {
 namespace {
 
-// Largest number of errors that are printed, and of warnings. A file may have an error in every line.
+// At most this many errors and this many warnings are printed. A file may have an error in every line.
 constexpr size_t kMostShown = 200;
 
 void print(Diagnostic d, bool colors) {

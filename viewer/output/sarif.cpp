@@ -46,8 +46,8 @@ uint32_t utf16_units(std::string_view line, size_t bytes) {
     return units + static_cast<uint32_t>(bytes - inside);
 }
 
-// Returns lines of source files and keeps the files in memory. Notes need this, because they do not contain
-// the text of their source line.
+// Returns lines of source files and keeps the files in memory. The notes of a diagnostic need this, because a
+// note contains the number of its source line, but not the text of the line.
 class SourceLines {
  public:
     std::string line(const std::string& file, uint32_t number) {

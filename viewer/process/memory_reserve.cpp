@@ -12,8 +12,9 @@
 namespace weft::viewer {
 namespace {
 
-// Sizes of the memory reserve. The error path destroys large JSON values, and the destructor of a JSON array
-// allocates memory: 16 bytes for each value, and twice that while its list grows.
+// Sizes of the memory reserve. The error path destroys large JSON values. The destructor of a JSON array
+// moves the elements to a temporary list. The list needs 16 bytes for each element, and twice that while it
+// grows.
 constexpr size_t kReserve_bytes = size_t{64} << 20;
 constexpr size_t kSmallReserve_bytes = size_t{16} << 20;
 

@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr uint32_t kBoundSet = 1;
-constexpr int kMostFolders = 3;  // Depth of the searched folders below the folder of the graph.
-// Most files that are examined, in case the graph is in a large folder.
+constexpr int kMostFolders = 3;  // Number of levels of folders that are searched below a start folder.
+// At most this number of files and folders are examined, because the graph may be in a large folder.
 constexpr size_t kMostFiles = 10'000;
 
 ShaderRoots shader_roots(const SchemaOptions& options) {

@@ -1,7 +1,7 @@
 // Purpose: finds the copies of resources with history. A history of N frames is a ring of N + 1 resources,
-// for the ages 0 (this frame) to N, and of N + 1 copies in memory. In each frame every age moves to the next
-// copy. Frames count from 0, from the creation of the executor. Content that a replaced executor has written
-// may be valid too.
+// one for each age from 0 (this frame) to N. The ring has N + 1 copies in memory. In each frame every age
+// moves to the next copy. Frame 0 is the first frame after the creation of the executor. If the executor
+// replaces another one, content that the other executor has written may be valid too.
 #pragma once
 
 #include <vector>
@@ -24,9 +24,8 @@ class Rings {
     [[nodiscard]] std::vector<ResourceId> roles(ResourceId resource) const;
     // Returns the number of frames after which `pass` uses the same copies of its resources again.
     [[nodiscard]] uint64_t period(const PassDecl& pass) const;
-    // Called when this executor replaces another one: the past frames in `old`, the rings of the other
-    // executor, become valid here. The other executor has run `frames` frames. Only rings whose content
-    // `transition` keeps take part.
+    // Called when this executor replaces another one. `old` are the rings of the other executor, which has
+    // run `frames` frames. If `transition` keeps the content of a ring, its past frames become valid here.
     void inherit(const Rings& old, uint64_t frames, const TransitionPlan& transition);
     // True if a pass has written the content that resource `role` has in frame `frame`. `role` is one of the
     // ages of a ring, such as the content of two frames ago.

@@ -1,4 +1,4 @@
-// Purpose: host-visible buffers of which each frame slot has its own, so that the host and the device never
+// Purpose: host-visible buffers. Each frame slot has its own buffer, so that the host and the device never
 // use one buffer at the same time. Errors: those of Buffer::create().
 #pragma once
 

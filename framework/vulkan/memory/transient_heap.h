@@ -1,7 +1,8 @@
 // Purpose: the memory of a plan: one allocation per heap, with images and buffers bound at the offsets in the
 // plan. Also asks the device for memory requirements; from these, the compiler (alias()) computes the
-// offsets. Units: bytes. Errors: V410 (out of memory), V411 (any other failure). Resources that share memory:
-// after Y. O'Donnell, "FrameGraph: Extensible Rendering Architecture in Frostbite", GDC 2017.
+// offsets. Units: bytes. Errors: V410 (out of memory), V411 (any other failure). Source of the method by
+// which resources share memory: Y. O'Donnell, "FrameGraph: Extensible Rendering Architecture in Frostbite",
+// GDC 2017.
 #pragma once
 
 #include <vector>

@@ -11,7 +11,7 @@
 namespace weft::vk {
 namespace {
 
-// Returns the index of the place of `port`.
+// Returns the index in `places` of the upload memory of `port`; nothing if the port has none.
 std::optional<size_t> find_place(const std::vector<UploadPlace>& places, std::string_view port) {
     for (size_t n = 0; n < places.size(); ++n)
         if (places[n].port == port) return n;

@@ -1,7 +1,7 @@
-// Purpose: transfers host data of custom passes, which are written in C++, to the device. Every output port
-// that copies write has upload memory, with one copy per frame slot. The pass fills it through an Uploads
-// object and records copies from it through a Recorder object. Errors: V410 (out of memory), V409 (any other
-// failure).
+// Purpose: transfers host data of custom passes, which are written in C++, to the device. If a custom pass
+// writes an output port by copy commands, the port has upload memory, one block per frame slot. The pass
+// fills the block through an Uploads object, and records copies from it through a Recorder object. Errors:
+// V410 (out of memory), V409 (any other failure).
 #pragma once
 
 #include <array>

@@ -1,8 +1,8 @@
 // Purpose: the descriptor sets for the ports of passes (set 1). The bindings of a pass never change during
-// the lifetime of a plan, except for resources with history: their copies rotate, and return after a period
-// of some frames. So every set is written only once. A pass has one set for each frame of the period and each
-// frame slot. Sets of different slots differ only in the memory of their Params block. Errors: V411 (view),
-// V413 (pool or set).
+// the lifetime of a plan, except for resources with history. Their copies rotate: after a number of frames,
+// the period, the pass uses the same copies again. A pass has one set for each frame of its period and each
+// frame slot, and each set is written only once. Sets of different slots differ only in the memory of their
+// Params block. Errors: V411 (view), V413 (pool or set).
 #pragma once
 
 #include <array>

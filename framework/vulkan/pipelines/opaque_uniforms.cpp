@@ -96,8 +96,8 @@ class Rewriter {
     void copy(const Instruction& at) { out_.insert(out_.end(), at.words.begin(), at.words.end()); }
 
     void rewrite(const Instruction& at) {
-        // Decorations come before types in a module, and the new declarations have both. So declare() runs at
-        // the first type, or at line information in front of it.
+        // In a module, all decorations come before all types. declare() adds decorations, then types. So it
+        // must run after the last old decoration and before the first old type (or the OpLine before it).
         const bool is_type = at.opcode >= kOpTypeVoid && at.opcode <= kOpTypeForwardPointer;
         if (!declared_ && (is_type || at.opcode == kOpLine)) declare();
         // declare() has already declared this type, and a module must not declare it twice.
@@ -147,8 +147,9 @@ class Rewriter {
     }
 
     // Rewrites an access to a uniform block. The block is now an element of an array, and a push constant
-    // contains the index of the element. If the block was an array already, its own index is added. The
-    // operands of the instruction are: type, result, variable, indices.
+    // contains the index of the element. If the variable was an array of blocks before, the access already
+    // has an element index; the push constant is added to it. The operands of the instruction are: type,
+    // result, variable, indices.
     void rewrite_access(const Instruction& at) {
         const uint32_t place = new_id();
         uint32_t index = new_id();
@@ -174,8 +175,8 @@ class Rewriter {
     std::map<uint32_t, uint32_t> pointees_;
     // The ids of all array types.
     std::set<uint32_t> arrays_;
-    // The ids of all variables that are uniform blocks or push constants; true if the variable was an array
-    // of blocks before.
+    // For the id of each variable that is a uniform block or push constants: true if the variable was an
+    // array of blocks in the original module.
     std::map<uint32_t, bool> blocks_;
     uint32_t found_uint_ = 0, uint_ = 0;
     const uint32_t zero_ = new_id(), one_ = new_id();

@@ -1,12 +1,12 @@
 // Purpose: rewrites shaders so that the driver cannot treat uniform values as compile-time constants.
 //
 // llvmpipe compiles a uniform value into the machine code as a constant if a branch or loop depends on it,
-// and compiles the shader again when the value changes. A frame index changes in every frame. Mesa 22.3 also
-// compiles again when a buffer is merely bound again. It never frees the code, so memory grows until the
-// process ends. This affects push constants, and uniform blocks with a constant descriptor index. So on
-// llvmpipe every block becomes an array of one block whose index is a push constant that is always 0, and
-// push constants become a uniform block. The bound buffers do not change. Other drivers get the original
-// shaders.
+// and compiles the shader again when the value changes; a frame index, for example, changes in every frame.
+// Mesa 22.3 also compiles again when only a buffer is bound again. llvmpipe never frees the compiled code, so
+// memory grows until the process ends. This affects push constants, and uniform blocks with a constant
+// descriptor index. So on llvmpipe every block becomes an array of one block whose index is a push constant
+// that is always 0, and push constants become a uniform block. The bound buffers do not change. Other drivers
+// get the original shaders.
 #pragma once
 
 #include <cstdint>

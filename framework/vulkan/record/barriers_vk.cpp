@@ -20,7 +20,7 @@ Families families_of(const Device& device, const BarrierDecl& barrier) {
 
 // Returns the old layout of an image barrier. Both barriers of an ownership transfer, release and acquire,
 // contain the layout change. If both families of the plan are one family of the device, there is no transfer.
-// Then only the release changes the layout.
+// Then only the release changes the layout, and the old layout of the acquire equals its new layout.
 VkImageLayout old_layout(const BarrierDecl& barrier, const Families& families) {
     const bool done = barrier.reason == BarrierReason::acquire_queue && families.src == families.dst;
     return to_vk(done ? barrier.dst.layout : barrier.src.layout);
@@ -58,9 +58,9 @@ VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffe
     return out;
 }
 
-// Returns the memory barrier of an alias transition. It waits for accesses to another resource in the same
-// memory. No range of the new resource covers these accesses, so the barrier is global. For an image, the
-// image barrier adds the visibility.
+// Returns the memory barrier of an alias transition. The barrier waits for accesses to the previous resource
+// in the same memory. A barrier for the new resource would not cover these accesses, so the barrier is
+// global. If the new resource is an image, its image barrier makes the memory visible to the new accesses.
 VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
     VkMemoryBarrier2 out{VK_STRUCTURE_TYPE_MEMORY_BARRIER_2};
     out.srcStageMask = stages_to_vk(barrier.src.stages);

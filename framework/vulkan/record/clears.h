@@ -1,5 +1,5 @@
-// Purpose: fills resources with one value, outside any rendering scope. Clear passes use this, and persistent
-// resources before their first frame.
+// Purpose: fills resources with one value, outside any rendering scope. This is used for clear passes, and
+// for persistent resources before the first frame.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace weft::vk {
 
-// A range of a resource, and the value that fills it. An image must be in `layout`; value is a colour or, for
-// depth-stencil images, first depth, then stencil. A buffer is filled as a whole with 32-bit words of the
-// value's integer part, so that 7 becomes the integer 7.
+// A range of a resource, and the value that fills it. An image must be in `layout`. For a colour image,
+// `value` is the colour. For a depth-stencil image, value[0] is the depth and value[1] the stencil. A buffer
+// is filled as a whole: each 32-bit word is value[0] as an integer, for example 7.0 becomes the integer 7.
 struct ClearTarget {
     ResourceId resource = kNoId;
     SubresourceRange range;

@@ -102,8 +102,9 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     return Unit{};
 }
 
-// Makes the descriptor sets and the rendering scope of the pass at index `position` of the execution order
-// for frame `frame` of its period, after which its resources with history are in the same copies again.
+// Makes the descriptor sets and the rendering scope of the pass at index `position` of the execution order,
+// for frame `frame` of the period of the pass. After one period, the pass uses the same copies of its
+// resources with history again.
 Status prepare_ring_phase(Device& device, PlanObjects& objects, Position position,
                           const ShaderInterface& interface, uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];

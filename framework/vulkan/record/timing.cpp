@@ -48,7 +48,7 @@ void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query, b
     fn.vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pools_[slot].get(), query);
     // lavapipe writes a timestamp only at its next flush, and this empty barrier causes a flush. The barrier
     // has no stages and no accesses, so it cannot hide a missing barrier of the plan. Inside a rendering
-    // scope, barriers are not allowed, and lavapipe runs the scope as a whole.
+    // scope, barriers are not allowed, so no barrier is recorded there. lavapipe runs a scope as a whole.
     if (inside_scope) return;
     const VkDependencyInfo nothing{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     fn.vkCmdPipelineBarrier2(commands, &nothing);

@@ -44,8 +44,8 @@ class PassTimer {
     std::vector<uint8_t> batch_timed_;
     // For each pass, in execution order, 1 if the next pass continues the same rendering scope.
     std::vector<uint8_t> inside_scope_;
-    // For each pass, in execution order, the query that precedes the pass on its queue, from which its time
-    // counts; kNoId if the pass is not timed.
+    // For each pass, in execution order, the last query before the pass on its queue. The time of the pass
+    // counts from this query. kNoId if the pass is not timed.
     std::vector<uint32_t> before_;
     std::array<QueryPoolHandle, kFramesInFlight> pools_;
 };

@@ -1,7 +1,8 @@
-// First lines of a header that both C++ and GLSL compile. In C++, they map the type names of GLSL to those of glm; in
-// GLSL they do nothing. Rule for structs: a scalar follows every vec3, and the size is a multiple of 16 bytes (unless
-// stated otherwise), so that std140, std430 and C++ have the same layout. No include guard: each shared header includes
-// this.
+// First lines of a header that both C++ and GLSL compile. In C++, they map the type names of GLSL to those of
+// glm; in GLSL they do nothing. Rule for structs: a scalar follows every vec3, and the size is a multiple of
+// 16 bytes (unless stated otherwise), so that std140, std430 and C++ have the same layout. This file has no
+// include guard, because every shared header needs these lines again, even when one file includes several
+// headers.
 #ifdef __cplusplus
 #include <cstdint>
 #include <glm/glm.hpp>

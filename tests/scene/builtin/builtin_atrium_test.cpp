@@ -50,8 +50,8 @@ void expect_textured_materials_in_use(const Scene& scene) {
     EXPECT_GE(masked, 3u);
 }
 
-// Checks the sun and the lamps. Some graphs use only the first lights of a scene, so lamps that are off by
-// day must be the last lights in the list.
+// Checks the sun and the lamps. Some graphs use only the first lights of a scene. By day, these lights must
+// be on, so the lamps that are off must come last in the list.
 void expect_sun_and_lamps(const Scene& scene, bool night) {
     size_t suns = 0, lit = 0;
     bool still_lit = true;

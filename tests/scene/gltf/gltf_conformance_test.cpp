@@ -154,7 +154,7 @@ TEST_F(GltfConformance, TextureTransformsScaleThenTurnThenMove) {
     for (const glm::dvec2 uv :
          {glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(-0.3, 0.8)}) {
         const glm::dvec2 scaled = uv * glm::dvec2(2, 0.5);
-        // The extension rotates counter-clockwise in a coordinate system whose v axis points down.
+        // KHR_texture_transform rotates counter-clockwise in a coordinate system whose v axis points down.
         const glm::dvec2 turned(c * scaled.x + s * scaled.y, -s * scaled.x + c * scaled.y);
         const glm::dvec2 expected = turned + glm::dvec2(0.25, -0.5);
         const glm::vec2 found = matrix * glm::vec3(uv, 1);
@@ -177,8 +177,8 @@ TEST_F(GltfConformance, LightsAndCamerasStandAnywhereInTheTree) {
     text.members["extensions"] =
         R"({"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":5,"spot":{}}]}})";
     text.members["cameras"] = R"([{"type":"perspective","perspective":{"yfov":0.7,"znear":0.1}}])";
-    // The node with the light and the camera is a grandchild of the node with the mesh. Its scale is
-    // non-uniform and contains a mirroring.
+    // The third node has the light and the camera, and is a grandchild of the first node, which has the mesh.
+    // The scale of the third node is not uniform, and its negative x mirrors.
     text.members["nodes"] = R"([{"mesh":0,"translation":[1,2,3],"children":[1]},
         {"rotation":[0,0.3894183423,0,0.9210609940],"children":[2]},
         {"translation":[0,0,-2],"rotation":[0.1986693308,0,0,0.9800665778],"scale":[-3,0.5,7],"camera":0,

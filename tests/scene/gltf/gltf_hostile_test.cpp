@@ -318,7 +318,7 @@ TEST_F(GltfHostile, AFileOfTheFirstVersionIsNamedAsSuch) {
     EXPECT_NE(fault.message.find("glTF 1.0"), std::string::npos) << fault.message;
     EXPECT_NE(fault.help.at(0).find("convert"), std::string::npos);
     EXPECT_EQ(errors_.size(), 1u) << "all else is a consequence";
-    // A file of glTF 1.0 may have no version.
+    // In glTF 1.0, `asset` is optional. The error of a file without `asset` then names /asset.
     write("older.gltf", R"({"meshes":{"a":{}},"nodes":{"b":{}}})");
     EXPECT_EQ(where(fail_file("older.gltf")), "S113 /asset");
     EXPECT_EQ(errors_.size(), 1u);

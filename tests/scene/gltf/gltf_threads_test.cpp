@@ -15,7 +15,7 @@ namespace {
 class GltfThreads : public GltfTest {
  protected:
     // Returns a glTF file with `count` images of noise. For each image there is a material that uses the
-    // image as colour and as data.
+    // image twice: as an sRGB colour (emissive) and as linear data (occlusion).
     static GltfText with_images(int count, uint32_t side_px) {
         GltfText text;
         std::mt19937 random(7);

@@ -52,8 +52,8 @@ TEST(MeshAttributes, TangentsAreOrthonormalWhateverTheUvs) {
 
 TEST(MeshAttributes, SmoothNormalsWeighByArea) {
     Mesh mesh;
-    // At the origin, a large triangle that faces +z and a small triangle that faces +x share a vertex. Its
-    // normal must point mostly to +z: the areas have the ratio 9 : 1.
+    // A large triangle that faces +z and a small triangle that faces +x share the vertex at the origin. Their
+    // areas have the ratio 9 : 1, so the z and x components of the vertex normal must have this ratio too.
     mesh.positions = {{0, 0, 0}, {-3, 0, 0}, {0, -3, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.indices = {0, 1, 2, 0, 3, 4};
     generate_normals(mesh);

@@ -87,8 +87,8 @@ TEST(Environment, HalfTheSkyLightsByTheShareThatIsSeen) {
         [](glm::dvec3 n) { return (1 + n.y) / 2; }, 1e-6);
 }
 
-// The harmonics of a sun alone become negative at some angles, down to -1/8 of the sun's light. The light of
-// the sky must remain visible on these sides.
+// The irradiance is stored as spherical harmonics. For a sun alone, they become negative in some directions,
+// down to -1/8 of the sun's light. A surface that faces such a direction must still receive the sky's light.
 TEST(Environment, ASunDoesNotDarkenTheOtherSides) {
     const glm::dvec3 sun = glm::normalize(glm::dvec3(1, 1, -1));
     const Environment environment = environment_of(128, 64, [&](glm::dvec3 w) {
@@ -133,9 +133,10 @@ TEST(Environment, MipsAreEvenAroundThePoles) {
         least = std::min(least, glm::unpackF3x9_E1x5(mip[x]).r);
         most = std::max(most, glm::unpackF3x9_E1x5(mip[x]).r);
     }
-    // In the row nearest to the pole, ten texels together are as wide as one texel at the equator, so mips
-    // average about ten neighbours there. Half of the picture is 0 and half is 1: averages at opposite places
-    // add up to 1, and neighbours differ little. Without averaging, they would jump from 0 to 1.
+    // In the row nearest to the pole, ten texels together are as wide as one texel at the equator. So each
+    // texel of this row is the average of about ten neighbours. Half of the picture is 0 and half is 1, so
+    // the averages at opposite places add up to 1. Neighbouring texels differ little. Without the averages,
+    // they would jump from 0 to 1.
     EXPECT_NEAR(least + most, 1, 1e-2);
     float steepest = 0;
     for (size_t x = 0; x < 32; ++x)

@@ -63,8 +63,9 @@ TEST(MipChain, NormalsKeepTheirLength) {
 }
 
 TEST(MipChain, MasksKeepTheirCoverage) {
-    // One texel in four is opaque. The average alpha of four texels never passes a cutoff of 0.5, so all
-    // texels would vanish in mip 1. With coverage kept, a quarter of the texels must still pass.
+    // One texel in four has an alpha of 240 or 255, the others have 0. In mip 1 without a correction, the
+    // average alpha of four texels is below the cutoff of 0.5 everywhere, so all texels would vanish. If
+    // build_mip_chain() keeps the coverage, about a quarter of the texels in mip 1 must still pass.
     Bytes rgba = repeat({255, 255, 255, 0}, 256);
     for (size_t y = 0; y < 16; y += 2) {
         for (size_t x = 0; x < 16; x += 2) rgba[(y * 16 + x) * 4 + 3] = (x + y) % 8 == 0 ? 255 : 240;

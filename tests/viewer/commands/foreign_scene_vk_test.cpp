@@ -45,8 +45,8 @@ Ground ground_at(uint32_t i, uint32_t j, uint32_t width_px, uint32_t height_px) 
 }
 
 TEST_P(ForeignScene, VertexColoursOfAnUnlitSquareAreItsPixels) {
-    // The file uses the positions as vertex colours too, with negative values clamped to 0. So red increases
-    // with x, and blue increases with z.
+    // The file uses the positions as vertex colours too. The loader clamps negative colours to 0 and warns
+    // with S154. So red increases with x, and blue increases with z.
     std::string gltf = replaced(square_gltf(), R"("POSITION": 0)", R"("POSITION": 0, "COLOR_0": 0)");
     gltf = replaced(gltf, R"([0.8, 0.2, 0.1, 1],)", R"([0.5, 1, 0.25, 1],)");
     gltf = replaced(gltf, R"("doubleSided": true,)",

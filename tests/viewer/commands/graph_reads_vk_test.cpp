@@ -21,7 +21,8 @@ class OpenCounter {
     OpenCounter& operator=(const OpenCounter&) = delete;
 
     void watch(const std::string& file) {
-        // IN_CLOSE is necessary, because the kernel merges successive identical events of one file.
+        // With IN_OPEN alone, the kernel would merge two successive opens of a file into one event. The
+        // close event between them prevents this.
         const int id = inotify_add_watch(events_, file.c_str(), IN_OPEN | IN_CLOSE);
         ASSERT_GE(id, 0) << file;
         files_[id] = file;

@@ -9,7 +9,8 @@
 namespace weft::test {
 namespace {
 
-// Returns a graph with these tiers. The passes use `rays` only if `more` or a tier adds such a pass.
+// Returns a graph with these tiers. No pass of the graph uses the resource `rays`, unless `more` or a tier
+// adds a pass that does.
 std::string graph_with(const std::string& tiers, const std::string& more = "") {
     return R"({
   "version": 1, "name": "tiers", "imports": { "backbuffer": "output" },
@@ -87,8 +88,8 @@ TEST(TiersOfAFile, ArePlannedAndCompared) {
     EXPECT_NE(unknown.err.find("did you mean \"low\""), std::string::npos) << unknown.err;
 }
 
-// Only tier "high" uses `x` as a storage image, which the format rgba8_srgb does not support. All tiers share
-// one format for `x`, so it is rgba8 for every tier.
+// Resource `x` may have the format rgba8_srgb or rgba8. Only tier "high" uses `x` as a storage image, which
+// rgba8_srgb does not support. All tiers share one format for `x`, so it is rgba8 even for the other tiers.
 TEST(TiersOfAFile, ShareTheirFormats) {
     const ScratchFolder folder;
     folder.write("store.comp", R"(#version 460

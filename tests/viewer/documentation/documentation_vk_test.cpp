@@ -19,8 +19,8 @@ using Json = nlohmann::json;
 constexpr const char* kPassPage = "writing-a-pass.md";
 constexpr double kStrength = 0.9;
 
-// Largest difference caused by two roundings to 8 bits: when the pass stores `display`, and when it stores
-// the output. Each rounding is at most half a step of 1/255.
+// Largest difference caused by two roundings to 8 bits: when pass "tonemap" stores `display`, and when pass
+// "vignette" stores the output. Each rounding changes a value by at most half a step of 1/255.
 constexpr double kTwoRoundings = 1.01 / 255;
 
 void write_snippets(const std::string& page, const ScratchFolder& folder) {

@@ -61,7 +61,8 @@ class Tutorial : public testing::Test {
         return run_program({"sh", "-c", command + " 2>&1"}, {}, folder_.path());
     }
 
-    // Expects that the picture has contrast. Only the picture of the first step has none.
+    // Expects that the picture which the command writes has contrast. The picture of the tutorial's first
+    // step has none, so it is not checked.
     void expect_picture(const std::string& command) {
         const size_t at = command.find("-o ") + 3;
         const std::string file = command.substr(at, command.find(' ', at) - at);

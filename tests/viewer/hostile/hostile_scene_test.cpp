@@ -156,8 +156,8 @@ TEST_F(HostileScene, PicturesThatUnfold) {
     EXPECT_LE(three.max_rss_bytes, uint64_t{128} << 20);
 }
 
-// Several worker threads decode pictures at the same time, so each could inflate all data of its picture.
-// `weft` must refuse a picture with more data than its size needs.
+// Each picture has one texel, but inflates to 500 MB. Several worker threads decode pictures at the same time
+// and would need this memory together. So `weft` must refuse a picture with more data than its size needs.
 TEST_F(HostileScene, APictureOfOneTexelWithHundredsOfMegabytesBehindIt) {
     std::vector<std::string> names;
     for (const char* name : {"a.png", "b.png", "c.png"}) {

@@ -91,7 +91,7 @@ void constants(const ScratchFolder& folder, uint64_t count) {
 }
 
 // Returns an expression with `parts` parts: "1+1+1…", with a minus sign in front if the number of parts is
-// even.
+// even. Each number and each operator is one part, so "-1+1" has four.
 Text sum_of(uint64_t parts) {
     Text sum = parts % 2 == 0 ? "-1" : "1";
     for (uint64_t i = 0; i < (parts - 1) / 2; ++i) sum += "+1";

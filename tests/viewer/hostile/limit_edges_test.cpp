@@ -1,7 +1,6 @@
 // Tests each limit on graph files with the most expensive input. `weft` must accept the input at the limit.
 // It must refuse an input with one item more than the limit. Both runs must stay within 5 s of processor time
-// and 1 GiB. The test also fails if
-// a limit has no such input.
+// and 1 GiB. The test also fails if limit_edges.cpp has no such input for a limit.
 #include "tests/viewer/hostile/limit_edges.h"
 
 #include <gtest/gtest.h>
@@ -159,7 +158,8 @@ TEST_F(LimitEdges, HoldWithTheWorstInput) {
                     static_cast<double>(most.max_rss_bytes) / 1048576.0);
         edge->write(scratch_, row.of(defaults) + 1);
         const RunResult more = check();
-        // A device may have a lower limit, which `weft` checks before its own limit.
+        // The message is not checked here, unlike in expect_refused(): it may name a lower limit of the
+        // device, which `weft` checks before its own limit.
         EXPECT_TRUE(more.exit_code == 3 || !edge->is_good) << row.name << more.text();
     }
 }

@@ -51,7 +51,8 @@ TEST_F(FullCache, RendersWhereOnlyTheIndexHasRoom) {
     EXPECT_FALSE(warns(run)) << run.text();
 }
 
-// The index has its full size but uses no disk space (a sparse file), as another program may leave it.
+// Another program may leave an index of full size that uses no disk space (a sparse file). `weft` must
+// reserve the space for the index. This disk is too small, so `weft` must warn.
 TEST_F(FullCache, TakesTheSpaceOfAnIndexThatHasNone) {
     const RunResult run = render(
         "64k", "mkdir \"$DISK/mesa_shader_cache\"; truncate -s 1310728 \"$DISK/mesa_shader_cache/index\"");

@@ -40,8 +40,8 @@ bool sends_to_others() {
     return true;
 }
 
-// Attempts to send signals to another process: the owner of a descriptor gets a signal when the descriptor
-// becomes ready.
+// Attempts to make another process the owner of a pipe. The kernel sends signals to the owner of a descriptor
+// when the descriptor becomes ready.
 bool owns_signals_of(pid_t process) {
     int pair[2];
     if (pipe(pair) != 0) return false;

@@ -71,7 +71,7 @@ class Opens : public testing::Test {
                                      source + "/docs/diagnostics.md",
                                      fs::path(WEFT_PROGRAM).parent_path().string() + "/",
                                      fs::weakly_canonical(WEFT_TEST_CACHE).string()};
-        // Drivers read settings in the user's home folder.
+        // Drivers read settings from hidden files and folders in the user's home folder, such as ~/.drirc.
         if (const char* home = std::getenv("HOME")) all.push_back(std::string(home) + "/.");
         all.insert(all.end(), kSystem.begin(), kSystem.end());
         return all;

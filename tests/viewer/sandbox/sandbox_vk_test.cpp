@@ -1,5 +1,5 @@
-// Tests --sandbox: a command renders the same picture inside the sandbox and can access nothing else. If the
-// kernel does not support the sandbox, the command must not run.
+// Tests --sandbox: a command renders the same picture inside the sandbox as outside. Inside, it can access
+// only what it needs for its work. If the kernel does not support the sandbox, the command must not run.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <linux/landlock.h>
