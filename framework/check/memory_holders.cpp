@@ -54,29 +54,28 @@ void MemoryHolders::cut(const Placement& placement) {
     cut({placement.heap, placement.end_bytes()});
 }
 
-std::vector<ResourceId> MemoryHolders::others_in(ResourceId resource) const {
-    std::vector<ResourceId> others;
+void MemoryHolders::find_others(ResourceId resource) {
+    others_.clear();
     for_each_placement(resource, [&](const Placement& placement) {
         const Address end{placement.heap, placement.end_bytes()};
         for (auto region = first_in(placement); region != regions_.end() && region->first < end; ++region)
             for (const ResourceId holder : region->second.holders)
-                if (holder != resource) others.push_back(holder);
+                if (holder != resource) others_.push_back(holder);
     });
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
-    return others;
+    std::sort(others_.begin(), others_.end());
+    others_.erase(std::unique(others_.begin(), others_.end()), others_.end());
 }
 
-std::vector<ResourceId> MemoryHolders::to_wait_for(ResourceId taker) const {
-    std::vector<ResourceId> others = others_in(taker);
-    return others.empty() ? taken_from_[taker] : others;
+std::span<const ResourceId> MemoryHolders::to_wait_for(ResourceId taker) {
+    find_others(taker);
+    return others_.empty() ? taken_from_[taker] : others_;
 }
 
-std::vector<ResourceId> MemoryHolders::take_over(ResourceId taker) {
-    std::vector<ResourceId> others = others_in(taker);
-    if (others.empty() && holds_all_[taker] != 0) return others;
-    for (const ResourceId other : others) holds_all_[other] = 0;
-    if (!others.empty()) taken_from_[taker] = others;
+std::span<const ResourceId> MemoryHolders::take_over(ResourceId taker) {
+    find_others(taker);
+    if (others_.empty() && holds_all_[taker] != 0) return others_;
+    for (const ResourceId other : others_) holds_all_[other] = 0;
+    if (!others_.empty()) taken_from_[taker] = others_;
     holds_all_[taker] = 1;
     for_each_placement(taker, [&](const Placement& placement) {
         cut(placement);
@@ -85,7 +84,7 @@ std::vector<ResourceId> MemoryHolders::take_over(ResourceId taker) {
         regions_.erase(regions_.lower_bound(begin), regions_.lower_bound(end));
         regions_.emplace(begin, Region{end.second, {taker}});
     });
-    return others;
+    return others_;
 }
 
 void MemoryHolders::use(ResourceId resource) {

@@ -1,10 +1,11 @@
-// Purpose: tracks which resources use each byte of the heaps while the checker simulates a plan. Resources that
-// share memory take it over from each other. A resource that takes over memory must wait only for the resources
-// that use this memory now. Those have waited for all earlier resources in it.
+// Purpose: tracks which resources use each byte of the heaps while the checker simulates a plan. Resources
+// that share memory take it over from each other. A resource that takes over memory must wait only for the
+// resources that use this memory now. Those have waited for all earlier resources in it.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,15 +17,17 @@ class MemoryHolders {
  public:
     explicit MemoryHolders(const FramePlan& plan);
 
-    // Makes `taker` the only holder of its memory. Returns the other resources that held a part of it.
-    std::vector<ResourceId> take_over(ResourceId taker);
+    // Makes `taker` the only holder of its memory. Returns the other resources that held a part of it. The
+    // list is valid until the next call.
+    std::span<const ResourceId> take_over(ResourceId taker);
     // Records a use of `resource`. If the resource does not hold all of its memory, it becomes an additional
     // holder. In a correct plan this happens only before the first write to its memory.
     void use(ResourceId resource);
-    // Returns the other resources that `taker` must wait for before it writes to its memory: the holders of this
-    // memory. If there are none, these are the resources from which `taker` took the memory over. It waits for
-    // them again, because it may write one part of its memory later than another part.
-    [[nodiscard]] std::vector<ResourceId> to_wait_for(ResourceId taker) const;
+    // Returns the other resources that `taker` must wait for before it writes to its memory: the holders of
+    // this memory. If there are none, these are the resources from which `taker` took the memory over. It
+    // waits for them again, because it may write one part of its memory later than another part. The list is
+    // valid until the next call.
+    [[nodiscard]] std::span<const ResourceId> to_wait_for(ResourceId taker);
 
  private:
     // The first byte of a region: index of its heap, and offset in bytes.
@@ -43,7 +46,8 @@ class MemoryHolders {
     void cut(const Placement& placement);
     // Returns the first region that ends after the start of `placement`.
     [[nodiscard]] Regions::const_iterator first_in(const Placement& placement) const;
-    [[nodiscard]] std::vector<ResourceId> others_in(ResourceId resource) const;
+    // Sets `others_` to the other holders of the memory of `resource`, sorted.
+    void find_others(ResourceId resource);
     template <class Visit>
     void for_each_placement(ResourceId resource, Visit visit) const;
 
@@ -53,6 +57,7 @@ class MemoryHolders {
     std::vector<uint8_t> holds_all_;     // Index: ResourceId. 1 if it is a holder of all its memory.
     // Index: ResourceId. The resources from which it last took over memory.
     std::vector<std::vector<ResourceId>> taken_from_;
+    std::vector<ResourceId> others_;  // The result of the last find_others().
 };
 
 }  // namespace weft::check

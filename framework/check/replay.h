@@ -34,7 +34,7 @@ class Replay {
 
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
-    void carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes);
+    void carry(const std::vector<BarrierDecl>& batch);
     // Applies to an access record all barriers that were recorded on its queue since the last call. Call this
     // before each check of a record, because a new barrier does not update all records.
     void follow(AccessRecord& record) const { record.follow(logs_[record.actor().queue]); }
@@ -87,6 +87,12 @@ class Replay {
     FaultList& faults_;
     BatchClock clock_;
     std::vector<BarrierLog> logs_;  // Index: queue. All barriers recorded on the queue so far.
+    // Used by barriers() and carry() only: the scopes of each barrier of the call; the barriers of each
+    // resource, as indices into the call, sorted by resource; and the scopes of the barriers on one part of
+    // memory. They are members so that their memory is used again.
+    std::vector<Scopes> scopes_;
+    std::vector<std::pair<ResourceId, size_t>> on_resource_;
+    std::vector<Scopes> on_memory_;
     uint64_t barrier_batches_ = 0;  // Number of vkCmdPipelineBarrier2 calls so far, on all queues.
     uint32_t frame_ = 0;
     // Number of the current rendering scope, counted over all frames.

@@ -25,19 +25,18 @@ bool Replay::changes_image(const BarrierDecl& barrier) const {
 
 void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
     if (batch.empty()) return;
-    std::vector<Scopes> scopes;
-    scopes.reserve(batch.size());
-    for (const BarrierDecl& barrier : batch) scopes.push_back(scopes_of(barrier));
+    scopes_.clear();
+    for (const BarrierDecl& barrier : batch) scopes_.push_back(scopes_of(barrier));
     // The barriers of one call wait only for work before the call. So first all layout transitions are
     // checked, then all pending access records are updated, and then the transitions take effect.
     for (size_t i = 0; i < batch.size(); ++i)
-        if (moves(batch[i]) || changes_image(batch[i])) transition(batch[i], scopes[i], before);
-    carry(batch, scopes);
+        if (moves(batch[i]) || changes_image(batch[i])) transition(batch[i], scopes_[i], before);
+    carry(batch);
     for (size_t i = 0; i < batch.size(); ++i) {
         if (moves(batch[i]))
             transfer(batch[i], before);
         else if (changes_image(batch[i]))
-            apply(batch[i], scopes[i], before);
+            apply(batch[i], scopes_[i], before);
     }
 }
 
@@ -122,34 +121,32 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
 // Applies the barriers of one call to the access records. Barriers order only earlier work of their own
 // queue. Only records on the barriers' memory are updated here; all other records apply the log later, when
 // they are checked.
-void Replay::carry(const std::vector<BarrierDecl>& batch, const std::vector<Scopes>& scopes) {
+void Replay::carry(const std::vector<BarrierDecl>& batch) {
     StageChain all;
-    // The barriers of each resource, as indices into `batch`. Sorted by resource.
-    std::vector<std::pair<ResourceId, size_t>> on_resource;
+    on_resource_.clear();
     for (size_t i = 0; i < batch.size(); ++i) {
-        all.add(scopes[i]);
-        on_resource.emplace_back(batch[i].resource, i);
+        all.add(scopes_[i]);
+        on_resource_.emplace_back(batch[i].resource, i);
         for (const ResourceId from : batch[i].aliased_from)
-            if (from != batch[i].resource) on_resource.emplace_back(from, i);
+            if (from != batch[i].resource) on_resource_.emplace_back(from, i);
     }
-    std::sort(on_resource.begin(), on_resource.end());
-    std::vector<Scopes> on_memory;
+    std::sort(on_resource_.begin(), on_resource_.end());
     const auto pass_through = [&](AccessRecord& record) {
         if (record.actor().queue != clock_.queue()) return;
         follow(record);
-        record.pass_barriers(all, on_memory);
+        record.pass_barriers(all, on_memory_);
     };
     ++barrier_batches_;
-    for (size_t first = 0, last = 0; first < on_resource.size(); first = last) {
-        const ResourceId resource = on_resource[first].first;
-        while (last < on_resource.size() && on_resource[last].first == resource) ++last;
-        const std::span same(on_resource.begin() + first, on_resource.begin() + last);
+    for (size_t first = 0, last = 0; first < on_resource_.size(); first = last) {
+        const ResourceId resource = on_resource_[first].first;
+        while (last < on_resource_.size() && on_resource_[last].first == resource) ++last;
+        const std::span same(on_resource_.begin() + first, on_resource_.begin() + last);
         const auto pass_cell = [&](Cell& cell) {
             if (std::exchange(cell.last_batch, barrier_batches_) == barrier_batches_) return;
-            on_memory.clear();
+            on_memory_.clear();
             for (const auto& [id, i] : same)
                 if (batch[i].resource != resource || overlaps(batch[i].range, cell.range))
-                    on_memory.push_back(scopes[i]);
+                    on_memory_.push_back(scopes_[i]);
             if (cell.has_write) pass_through(cell.write);
             for (AccessRecord& record : cell.reads) pass_through(record);
         };
