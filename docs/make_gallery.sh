@@ -79,8 +79,8 @@ show taa taa "Temporal anti-aliasing" "The court in the sun; wires, railings and
 With `"jitter": 16`, each frame samples its pixels at different points. The history `resolved[-1]` is the result of
 earlier frames. For each pixel, the shader takes the velocity of the nearest surface around the pixel and finds where
 this surface was in the previous frame. Catmull-Rom weights keep the history sharp. The shader clips the colour from the
-history to a range around the mean of this frame's neighbour pixels. Their standard deviation gives the size of the
-range, and the colour space is YCoCg. So parts of the picture that do not move converge to the mean of the frames.
+history to a range of colours in YCoCg: the middle of the range is the mean of the neighbour pixels in this frame, and
+their standard deviation gives its size. Parts of the picture that do not move converge to the mean of the frames.
 END
 
 show dof dof "Depth of field" "A fountain in focus before a court at night; lamps become discs of light" --time 22 <<'END'
@@ -93,17 +93,19 @@ with premultiplied alpha.
 END
 
 show edges edges "Edges" "The court as a pale drawing: outlines in ink, creases in red" <<'END'
-This view helps to find mistakes in a scene. Black lines mark jumps of depth. The shader computes the second difference
-of the value near plane ÷ distance. On any plane, this value is linear in screen space, so its second difference is
-zero. So even a floor at a grazing angle gets no lines; only the ends of surfaces do. Red lines mark creases. Lines
-among leaves are lighter. The lit picture is faintly visible under the lines.
+This view helps to find mistakes in a scene. Black lines mark jumps of depth. The shader divides the distance of the
+near plane by the distance of the pixel, and computes the second difference of this quotient. On a flat surface the
+quotient is linear in screen space, so its second difference is zero. So even a floor at a grazing angle gets no lines;
+only the ends of surfaces do. Red lines mark creases. Lines among leaves are lighter. The lit picture is faintly visible
+under the lines.
 END
 
 show reaction_diffusion reaction_diffusion "Reaction and diffusion" "Worms and rings of enamel, cream and coral on dark blue" <<'END'
 The graph simulates Gray and Scott's reaction of two chemicals on a grid, without a scene: the first chemical is food,
 and the second chemical consumes the food. A repeat computes 64 steps per frame. The image of the grid has two layers;
 each step reads one layer and writes the other. The image keeps its content from frame to frame. The rates `feed` and
-`kill` vary across the grid, so the picture shows rings, worms and mazes. The grid is drawn as a lit relief in a dish.
+`kill` of the reaction vary across the grid, so the picture shows rings, worms and mazes. The grid is drawn as a lit
+relief in a dish.
 END
 
 show fjord fjord "Fjord" "A sunrise behind mountains, mirrored in still water" <<'END'
