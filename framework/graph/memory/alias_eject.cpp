@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "graph/memory/alias_best_fit.h"
 #include "graph/model/round_up.h"
@@ -87,14 +88,10 @@ class PlaceFinder {
     uint64_t best_ = kNoPlace, best_cost_ = UINT64_MAX;
 };
 
-}  // namespace
-
-Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
-                   uint64_t target_bytes, Conflicts& conflicts) {
-    Packing packing;
-    packing.offsets_bytes.assign(items.size(), 0);
-    conflicts.clear();
-    std::vector<uint32_t> waiting(order.rbegin(), order.rend());
+// Places the items of `waiting`, the last one first. An item that does not fit below the target removes other
+// items, which wait again. After `most_removals` removals, items are placed above the target instead.
+void place(const std::vector<PackItem>& items, std::vector<uint32_t> waiting, uint64_t target_bytes,
+           size_t most_removals, Conflicts& conflicts, Packing& packing) {
     // Index: item. Number of times that the item was removed.
     std::vector<uint32_t> removals(items.size(), 0);
     PlaceFinder finder(items, target_bytes);
@@ -104,7 +101,7 @@ Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_
         waiting.pop_back();
         std::span<const TakenSpan> taken = conflicts.taken(item);
         uint64_t offset = best_fit(items[item], taken, target_bytes);
-        if (offset == kNoPlace && removed < items.size()) {
+        if (offset == kNoPlace && removed < most_removals) {
             const Ejection ejection = finder.cheapest(item, taken, removals);
             offset = ejection.offset_bytes;
             removed += ejection.removed.size();
@@ -118,8 +115,34 @@ Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_
         packing.offsets_bytes[item] = offset;
         conflicts.place(item, offset);
     }
+    packing.height_bytes = 0;
     for (size_t i = 0; i < items.size(); ++i)
         packing.height_bytes = std::max(packing.height_bytes, packing.offsets_bytes[i] + items[i].size_bytes);
+}
+
+}  // namespace
+
+Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
+                   uint64_t target_bytes, Conflicts& conflicts) {
+    Packing packing;
+    packing.offsets_bytes.assign(items.size(), 0);
+    conflicts.clear();
+    place(items, {order.rbegin(), order.rend()}, target_bytes, items.size(), conflicts, packing);
+    return packing;
+}
+
+Packing lower(const std::vector<PackItem>& items, const std::vector<uint32_t>& order, Packing packing,
+              uint64_t target_bytes, size_t most_removals, Conflicts& conflicts) {
+    conflicts.clear();
+    std::vector<uint32_t> waiting;
+    for (auto item = order.rbegin(); item != order.rend(); ++item) {
+        const uint64_t offset = packing.offsets_bytes[*item];
+        if (offset + items[*item].size_bytes > target_bytes)
+            waiting.push_back(*item);
+        else
+            conflicts.place(*item, offset);
+    }
+    place(items, std::move(waiting), target_bytes, most_removals, conflicts, packing);
     return packing;
 }
 

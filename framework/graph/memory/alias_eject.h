@@ -16,4 +16,11 @@ namespace weft {
 [[nodiscard]] Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
                                  uint64_t target_bytes, Conflicts& conflicts);
 
+// Lowers a packing that is higher than the target: the items that end above the target are placed again in
+// the given order, as in pack_below(). The other items keep their places unless they are removed. After
+// `most_removals` removals, the items that do not fit are placed above the target.
+[[nodiscard]] Packing lower(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
+                            Packing packing, uint64_t target_bytes, size_t most_removals,
+                            Conflicts& conflicts);
+
 }  // namespace weft

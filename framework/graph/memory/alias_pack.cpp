@@ -16,9 +16,11 @@ namespace {
 constexpr uint64_t kGoodSweepPercent = 5;
 // Limits the time for dense graphs (see Conflicts). With more items, only the sweeps are used.
 constexpr size_t kMaxDenseItems = 1024;
-// The local search packs all items in each round. It is for few items, where one unlucky place is a large
-// share of the heap.
-constexpr size_t kMaxSearchedItems = 300;
+// Up to this number of items, one unlucky place is a large share of the heap, and an attempt takes little
+// time.
+constexpr size_t kFewItems = 300;
+// The local search packs all items in each round. It is for even fewer items.
+constexpr size_t kMaxSearchedItems = 100;
 constexpr size_t kMaxSearchRounds = 16;
 
 uint64_t with_percent(uint64_t bytes, uint64_t percent) {
@@ -89,17 +91,22 @@ struct Attempt {
 constexpr std::array kAttempts{Attempt{size_descending_order, 3}, Attempt{area_descending_order, 4},
                                Attempt{peak_first_order, 5}};
 
-// Improves a packing until it reaches the target of one of the attempts.
+// Improves a packing until it reaches the target of one of the attempts. `one_queue`: with several queues,
+// often no packing reaches the targets, so lower() would spend its time without a result.
 void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
-             Packing& best) {
-    const bool few = items.size() <= kMaxSearchedItems;
+             bool one_queue, Packing& best) {
+    const bool searched = items.size() <= kMaxSearchedItems;
+    const size_t most_removals = items.size() <= kFewItems ? items.size() * 2 : items.size() / 2;
     for (const auto& [order_of, percent] : kAttempts) {
         const uint64_t target = with_percent(lower_bound_bytes, percent);
         if (best.height_bytes <= target) return;
         const std::vector<uint32_t> order = order_of(items);
         keep_smaller(pack_below(items, order, target, conflicts), best);
         if (best.height_bytes <= target) return;
-        if (few) keep_smaller(search(items, order, target, conflicts), best);
+        if (one_queue)
+            keep_smaller(lower(items, order, best, target, most_removals, conflicts), best);
+        if (best.height_bytes <= target) return;
+        if (searched) keep_smaller(search(items, order, target, conflicts), best);
     }
 }
 
@@ -112,7 +119,7 @@ Packing pack_size_descending(const std::vector<PackItem>& items) {
 
 Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, const QueueTimes* times) {
     if (items.empty()) return {};
-    const bool few = items.size() <= kMaxSearchedItems;
+    const bool few = items.size() <= kFewItems;
     Conflicts conflicts(items, times);
     Packing best;
     best.height_bytes = UINT64_MAX;
@@ -123,7 +130,8 @@ Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, con
     const bool good = best.height_bytes <= with_percent(lower_bound_bytes, kGoodSweepPercent);
     if (!few && conflicts.dense() && !good && items.size() <= kMaxDenseItems)
         keep_smaller(pack_in_order(items, size_descending_order(items), conflicts), best);
-    if (!conflicts.dense() || (few && !good)) improve(items, lower_bound_bytes, conflicts, best);
+    if (!conflicts.dense() || (few && !good))
+        improve(items, lower_bound_bytes, conflicts, times == nullptr, best);
     return best;
 }
 

@@ -115,6 +115,37 @@ TEST(Pack, EjectionReachesTheTargetOrPlacesTheRestAboveIt) {
     EXPECT_GT(smaller, 30u);
 }
 
+// The packing of the test above has C on top, above the target. Only C is placed again, and B is removed for
+// it. Without removals, C stays above the target.
+TEST(Pack, LoweringPlacesOnlyItemsAboveTheTargetAgain) {
+    const std::vector<PackItem> a_b_c{{2, 1, 0, 0}, {2, 1, 0, 1}, {4, 1, 1, 1}};
+    Conflicts conflicts(a_b_c);
+    const Packing simple = pack_in_order(a_b_c, {0, 1, 2}, conflicts);
+    const Packing lowered = lower(a_b_c, {0, 1, 2}, simple, 6, 1, conflicts);
+    EXPECT_EQ(lowered.offsets_bytes, (std::vector<uint64_t>{0, 4, 0}));
+    EXPECT_EQ(lowered.height_bytes, 6u);
+    EXPECT_EQ(lower(a_b_c, {0, 1, 2}, simple, 6, 0, conflicts).offsets_bytes, simple.offsets_bytes);
+}
+
+TEST(Pack, LoweringReachesTheTargetOrPlacesTheRestAboveIt) {
+    size_t reached = 0;
+    for (uint32_t seed = 0; seed < 60; ++seed) {
+        const std::vector<PackItem> items = random_items(seed, 80, seed % 2 ? 6 : 60);
+        std::vector<uint32_t> order(items.size());
+        std::iota(order.begin(), order.end(), 0u);
+        Conflicts conflicts(items);
+        const uint64_t peak = peak_bytes(items), target = peak + peak / 20;
+        const Packing sweep = pack_sweep(items);
+        const Packing packing = lower(items, order, sweep, target, items.size(), conflicts);
+        EXPECT_TRUE(sound(items, packing)) << "seed " << seed;
+        reached += packing.height_bytes <= target ? 1 : 0;
+        EXPECT_TRUE(sound(items, lower(items, order, sweep, peak / 2, items.size(), conflicts)))
+            << "seed " << seed;
+    }
+    std::printf("%zu of 60 packings reach the target\n", reached);
+    EXPECT_GT(reached, 20u);
+}
+
 TEST(Pack, StaysNearTheLowerBound) {
     double sum = 0;
     for (uint32_t seed = 0; seed < 20; ++seed) {
