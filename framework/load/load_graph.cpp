@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "graph/parse/debug_view.h"
-#include "graph/resolve/resolve.h"
+#include "graph/resolve/change_values.h"
 #include "graph/syntax/read_graph.h"
 #include "load/load_steps.h"
 #include "load/tier_formats.h"
@@ -106,6 +106,13 @@ Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input, 
 Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                     Diagnostics& warnings) {
     return resolve_formats(loaded.desc, loaded.shaders, input, loaded.skipped_formats, warnings);
+}
+
+std::optional<ResolvedGraph> change_values(const LoadedGraph& loaded, const GraphRequest& from,
+                                           const LoadInput& input) {
+    if (!only_values_differ(from, input.request, loaded.graph.params)) return std::nullopt;
+    return change_values(resolve_input(loaded.desc, loaded.shaders, input, loaded.skipped_formats),
+                         loaded.graph);
 }
 
 }  // namespace weft

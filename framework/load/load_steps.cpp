@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "graph/parse/parse.h"
-#include "graph/resolve/resolve.h"
 #include "graph/syntax/merge.h"
 #include "shader/compile/glsl_compile.h"
 
@@ -63,18 +62,22 @@ Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier, c
     return desc;
 }
 
+ResolveInput resolve_input(const GraphDesc& desc, const ShaderCatalog& shaders, const LoadInput& input,
+                           const SkippedFormats& skipped) {
+    return {.graph = desc,
+            .passes = input.passes,
+            .shaders = shaders,
+            .imports = input.imports,
+            .profile = input.profile,
+            .request = input.request,
+            .limits = input.settings.limits.graph,
+            .skipped_formats = skipped};
+}
+
 Result<ResolvedGraph> resolve_formats(const GraphDesc& desc, const ShaderCatalog& shaders,
                                       const LoadInput& input, const SkippedFormats& skipped,
                                       Diagnostics& warnings) {
-    return resolve({.graph = desc,
-                    .passes = input.passes,
-                    .shaders = shaders,
-                    .imports = input.imports,
-                    .profile = input.profile,
-                    .request = input.request,
-                    .limits = input.settings.limits.graph,
-                    .skipped_formats = skipped},
-                   warnings);
+    return resolve(resolve_input(desc, shaders, input, skipped), warnings);
 }
 
 ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input, Diagnostics& faults) {

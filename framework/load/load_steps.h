@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "graph/resolve/resolve.h"
 #include "weft/load/load_graph.h"
 
 namespace weft {
@@ -18,6 +19,8 @@ void append(Diagnostics& to, Diagnostics from);
 // an error to `faults`.
 [[nodiscard]] ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input,
                                             Diagnostics& faults);
+[[nodiscard]] ResolveInput resolve_input(const GraphDesc& desc, const ShaderCatalog& shaders,
+                                         const LoadInput& input, const SkippedFormats& skipped);
 // Resolves the graph. `skipped` gives for each image how many of its alternative formats are not used,
 // counted from the first. For example, 1 excludes rg16_snorm from "rg16_snorm|rg16f".
 [[nodiscard]] Result<ResolvedGraph> resolve_formats(const GraphDesc& desc, const ShaderCatalog& shaders,

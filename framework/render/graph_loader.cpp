@@ -1,5 +1,6 @@
 #include "render/graph_loader.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace weft::render {
@@ -32,10 +33,13 @@ Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const Parse
                                         std::set<std::filesystem::path>& files) {
     ++work_.loads;
     const bool same_files = parsed == nullptr && has_document(request);
-    if (same_files && last_->number == known && last_->request == request) {
-        files.insert(last_->files.begin(), last_->files.end());
-        warnings.insert(warnings.end(), last_->warnings.begin(), last_->warnings.end());
-        return LoadedVersion{known, std::nullopt};
+    if (same_files && last_->number == known) {
+        std::optional<ResolvedGraph> values = change_values(request);
+        if (values || last_->request == request) {
+            files.insert(last_->files.begin(), last_->files.end());
+            warnings.insert(warnings.end(), last_->warnings.begin(), last_->warnings.end());
+            return LoadedVersion{last_->number, std::nullopt, std::move(values)};
+        }
     }
     // Created before the files are read.
     FileStamps stamps;
@@ -60,12 +64,32 @@ Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const Parse
         last_->graph_files = std::move(own->files);
     }
     // The caller may have parsed its document long before this call. So only an own document is kept.
-    if (own || same_files) remember(request, std::move(found));
-    return LoadedVersion{work_.loads, std::move(*loaded)};
+    if (own || same_files) remember(request, std::move(found), *loaded);
+    return LoadedVersion{work_.loads, std::move(*loaded), std::nullopt};
 }
 
-void GraphLoader::remember(const GraphRequest& request, Diagnostics warnings) {
+std::optional<ResolvedGraph> GraphLoader::change_values(const GraphRequest& request) {
+    if (!last_->loaded || last_->request == request) return std::nullopt;
+    const ImportCatalog imports = imports_at(request.size);
+    std::optional<ResolvedGraph> graph = weft::change_values(*last_->loaded, last_->request,
+                                                             {.request = request,
+                                                              .settings = settings_,
+                                                              .passes = passes_,
+                                                              .imports = imports,
+                                                              .profile = profile_});
+    if (!graph) return std::nullopt;
+    ++work_.changed_values;
     last_->request = request;
+    last_->number = work_.loads;
+    last_->loaded->graph = *graph;
+    return graph;
+}
+
+void GraphLoader::remember(const GraphRequest& request, Diagnostics warnings, const LoadedGraph& loaded) {
+    last_->request = request;
+    last_->loaded.reset();
+    const auto is_value = [](const GraphParam& param) { return param.cost <= ParamCost::live; };
+    if (std::ranges::any_of(loaded.graph.params, is_value)) last_->loaded = loaded;
     last_->number = work_.loads;
     last_->warnings = std::move(warnings);
     last_->files = last_->graph_files;

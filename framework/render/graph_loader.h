@@ -1,6 +1,7 @@
 // Purpose: loads graphs repeatedly for one device and scene, and does only the work that a change needs.
 // Shaders that did not change since the last load are not compiled again. If no file changed, only the stages
-// that depend on the request run again. load() may run on only one thread at a time; the other functions may
+// that depend on the request run again. If only values of parameters change, the graph is not even resolved
+// again. load() may run on only one thread at a time; the other functions may
 // run on any thread.
 #pragma once
 
@@ -19,6 +20,9 @@ struct LoadedVersion {
     uint64_t number = 0;  // Number of the load. Different results have different numbers.
     // The loaded graph; absent if the caller has it already.
     std::optional<LoadedGraph> graph;
+    // The graph that the caller has, with other values of parameters; absent if the values are the same, or
+    // if `graph` has them.
+    std::optional<ResolvedGraph> values;
 };
 
 // Counts the stages that load() has run so far.
@@ -26,6 +30,7 @@ struct LoadWork {
     uint64_t loads = 0;     // Number of calls of load().
     uint64_t read = 0;      // Number of times that the graph files were read.
     uint64_t resolved = 0;  // Number of times that the shaders were looked up and the graph was resolved.
+    uint64_t changed_values = 0;  // Number of times that only values of parameters were changed.
 };
 
 class GraphLoader {
@@ -42,7 +47,8 @@ class GraphLoader {
     // Loads the graph of `request`. Parses the graph file, unless `parsed` contains the result already. Adds
     // to `files` the files that were searched. `known` is the number of the load whose result the caller has,
     // or 0. If that was the last successful load, and the files and the request are still the same, the
-    // result has the same number and no graph.
+    // result has the same number and no graph. If only values of parameters differ, the result has `values`
+    // and no graph.
     [[nodiscard]] Result<LoadedVersion> load(const GraphRequest& request, const ParsedGraph* parsed,
                                              uint64_t known, Diagnostics& warnings,
                                              std::set<std::filesystem::path>& files);
@@ -65,6 +71,8 @@ class GraphLoader {
         std::set<std::filesystem::path> files;
         Diagnostics warnings;
         uint64_t number = 0;
+        // A copy of the result; absent if the graph has no parameter that is only a value.
+        std::optional<LoadedGraph> loaded;
     };
 
     // Returns true if the graph file of `request` is surely the one that the last load read.
@@ -72,7 +80,9 @@ class GraphLoader {
     [[nodiscard]] Result<LoadedGraph> resolve(const GraphRequest& request, const ParsedGraph* parsed,
                                               Diagnostics& warnings);
     // Stores a successful load of the document in `last_`.
-    void remember(const GraphRequest& request, Diagnostics warnings);
+    void remember(const GraphRequest& request, Diagnostics warnings, const LoadedGraph& loaded);
+    // Gives the graph of the last load the values of `request`. Returns nullopt if it must be loaded again.
+    [[nodiscard]] std::optional<ResolvedGraph> change_values(const GraphRequest& request);
 
     const DeviceProfile& profile_;
     const LoadSettings settings_;

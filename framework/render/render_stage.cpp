@@ -19,8 +19,8 @@ bool same_bindings(const StageFingerprint& a, const StageFingerprint& b) {
 
 StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& shaders, VkImage output) {
     StageFingerprint fingerprint;
-    fingerprint.plan_hash = plan_hash(plan);
     fingerprint.structure_hash = structure_hash(plan);
+    fingerprint.values_hash = values_hash(plan.graph);
     fingerprint.output = output;
     for (const auto& [reference, program] : shaders) {
         const ShaderInterface& interface = program.interface;

@@ -35,10 +35,11 @@ struct StageFingerprint {
         std::vector<ShaderBinding> bindings;
         std::optional<ParamsBlock> params;
     };
-    std::string plan_hash, structure_hash;
+    std::string structure_hash, values_hash;
     // The shader programs of the graph, by the name under which the graph refers to them.
     std::map<std::string, Program, std::less<>> programs;
     VkImage output = VK_NULL_HANDLE;
+    uint32_t pipelines = 0;  // Number of pipelines of the stage.
     // LoadedVersion::number of the graph at its own size; 0 if the graph was resolved again for another size.
     uint64_t load = 0;
     // Number of the running graph's state: each replacement, also of values only, adds 1. The number shows

@@ -53,8 +53,16 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     const uint64_t known = now.output == selection.output ? now.load : 0;
     Result<LoadedVersion> loaded = loader_.load(selection.request, nullptr, known, warnings, files);
     if (!loaded) return {loaded.take_errors(), std::move(warnings), std::move(files)};
-    if (!loaded->graph)
-        return {PendingSwap(keep_running(selection, std::move(now))), std::move(warnings), std::move(files)};
+    if (!loaded->graph) {
+        std::unique_ptr<SwapParts> same;
+        if (loaded->values) {
+            now.load = loaded->number;
+            same = StageMaker::make_values(selection, std::move(*loaded->values), std::move(now));
+        } else {
+            same = keep_running(selection, std::move(now));
+        }
+        return {PendingSwap(std::move(same)), std::move(warnings), std::move(files)};
+    }
     LoadedGraph& graph = *loaded->graph;
     Result<std::unique_ptr<SwapParts>> next = maker_->make(selection, graph.shaders, graph.graph, now);
     if (!next) return {next.take_errors(), std::move(warnings), std::move(files)};

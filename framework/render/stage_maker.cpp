@@ -51,7 +51,7 @@ Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
     rebuilt.shaders = static_cast<uint32_t>(to.programs.size());
     rebuilt.changed_shaders = count_changed_programs(from, to);
     rebuilt.plan = !same_plan;
-    rebuilt.values = same_plan && from.plan_hash != to.plan_hash;
+    rebuilt.values = same_plan && from.values_hash != to.values_hash;
     return rebuilt;
 }
 
@@ -78,14 +78,31 @@ Result<std::unique_ptr<SwapParts>> StageMaker::make(const Selection& selection, 
     next->follows = running.generation;
     next->fingerprint = take_fingerprint(*plan, shaders, selection.output);
     next->rebuilt = compare(running, next->fingerprint);
+    next->fingerprint.pipelines = running.pipelines;
     if (next->rebuilt.nothing()) return next;
     if (Status made = make_objects(*next, std::move(*plan), shaders); !made) return made.take_errors();
     const vk::PipelineCounts counts =
         next->stage ? next->stage->executor->pipelines() : next->amendment->pipelines();
-    next->rebuilt.pipelines = counts.all;
+    next->rebuilt.pipelines = next->fingerprint.pipelines = counts.all;
     next->rebuilt.made_pipelines = counts.made;
     if (running.generation > 0 && std::this_thread::get_id() == drawing_thread_)
         made_between_frames_ += counts.made;
+    return next;
+}
+
+std::unique_ptr<SwapParts> StageMaker::make_values(const Selection& selection, ResolvedGraph graph,
+                                                   StageFingerprint running) {
+    auto next = std::make_unique<SwapParts>();
+    next->selection = selection;
+    next->follows = running.generation;
+    next->fingerprint = std::move(running);
+    const std::string hash = values_hash(graph);
+    next->rebuilt.shaders = static_cast<uint32_t>(next->fingerprint.programs.size());
+    next->rebuilt.pipelines = next->fingerprint.pipelines;
+    next->rebuilt.values = hash != next->fingerprint.values_hash;
+    next->fingerprint.values_hash = hash;
+    if (next->rebuilt.values) next->amendment = vk::Executor::make_amendment(graph);
+    next->resolved = std::move(graph);
     return next;
 }
 

@@ -42,6 +42,11 @@ class StageMaker {
                                                           const ShaderCatalog& shaders,
                                                           const ResolvedGraph& graph,
                                                           const StageFingerprint& running);
+    // Makes the parts for a graph that differs from the graph of the running stage only in values of
+    // parameters. Nothing is compiled, and the plan is not checked again, because it stays the same.
+    [[nodiscard]] static std::unique_ptr<SwapParts> make_values(const Selection& selection,
+                                                                ResolvedGraph graph,
+                                                                StageFingerprint running);
     [[nodiscard]] bool checks_plans() const { return settings_.check_plan; }
     // Returns the number of pipelines that were made on the constructor's thread in order to replace a
     // running stage. Such pipelines delay a frame.

@@ -20,7 +20,8 @@ struct SwapParts {
     StageFingerprint fingerprint;
     // The newly loaded graph; absent if the session keeps its loaded graph.
     std::optional<LoadedGraph> loaded;
-    // The session's loaded graph, resolved for a new size; absent if the size does not change.
+    // The session's loaded graph with a new size or new values of parameters; absent if `loaded` has them, or
+    // if both stay the same.
     std::optional<ResolvedGraph> resolved;
     std::optional<RenderStage> stage;
     std::unique_ptr<vk::Amendment> amendment;

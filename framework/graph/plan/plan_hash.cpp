@@ -1,5 +1,5 @@
-// The hashes of a plan: plan_hash() of all fields, and structure_hash() without values that can change while
-// the plan is used.
+// The hashes of a plan: plan_hash() of all fields, structure_hash() without values that can change while the
+// plan is used, and values_hash() of only these values.
 #include <string>
 
 #include "graph/plan/field_hash.h"
@@ -23,6 +23,20 @@ std::string structure_hash(FramePlan plan) {
     }
     for (GraphParam& param : plan.graph.params) param = {param.name};
     return plan_hash(plan);
+}
+
+std::string values_hash(const ResolvedGraph& graph) {
+    return hash_fields([&](HashVisitor& v) {
+        for (const PassDecl& pass : graph.passes) {
+            for (const ParamWrite& write : pass.params) v("value", write.value);
+            for (const SpecValue& value : pass.spec_values) v("bits", value.bits);
+            for (const NamedValue& value : pass.custom_params) v("value", value.value);
+            for (const AttachmentDecl& color : pass.colors) v("blend", color.blend);
+            if (pass.depth) v("blend", pass.depth->blend);
+            v("state", pass.state), v("flops", pass.flops);
+        }
+        for (const GraphParam& param : graph.params) v("value", param.value);
+    });
 }
 
 }  // namespace weft

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "graph/diagnostics/quantity_text.h"
-#include "graph/diagnostics/whole_number.h"
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/fill/member_value.h"
 #include "graph/resolve/pass_ports.h"
 #include "graph/resolve/pass_stage.h"
 
@@ -25,7 +25,6 @@ constexpr std::array kBuiltins{
 };
 constexpr std::string_view kSizeSuffix = "Size";
 constexpr std::string_view kValidSuffix = "Valid";
-constexpr std::string_view kDrawsSuffix = "Draws";
 
 class BlockFiller : PassStage<Blocks> {
  public:
@@ -88,44 +87,17 @@ class BlockFiller : PassStage<Blocks> {
         write.offset_bytes = member.offset_bytes;
         write.scalar = member.scalar;
         write.components = member.rows;
-        if (from_pass(member, write) || from_graph(member, write) || from_builtin(member, write)) return;
+        if (from_author(member, write) || from_builtin(member, write)) return;
         report_unknown(member);
     }
 
-    // Returns true if the name is the number of draws in an imported draw list, such as "opaqueDraws" for the
-    // list "opaque".
-    bool counts_draws(std::string_view name) const {
-        if (!name.ends_with(kDrawsSuffix) || declared_.input.graph.sizes.contains(std::string(name)))
-            return false;
-        name.remove_suffix(kDrawsSuffix.size());
-        const auto import = declared_.input.graph.imports.find(std::string(name));
-        return import != declared_.input.graph.imports.end() &&
-               import->second.kind == import_kind_name(ImportKind::draw_list);
-    }
-
-    // Gives the member the value that the pass's own "params" state. Returns false if "params" does not
-    // contain the name. Returns true for a known name even if its value has an error, which is reported.
-    bool from_pass(const BlockMember& member, ParamWrite& write) {
-        const auto param = std::ranges::find(draft_.desc->params, member.name, &ParamValueDesc::name);
-        if (param == draft_.desc->params.end()) return false;
-        std::vector<double> values;
-        for (const Expr& component : param->components) {
-            const std::optional<ExprValue> value = evaluator_.value(component);
-            if (!value) return true;
-            values.push_back(value->x);
-            if (value->is_size) values.push_back(value->y);
-        }
-        store(member, write, values, param->loc);
-        return true;
-    }
-
-    bool from_graph(const BlockMember& member, ParamWrite& write) {
-        const bool named = draft_.indices.contains(member.name) ||
-                           declared_.input.graph.params.contains(member.name) ||
-                           declared_.input.graph.consts.contains(member.name) || counts_draws(member.name);
-        const std::optional<ExprValue> value = evaluator_.find(member.name);
-        if (!named || !value) return false;
-        store(member, write, {value->x}, shader_loc());
+    // Gives the member the value that the author states. Returns false if the author states no value. Returns
+    // true for a known name even if its value has an error, which is reported.
+    bool from_author(const BlockMember& member, ParamWrite& write) {
+        const std::optional<MemberValue> value = member_value(declared_, draft_, evaluator_, member.name);
+        if (!value) return false;
+        if (!value->components.empty())
+            store(member, write, value->components, value->param ? value->param->loc : shader_loc());
         return true;
     }
 
@@ -216,13 +188,6 @@ class BlockFiller : PassStage<Blocks> {
         }
         std::ranges::copy(values, write.value.begin());
         result_.params.push_back(write);
-    }
-
-    // Returns true if the member can store the value. A 32-bit word may be given as a signed or as an
-    // unsigned integer; for example, -1 sets all bits.
-    static bool fits_member(ScalarType scalar, double value) {
-        if (scalar == ScalarType::f32) return fits_into_float(value);
-        return scalar == ScalarType::boolean || fits_into<int32_t>(value) || fits_into<uint32_t>(value);
     }
 
     void report_unknown(const BlockMember& member) {

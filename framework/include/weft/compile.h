@@ -54,5 +54,8 @@ struct StageTime {
 // barriers and bindings. The hash leaves out values of parameters and constants, and the state of pipelines,
 // because a running executor can exchange these between two frames.
 [[nodiscard]] std::string structure_hash(FramePlan plan);
+// Returns the hash of exactly the members that structure_hash() leaves out. It depends only on the graph, so
+// two plans that compile() made with the same options are equal if both hashes are equal.
+[[nodiscard]] std::string values_hash(const ResolvedGraph& graph);
 
 }  // namespace weft

@@ -227,6 +227,12 @@ Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput
         std::make_unique<ReplayExecutor>(device, std::move(*objects), std::move(*slots), hooks));
 }
 
+std::unique_ptr<Amendment> Executor::make_amendment(ResolvedGraph graph) {
+    auto amendment = std::make_unique<PlanAmendment>();
+    amendment->graph = std::move(graph);
+    return amendment;
+}
+
 Result<std::unique_ptr<Amendment>> Executor::make_amendment(Device& device, ExecutorInput input) {
     Result<std::unique_ptr<PlanAmendment>> made = make_plan_amendment(device, std::move(input));
     if (!made) return made.take_errors();

@@ -168,10 +168,9 @@ Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const Execu
     const ShaderProgram& program = input.shaders->find(pass.shader)->second;
     // A pipeline works with every compatible pipeline layout. This layout is only needed to create the
     // pipeline.
-    Result<PassLayout> layout =
-        make_pass_layout(device, amendment.plan, pass, program.interface, input.draws);
+    Result<PassLayout> layout = make_pass_layout(device, input.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();
-    return make_pipelines(device, {amendment.plan, pass, program, *layout, input.imports, cache,
+    return make_pipelines(device, {input.plan, pass, program, *layout, input.imports, cache,
                                    *input.pipelines, amendment.counts});
 }
 
@@ -215,10 +214,9 @@ Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, Execu
     Result<PipelineCacheHandle> cache = make_pipeline_cache(device);
     if (!cache) return cache.take_errors();
     auto amendment = std::make_unique<PlanAmendment>();
-    amendment->plan = std::move(input.plan);
-    for (const PassId id : amendment->plan.schedule.order) {
+    for (const PassId id : input.plan.schedule.order) {
         std::vector<DrawPipeline>& place = amendment->passes.emplace_back();
-        const PassDecl& pass = amendment->plan.graph.passes[id];
+        const PassDecl& pass = input.plan.graph.passes[id];
         if (!runs_shader(pass.kind)) continue;
         device.messages().set_current_pass(pass.name);
         Result<std::vector<DrawPipeline>> pipelines =
@@ -230,6 +228,7 @@ Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, Execu
     }
     device.messages().set_current_pass("");
     if (!errors.empty()) return errors;
+    amendment->graph = std::move(input.plan.graph);
     return amendment;
 }
 

@@ -61,10 +61,12 @@ struct PlanObjects {
 
 [[nodiscard]] Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorInput input);
 
-// The new plan and pipelines that Executor::amend() puts in place of the old ones.
+// The new graph and pipelines that Executor::amend() puts in place of the old ones. The other parts of the
+// plan stay, because the structure of the graph is the same.
 struct PlanAmendment final : Amendment {
-    FramePlan plan;
-    // The pipelines of each pass, indexed by the position of the pass in the execution order.
+    ResolvedGraph graph;
+    // The pipelines of each pass, indexed by the position of the pass in the execution order. Empty if the
+    // old pipelines stay.
     std::vector<std::vector<DrawPipeline>> passes;
     PipelineCounts counts;
 

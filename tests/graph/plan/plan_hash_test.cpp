@@ -38,6 +38,36 @@ TEST(PlanHash, NoticesEveryFieldButProvenance) {
     EXPECT_EQ(plan_hash(other), hash);
 }
 
+// Every member of a plan belongs to exactly one of the two hashes: to the structure or to the values.
+TEST(PlanHash, AMemberBelongsToTheStructureOrToTheValues) {
+    FramePlan plan = some_plan();
+    PassDecl& first = plan.graph.passes[0];
+    first.params.resize(1), first.spec_values.resize(1), first.custom_params.resize(1);
+    first.colors.resize(1), first.depth.emplace();
+    plan.graph.params.resize(1);
+    const std::string structure = structure_hash(plan), values = values_hash(plan.graph);
+    const auto is_value = [&](const auto& change) {
+        FramePlan other = plan;
+        change(other.graph.passes[0], other);
+        const bool same_structure = structure_hash(other) == structure;
+        EXPECT_NE(same_structure, values_hash(other.graph) == values);
+        return same_structure;
+    };
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.params[0].value[2] += 5; }));
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.spec_values[0].bits += 5; }));
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.custom_params[0].value += 5; }));
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.colors[0].blend.write_mask ^= 1; }));
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.depth->blend.write_mask ^= 1; }));
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.state.stencil_back.reference += 5; }));
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.flops += 5; }));
+    EXPECT_TRUE(is_value([](PassDecl&, FramePlan& other) { other.graph.params[0].value += 5; }));
+    EXPECT_FALSE(is_value([](PassDecl& pass, FramePlan&) { pass.params[0].offset_bytes += 8; }));
+    EXPECT_FALSE(is_value([](PassDecl& pass, FramePlan&) { pass.colors[0].location += 3; }));
+    EXPECT_FALSE(is_value([](PassDecl& pass, FramePlan&) { pass.groups[1] += 7; }));
+    EXPECT_FALSE(is_value([](PassDecl&, FramePlan& other) { other.graph.params[0].name += "x"; }));
+    EXPECT_FALSE(is_value([](PassDecl&, FramePlan& other) { ++other.memory.heaps[0].size_bytes; }));
+}
+
 // Hashes a name that is longer than the 4096-byte buffer of the hash function, and names that end close to
 // the end of that buffer. A change of one letter must change the hash.
 TEST(PlanHash, LongNamesAreHashedWhole) {

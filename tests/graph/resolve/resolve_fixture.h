@@ -61,16 +61,20 @@ inline DeviceProfile fake_profile() {
 
 class ResolveTest : public ::testing::Test {
  protected:
-    // Resolves a graph. `body` is the text between the outer braces of the graph; its first line is line 1 of
+    // Parses a graph. `body` is the text between the outer braces of the graph; its first line is line 1 of
     // "graph.json".
-    Result<ResolvedGraph> run(const std::string& body) {
+    static Result<GraphDesc> parsed(const std::string& body) {
         const std::string text = "{\"version\": 1, \"name\": \"test\"," + body + "}";
         const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
         Result<JsonDoc> document = read_json("graph.json", reader);
         if (!document) return document.take_errors();
         Result<JsonDoc> merged = merge(std::move(document).value());
         if (!merged) return merged.take_errors();
-        Result<GraphDesc> graph = parse(*merged);
+        return parse(*merged);
+    }
+    // Parses and resolves a graph.
+    Result<ResolvedGraph> run(const std::string& body) {
+        Result<GraphDesc> graph = parsed(body);
         if (!graph) return graph.take_errors();
         return resolve({.graph = *graph,
                         .passes = passes,

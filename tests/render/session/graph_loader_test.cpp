@@ -52,10 +52,10 @@ class GraphLoaderTest : public ::testing::Test {
         std::set<std::filesystem::path> files;
         const Result<LoadedVersion> loaded = loader.load(request_, nullptr, known.number, warnings, files);
         if (!loaded) return {to_text(loaded.errors()) + to_text(warnings), 0, {}};
-        EXPECT_EQ(loaded->graph.has_value(), loaded->number != known.number);
+        EXPECT_EQ(loaded->graph || loaded->values, loaded->number != known.number);
         Outcome outcome{{}, loaded->number, known.plan};
-        if (loaded->graph) {
-            const ResolvedGraph& graph = loaded->graph->graph;
+        if (loaded->graph || loaded->values) {
+            const ResolvedGraph& graph = loaded->graph ? loaded->graph->graph : *loaded->values;
             outcome.plan = plan_hash(compile(graph, content_needs(graph), {}));
         }
         outcome.text = outcome.plan + to_text(warnings);
@@ -115,6 +115,35 @@ TEST_F(GraphLoaderTest, AnotherParameterOrTierReadsNoFile) {
     EXPECT_EQ(load(loader).text, load_from_scratch().text);
     EXPECT_EQ(loader.work().read, 1u);
     EXPECT_EQ(loader.work().resolved, 3u);
+}
+
+TEST_F(GraphLoaderTest, AnotherValueResolvesNothing) {
+    GraphLoader loader = this->loader();
+    let_files_age();
+    Outcome running = load(loader);
+    for (const double gain : {2.0, 3.0, 0.5, 2.0}) {
+        request_.params["gain"] = gain;
+        const Outcome next = load(loader, running);
+        EXPECT_GT(next.number, running.number);
+        EXPECT_NE(next.text, running.text);
+        EXPECT_EQ(next.text, load_from_scratch().text);
+        running = next;
+    }
+    EXPECT_EQ(load(loader, running).number, running.number);
+    EXPECT_EQ(loader.work().read, 1u);
+    EXPECT_EQ(loader.work().resolved, 1u);
+    EXPECT_EQ(loader.work().changed_values, 4u);
+    // A value out of range is an error, as in a load from scratch. The last valid graph stays known.
+    request_.params["gain"] = 9;
+    EXPECT_EQ(load(loader, running).text, load_from_scratch().text);
+    request_.params["gain"] = 1;
+    EXPECT_EQ(load(loader, running).text, load_from_scratch().text);
+    EXPECT_EQ(loader.work().changed_values, 5u);
+    // Another size needs more than values.
+    request_.size = {80, 36, 1};
+    request_.params["gain"] = 3;
+    EXPECT_EQ(load(loader, running).text, load_from_scratch().text);
+    EXPECT_EQ(loader.work().changed_values, 5u);
 }
 
 // A file that was written shortly before it was read may change again without getting another time.
@@ -197,6 +226,7 @@ TEST_F(GraphLoaderTest, RandomEditsGiveTheSameBytesAsFromScratch) {
     const bool extended = std::getenv("WEFT_EXTENDED") != nullptr;
     const int edits = extended ? 2000 : 150;
     uint32_t errors = 0, reused = 0;
+    uint64_t values = 0;
     for (uint32_t seed = 1; seed <= 3; ++seed) {
         std::mt19937 random(seed);
         GraphLoader loader = this->loader();
@@ -212,12 +242,17 @@ TEST_F(GraphLoaderTest, RandomEditsGiveTheSameBytesAsFromScratch) {
         }
         const render::LoadWork& work = loader.work();
         EXPECT_LT(work.read, work.loads);
-        std::printf("seed %u: %llu loads read the files %llu times and resolved the graph %llu times\n", seed,
-                    static_cast<unsigned long long>(work.loads), static_cast<unsigned long long>(work.read),
-                    static_cast<unsigned long long>(work.resolved));
+        values += work.changed_values;
+        std::printf(
+            "seed %u: %llu loads read the files %llu times, resolved the graph %llu times, and changed only "
+            "values %llu times\n",
+            seed, static_cast<unsigned long long>(work.loads), static_cast<unsigned long long>(work.read),
+            static_cast<unsigned long long>(work.resolved),
+            static_cast<unsigned long long>(work.changed_values));
     }
     EXPECT_GT(errors, 0u);
     EXPECT_GT(reused, 0u);
+    EXPECT_GT(values, 0u);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <functional>
 #include <future>
+#include <thread>
 
 #include "tests/render/session/live_folder.h"
 #include "tests/render/session/object_counter.h"
@@ -259,6 +260,38 @@ bool extended() {
 
 TEST_F(ManyEdits, ShowTheLastGoodPictureAndLeaveNoObjectBehind) {
     extended() ? run(60, 500) : run(20, 60);
+}
+
+// Changes a parameter of the request. The picture and the plan are those of a fresh session whose graph file
+// has the same value as the default. No pipeline is made.
+TEST_F(ManyEdits, AnotherParameterValueIsOnlyAValue) {
+    const std::vector<std::string> gains{"0.25", "1.5", "0.75"};
+    std::vector<std::vector<std::byte>> pictures;
+    for (const std::string& gain : gains) {
+        folder_.replace("live.json", "\"default\": 0.5", "\"default\": " + gain);
+        pictures.push_back(wanted());
+        folder_.replace("live.json", "\"default\": " + gain, "\"default\": 0.5");
+    }
+    // A session uses the values-only path only for files that are older than the moment of reading.
+    std::this_thread::sleep_for(std::chrono::milliseconds(80));
+    begin();
+    render::Selection selection = live_->selection();
+    for (size_t i = 0; i < 2 * gains.size(); ++i) {
+        const std::string& gain = gains[i % gains.size()];
+        selection.request.params["gain"] = std::stod(gain);
+        render::PrepareResult made = live_->prepare(selection);
+        ASSERT_TRUE(made.result) << to_text(made.result.errors());
+        EXPECT_EQ(to_text(made.result->rebuilt()), "new values");
+        EXPECT_EQ(made.result->rebuilt().pipelines, 4u);
+        ASSERT_NO_FATAL_FAILURE(draw(*live_, 1));
+        const Result<bool> swapped = live_->swap_in(std::move(*made.result));
+        ASSERT_TRUE(swapped && *swapped);
+        ASSERT_NO_FATAL_FAILURE(draw(*live_, kSettlingFrames));
+        EXPECT_TRUE(shown(*live_) == pictures[i % gains.size()]) << gain;
+        EXPECT_EQ(live_->plan().graph.params.at(0).value, std::stod(gain));
+        expect_all_counted();
+    }
+    EXPECT_EQ(live_->pipelines_made_between_frames(), 0u);
 }
 
 // Tests edits that only replace pipelines, so that one executor stays in use for all of them.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -102,5 +103,11 @@ struct LoadedGraph {
 // Resolves a loaded graph again, for another output size or other parameters. Shaders are not compiled again.
 [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                                   Diagnostics& warnings);
+
+// Gives a loaded graph the parameter values of another request. `from` is the request of the loaded graph.
+// Returns nullopt if the requests differ in more than values, or if a value has an error; then load the graph
+// again.
+[[nodiscard]] std::optional<ResolvedGraph> change_values(const LoadedGraph& loaded, const GraphRequest& from,
+                                                         const LoadInput& input);
 
 }  // namespace weft

@@ -86,10 +86,11 @@ struct Predecessor {
     std::unique_ptr<Executor> executor;
 };
 
-// New values and pipelines for the plan of a running executor.
+// New values for the plan of a running executor, with or without new pipelines.
 class Amendment {
  public:
     virtual ~Amendment() = default;
+    // Returns the numbers of the new pipelines; both are 0 if the amendment has only values.
     [[nodiscard]] virtual PipelineCounts pipelines() const = 0;
 };
 
@@ -106,6 +107,9 @@ class Executor {
     // plan, shaders, imports, draws and pipelines of `input` are used.
     [[nodiscard]] static Result<std::unique_ptr<Amendment>> make_amendment(Device& device,
                                                                            ExecutorInput input);
+    // Prepares new values for the running plan, and leaves its pipelines as they are. `graph` may differ from
+    // the graph of the running plan in values of ParamWrite, custom_params and parameters, and in flops.
+    [[nodiscard]] static std::unique_ptr<Amendment> make_amendment(ResolvedGraph graph);
     // Makes an amendment the current one, from the next frame on. Call this between two frames. The replaced
     // objects live until the frames in flight have finished.
     virtual void amend(std::unique_ptr<Amendment> amendment) = 0;

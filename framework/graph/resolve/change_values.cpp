@@ -1,0 +1,82 @@
+#include "graph/resolve/change_values.h"
+
+#include <algorithm>
+
+#include "graph/resolve/checks.h"
+#include "graph/resolve/fill/member_value.h"
+
+namespace weft {
+namespace {
+
+bool is_value(const std::string& param, const std::vector<GraphParam>& params) {
+    const auto found = std::ranges::find(params, param, &GraphParam::name);
+    return found != params.end() && found->cost <= ParamCost::live;
+}
+
+// Returns true if every parameter of `a` that is missing or different in `b` is only a value.
+bool differ_in_values(const std::map<std::string, double>& a, const std::map<std::string, double>& b,
+                      const std::vector<GraphParam>& params) {
+    return std::ranges::all_of(a, [&](const auto& param) {
+        const auto other = b.find(param.first);
+        return (other != b.end() && other->second == param.second) || is_value(param.first, params);
+    });
+}
+
+// Gives the members of a block their new values. Returns false if a value has an error.
+bool change_block(const Declared& declared, const PassDraft& draft, const Evaluator& evaluator,
+                  std::vector<ParamWrite>& block) {
+    for (ParamWrite& write : block) {
+        if (write.builtin != Builtin::none) continue;
+        const std::optional<MemberValue> value = member_value(declared, draft, evaluator, write.member);
+        if (!value) continue;  // For example the size of an image, which stays the same.
+        const std::vector<double>& components = value->components;
+        const auto fits = [&](double component) { return fits_member(write.scalar, component); };
+        if (components.size() != write.components || !std::ranges::all_of(components, fits)) return false;
+        write.value = {};
+        std::ranges::copy(components, write.value.begin());
+    }
+    return true;
+}
+
+// Returns nullopt, or reports an error, if a value has an error.
+std::optional<ResolvedGraph> with_new_values(const ResolveInput& input, const ResolvedGraph& known,
+                                             Reporter& reporter) {
+    const Values values = evaluate(input, reporter);
+    const Shapes shapes = shape_resources(input, values, reporter);
+    const Expansion expansion = expand(input, values, shapes, reporter);
+    if (reporter.has_errors() || expansion.passes.size() != known.passes.size()) return std::nullopt;
+    const Declared declared{input, values, shapes, expansion};
+    ResolvedGraph graph = known;
+    for (size_t i = 0; i < graph.params.size(); ++i) graph.params[i].value = values.params[i].value;
+    graph.frames = values.frames;
+    for (PassId id(0); id < graph.passes.size(); ++id) {
+        const PassDraft& draft = expansion.passes[id];
+        graph.passes[id].flops = draft.decl.flops;
+        const Evaluator evaluator = declared.evaluator(id, expansion.suspects, reporter);
+        if (!change_block(declared, draft, evaluator, graph.passes[id].params)) return std::nullopt;
+    }
+    return check_custom_passes(declared, std::move(graph), expansion.suspects, reporter);
+}
+
+}  // namespace
+
+bool only_values_differ(const GraphRequest& a, const GraphRequest& b, const std::vector<GraphParam>& params) {
+    GraphRequest same = a;
+    same.params = b.params;
+    return same == b && differ_in_values(a.params, b.params, params) &&
+           differ_in_values(b.params, a.params, params);
+}
+
+std::optional<ResolvedGraph> change_values(const ResolveInput& input, const ResolvedGraph& known) {
+    Diagnostics ignored;
+    Reporter reporter(input.graph, input.limits.steps, ignored);
+    std::optional<ResolvedGraph> graph;
+    try {
+        graph = with_new_values(input, known, reporter);
+    } catch (const ResolveStopped&) {
+        // The reporter has an error.
+    }
+    return reporter.has_errors() ? std::nullopt : std::move(graph);
+}
+
+}  // namespace weft

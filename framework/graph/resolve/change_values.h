@@ -1,0 +1,23 @@
+// Purpose: gives a resolved graph other values of parameters without resolving it again. This is possible for
+// parameters that are only values in `Params` of shaders or in C++ passes.
+#pragma once
+
+#include <optional>
+
+#include "graph/resolve/resolve.h"
+
+namespace weft {
+
+// Returns true if the requests differ only in values of parameters, and only in parameters whose change costs
+// at most ParamCost::live. `params` are the parameters of the graph that was resolved for one of the
+// requests.
+[[nodiscard]] bool only_values_differ(const GraphRequest& a, const GraphRequest& b,
+                                      const std::vector<GraphParam>& params);
+
+// Returns the graph that resolve(input) would return. `known` must be the result of resolve() for an input
+// that differs only in its request, as only_values_differ() says. Returns nullopt if a value has an error;
+// then call resolve(), which reports it.
+[[nodiscard]] std::optional<ResolvedGraph> change_values(const ResolveInput& input,
+                                                         const ResolvedGraph& known);
+
+}  // namespace weft

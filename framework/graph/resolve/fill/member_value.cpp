@@ -1,0 +1,54 @@
+#include "graph/resolve/fill/member_value.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "graph/diagnostics/whole_number.h"
+
+namespace weft {
+namespace {
+
+constexpr std::string_view kDrawsSuffix = "Draws";
+
+// Returns true if the name is the number of draws in an imported draw list, such as "opaqueDraws" for the
+// list "opaque".
+bool counts_draws(const GraphDesc& graph, std::string_view name) {
+    if (!name.ends_with(kDrawsSuffix) || graph.sizes.contains(std::string(name))) return false;
+    name.remove_suffix(kDrawsSuffix.size());
+    const auto import = graph.imports.find(std::string(name));
+    return import != graph.imports.end() && import->second.kind == import_kind_name(ImportKind::draw_list);
+}
+
+std::vector<double> evaluate_components(const ParamValueDesc& param, const Evaluator& evaluator) {
+    std::vector<double> components;
+    for (const Expr& component : param.components) {
+        const std::optional<ExprValue> value = evaluator.value(component);
+        if (!value) return {};
+        components.push_back(value->x);
+        if (value->is_size) components.push_back(value->y);
+    }
+    return components;
+}
+
+}  // namespace
+
+std::optional<MemberValue> member_value(const Declared& declared, const PassDraft& draft,
+                                        const Evaluator& evaluator, const std::string& member) {
+    const auto param = std::ranges::find(draft.desc->params, member, &ParamValueDesc::name);
+    if (param != draft.desc->params.end())
+        return MemberValue{&*param, evaluate_components(*param, evaluator)};
+    const GraphDesc& graph = declared.input.graph;
+    const bool named = draft.indices.contains(member) || graph.params.contains(member) ||
+                       graph.consts.contains(member) || counts_draws(graph, member);
+    if (!named) return std::nullopt;
+    const std::optional<ExprValue> value = evaluator.find(member);
+    if (!value) return std::nullopt;
+    return MemberValue{nullptr, {value->x}};
+}
+
+bool fits_member(ScalarType scalar, double value) {
+    if (scalar == ScalarType::f32) return fits_into_float(value);
+    return scalar == ScalarType::boolean || fits_into<int32_t>(value) || fits_into<uint32_t>(value);
+}
+
+}  // namespace weft

@@ -1,0 +1,30 @@
+// Purpose: finds the value that the author of a graph gives to a member of the block `Params`: in "params" of
+// the pass, or by a name of the graph.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "graph/resolve/declared.h"
+
+namespace weft {
+
+struct MemberValue {
+    // The entry of "params" that gives the value. Null if the graph has a parameter, a constant, an index of
+    // the pass's repeat, or a number of draws with the name of the member.
+    const ParamValueDesc* param = nullptr;
+    // The components of the value. Empty if the value has an error, which was reported.
+    std::vector<double> components = {};
+};
+
+// Returns nullopt if neither the pass nor the graph has the name. `evaluator` must know the indices of the
+// pass's repeat.
+[[nodiscard]] std::optional<MemberValue> member_value(const Declared& declared, const PassDraft& draft,
+                                                      const Evaluator& evaluator, const std::string& member);
+
+// Returns true if a member of this type can store the value. A 32-bit word may be given as a signed or as an
+// unsigned integer; for example, -1 sets all bits.
+[[nodiscard]] bool fits_member(ScalarType scalar, double value);
+
+}  // namespace weft
