@@ -28,6 +28,19 @@ std::string pass_text(const ResolvedGraph& graph, const PassDecl& pass) {
                      pass.name.c_str(), reads, in.c_str(), out.c_str());
 }
 
+// Adds the block Params with the parameter `gain` of the graph. Only passes that read no image have it.
+void add_gain(ShaderInterface& interface) {
+    interface.has_params = true;
+    interface.params.push_constants = true;
+    interface.params.stages = interface.stages;
+    interface.params.size_bytes = sizeof(float);
+    BlockMember& gain = interface.params.members.emplace_back();
+    gain.name = "gain";
+    gain.size_bytes = sizeof(float);
+    gain.scalar = ScalarType::f32;
+    gain.rows = 1;
+}
+
 }  // namespace
 
 std::string bench_file_text(const ResolvedGraph& graph) {
@@ -36,7 +49,9 @@ std::string bench_file_text(const ResolvedGraph& graph) {
         images += (images.empty() ? "\n" : ",\n") + image_text(image);
     for (const PassDecl& pass : graph.passes)
         passes += (passes.empty() ? "\n" : ",\n") + pass_text(graph, pass);
-    return formatted("{\"version\": 1, \"name\": \"%s\", \"resources\": {", graph.name.c_str()) + images +
+    return formatted(R"({"version": 1, "name": "%s", "params": {"gain": {"default": 1}}, "resources": {)",
+                     graph.name.c_str()) +
+           images +
            "}, \"passes\": {" + passes + "}}\n";
 }
 
@@ -63,6 +78,7 @@ ShaderCatalog bench_shaders() {
         written.storage_format = Format::rgba8;
         written.reads = false;
         written.writes = true;
+        if (reads == 0) add_gain(interface);
         catalog.emplace(program.reference, std::move(program));
     }
     return catalog;
@@ -70,16 +86,17 @@ ShaderCatalog bench_shaders() {
 
 std::map<std::string, std::string> bench_shader_texts() {
     std::map<std::string, std::string> texts;
-    std::string inputs, sum = "vec4(0)";
+    std::string inputs, sum;
     for (size_t reads = 0; reads <= kReadPorts.size(); ++reads) {
         texts[formatted("read%zu.comp", reads)] =
             "#version 460\nlayout(local_size_x = 8, local_size_y = 8) in;\n"
             "layout(rgba8) writeonly uniform image2D dst;\n" +
-            inputs + "void main() {\n    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);\n" +
-            "    imageStore(dst, at, " + sum + ");\n}\n";
+            (reads == 0 ? "layout(push_constant) uniform Params { float gain; };\n" : inputs) +
+            "void main() {\n    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);\n" +
+            "    imageStore(dst, at, " + (reads == 0 ? "vec4(gain)" : sum) + ");\n}\n";
         if (reads == kReadPorts.size()) break;
         inputs += formatted("uniform sampler2D %s;\n", kReadPorts.at(reads));
-        sum += formatted(" + texelFetch(%s, at, 0)", kReadPorts.at(reads));
+        sum += formatted("%stexelFetch(%s, at, 0)", reads == 0 ? "" : " + ", kReadPorts.at(reads));
     }
     return texts;
 }

@@ -6,7 +6,7 @@
 
 #include "graph/compile/bench_graph.h"
 #include "viewer/bench/front_end_bench.h"
-#include "viewer/bench/unchanged_bench.h"
+#include "viewer/bench/reload_bench.h"
 
 namespace weft::viewer {
 namespace {
@@ -80,8 +80,7 @@ std::vector<CompiledGraph> measure_compile(const BenchOptions& options, const Lo
     std::vector<CompiledGraph> graphs;
     for (uint32_t i = 0; i < options.seeds; ++i) {
         graphs.push_back(measure_graph(options, options.seed + i));
-        if (i == 0)
-            graphs[0].unchanged_us = measure_unchanged_us(make_graph(options, options.seed), settings);
+        if (i == 0) graphs[0].reload = measure_reload(make_graph(options, options.seed), settings);
         progress(i + 1);
     }
     return graphs;

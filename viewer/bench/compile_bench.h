@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "viewer/bench/reload_bench.h"
 #include "viewer/options/options.h"
 #include "weft/compile.h"
 #include "weft/load/load_graph.h"
@@ -23,8 +24,7 @@ struct CompiledGraph {
     std::vector<StageTime> stages;     // Times of the compiler's stages in the fastest later compilation.
     std::vector<StageTime> front_end;  // Times from the text of a file to the resolved graph.
     double check_us = 0;               // Time of the checker.
-    // Time to find that the files of the graph have not changed. Measured only for the first graph, else 0.
-    double unchanged_us = 0;
+    ReloadTimes reload;                // Measured only for the first graph, else 0.
     MemoryPlan memory;  // Without placements and alias transitions.
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;  // Name of the chosen candidate.

@@ -125,7 +125,9 @@ std::string compile_bench_text(const BenchOptions& options, const std::vector<Co
     text += formatted("check      median %.0f us, worst %.0f us (seed %u): proof of the plan\n", check.median,
                       check.worst, check.worst_seed);
     text += formatted("unchanged  %.1f us to find that no file of the first graph has changed\n",
-                      graphs.front().unchanged_us);
+                      graphs.front().reload.unchanged_us);
+    text += formatted("value      %.1f us to give the first graph another value of a parameter\n",
+                      graphs.front().reload.value_us);
     const OverSeeds heap = over_seeds(graphs, &CompiledGraph::heap_to_peak);
     text += formatted("heap / peak of live bytes: mean %.4f, worst %.4f (seed %u)\n", heap.mean, heap.worst,
                       heap.worst_seed);
@@ -145,7 +147,8 @@ std::string compile_bench_json(const BenchOptions& options, const std::vector<Co
         {"front_end_us", us_json(front_end_us(graphs))},
         {"front_end_stages_us", stages_json(graphs, &CompiledGraph::front_end)},
         {"check_us", us_json(check_us(graphs))},
-        {"unchanged_us", graphs.front().unchanged_us},
+        {"unchanged_us", graphs.front().reload.unchanged_us},
+        {"value_us", graphs.front().reload.value_us},
         {"heap_to_peak", {{"mean", heap.mean}, {"worst", heap.worst}, {"worst_seed", heap.worst_seed}}},
         {"graphs", all}};
     return json.dump(2) + "\n";

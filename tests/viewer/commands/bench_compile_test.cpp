@@ -16,7 +16,7 @@ TEST(BenchCompile, CompilesGraphsOfChanceAndSaysWhereTheTimeGoes) {
     EXPECT_EQ(text.exit_code, 0) << text.text();
     for (const char* part :
          {"50 passes, chain, 1 queue, 30 graphs: seeds 1 to 30", "schedule", "alias", "barriers",
-          "heap / peak ", "program 30 times", "front end ", "resolve ", "check  ", "unchanged  "})
+          "heap / peak ", "program 30 times", "front end ", "resolve ", "check  ", "unchanged  ", "value  "})
         EXPECT_NE(text.out.find(part), std::string::npos) << text.text();
     const RunResult one = run_weft({"bench", "compile", "--passes", "50", "--seeds", "1"});
     for (const char* part : {"50 passes, random, 1 queue, seed 1", "<- chosen", "all resources"})
@@ -47,6 +47,7 @@ TEST(BenchCompile, ReportsEachGraphAndTheWorstOfThemAsJson) {
     EXPECT_TRUE(json.at("stages_us").at("alias").contains("worst"));
     EXPECT_TRUE(json.at("front_end_stages_us").at("resolve").contains("worst"));
     EXPECT_GT(json.at("unchanged_us"), 0);
+    EXPECT_GT(json.at("value_us"), 0);
     double worst_check_us = 0;
     for (const Json& graph : json.at("graphs")) {
         EXPECT_GT(graph.at("front_end_us").at("read"), 0);

@@ -1,0 +1,21 @@
+// Purpose: measures how long a session needs to load a graph again if its files have not changed. Units:
+// microseconds.
+#pragma once
+
+#include "weft/load/load_graph.h"
+#include "weft/plan.h"
+
+namespace weft::viewer {
+
+// The times of the fastest loads.
+struct ReloadTimes {
+    double unchanged_us = 0;  // The request is the same.
+    double value_us = 0;      // A parameter that is a value in `Params` has another value.
+};
+
+// Writes `graph`, a result of make_bench_graph(), and its shaders to files in a temporary folder, loads them
+// with the loader that sessions use, and loads them again. `settings` has the reader of files and the
+// folders; its limits are replaced.
+[[nodiscard]] ReloadTimes measure_reload(const ResolvedGraph& graph, LoadSettings settings);
+
+}  // namespace weft::viewer
