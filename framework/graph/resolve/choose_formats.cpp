@@ -202,7 +202,7 @@ bool choose_format(const ResolveInput& input, const ResourceDesc& desc, const Ne
     }
     Diagnostic& d = reporter.error(
         desc.loc, "W117",
-        "the device supports no format of " + quote(desc.name) + " for all uses by the passes");
+        quote(desc.name) + " has no format that the device supports for every use of the image");
     for (std::string& reason : reasons) add_help(d, std::move(reason));
     add_help(d, reasons.empty() ? "name a format"
                                 : "add another format: \"a|b\" uses b if the device does not support a");

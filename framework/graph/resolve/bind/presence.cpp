@@ -114,7 +114,8 @@ void Presence::report_absent(PassId pass, const PortDesc& port) const {
     if (draft.is_observer)
         return add_help(d, "change the parameters: with the current values no pass writes the resource");
     add_help(d, "name a replacement: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
-    add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
+    if (draft.shader)
+        add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
     if (writer && !writer->condition.empty() && writer->repeat.empty())
         add_help(d, "or remove this pass with the same condition: \"if\": " + quote(writer->condition.text));
 }
