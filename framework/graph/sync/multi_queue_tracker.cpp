@@ -34,6 +34,14 @@ AccessState state_on(std::span<const AccessEvent> group, QueueIndex queue) {
 
 }  // namespace
 
+bool changes_import(const ImportState& import, std::span<const AccessEvent> events) {
+    const bool pending = ((import.entry.access | import.exit.access) & access::kAllWrites) != 0;
+    return pending || import.entry.layout != import.exit.layout ||
+           std::ranges::any_of(events, [&](const AccessEvent& event) {
+               return event.writes || event.state.layout != import.entry.layout;
+           });
+}
+
 MultiQueueTracker::MultiQueueTracker(const QueueRules& rules, const AccessState& entry, bool changes)
     : rules_(&rules), entered_(true), layout_(entry.layout) {
     if (changes) source_ = Past{rules.epilogue, kGraphicsQueue, entry.stages, kNoId, true};
@@ -55,9 +63,9 @@ bool MultiQueueTracker::starts_anew(const AccessEvent& event) const {
 
 // Returns the earlier uses that must complete before the next write or layout change. These are the readers
 // of the current content. Without readers, it is the write or layout transition that made the content.
-std::vector<MultiQueueTracker::Past> MultiQueueTracker::predecessors() const {
+std::span<const MultiQueueTracker::Past> MultiQueueTracker::predecessors() const {
     if (!readers_.empty()) return readers_;
-    if (source_) return {*source_};
+    if (source_) return {&*source_, 1};
     return {};
 }
 
@@ -128,7 +136,7 @@ std::optional<MultiQueueTracker::Past> MultiQueueTracker::common_past(
     std::span<const AccessEvent> events) const {
     const std::span<const AccessEvent> group = group_of(events);
     if (taken_over_ || entered_ || events.front().writes || !on_several_queues(group)) return {};
-    const std::vector<Past> all = predecessors();
+    const std::span<const Past> all = predecessors();
     const bool usable = !all.empty() && std::all_of(all.begin(), all.end(), [&](const Past& p) {
         return p.queue == all.front().queue && !p.previous_frame;
     });
@@ -173,7 +181,7 @@ void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> eve
 // family, and an acquire barrier before the next use on the new family.
 void MultiQueueTracker::transfer(std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
-    const std::vector<Past> all = predecessors();
+    const std::span<const Past> all = predecessors();
     const Past last = *std::max_element(all.begin(), all.end(),
                                         [](const Past& a, const Past& b) { return a.position < b.position; });
     AccessState src{stage::kNone, unflushed_on(last.queue), layout_};

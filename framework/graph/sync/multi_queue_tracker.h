@@ -19,6 +19,10 @@ struct QueueRules {
     Position epilogue = 0;  // Position after the last pass; it represents the end of the frame.
 };
 
+// Returns true if a frame with these accesses changes the import: it writes the import or changes its layout,
+// or writes from outside the frame are pending.
+[[nodiscard]] bool changes_import(const ImportState& import, std::span<const AccessEvent> events);
+
 class MultiQueueTracker {
  public:
     MultiQueueTracker(const QueueRules& rules, SingleQueueTracker::Start start)
@@ -51,7 +55,7 @@ class MultiQueueTracker {
     [[nodiscard]] AccessMask unflushed_on(QueueIndex queue) const {
         return source_ && source_->queue == queue ? unflushed_ : access::kNone;
     }
-    [[nodiscard]] std::vector<Past> predecessors() const;
+    [[nodiscard]] std::span<const Past> predecessors() const;
     [[nodiscard]] std::optional<Past> common_past(std::span<const AccessEvent> events) const;
     void merge_drawing(const AccessEvent& event);
     void join(std::span<const AccessEvent> events, CellSync& sync);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "graph/sync/accesses.h"
@@ -44,6 +45,14 @@ struct CellBarrier {
     Position pair_position = 0;
     AccessState pair_state;
 };
+
+// Returns all properties of a barrier except its cell. Barriers with equal keys are merged into one barrier
+// for all their cells.
+[[nodiscard]] inline auto merge_key(const CellBarrier& b) {
+    return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
+                           b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.src_family,
+                           b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
+}
 
 // The barriers of one cell (a block of subresources with the same accesses) in one frame, and its
 // dependencies between queues.

@@ -72,10 +72,15 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
             continue;
         }
         if (events[id].empty()) continue;
-        if (const ResourceHistory* history = whole.track(resource, events[id]))
-            table.histories.set(id, *history);
-        else
+        const WholeHistory* found = whole.track(id, resource, events[id]);
+        if (found == nullptr) {
             track_ring({&id, 1}, graph, order, events, table);
+            continue;
+        }
+        table.histories.set(id, found->history);
+        table.concurrent[id] = found->concurrent ? 1 : 0;
+        table.dependencies.insert(table.dependencies.end(), found->dependencies.begin(),
+                                  found->dependencies.end());
     }
     add_after_edges(graph, order, table.dependencies);
     return table;

@@ -7,6 +7,7 @@
 
 #include "graph/model/subresource_grid.h"
 #include "graph/sync/multi_queue_tracker.h"
+#include "graph/sync/queue_usage.h"
 
 namespace weft {
 namespace {
@@ -14,14 +15,6 @@ namespace {
 // Number of frames through which a persistent resource is tracked. The first frames only find the state in
 // which a frame leaves the resource. After them, every frame starts and ends in the same state.
 constexpr int kRoundsToSettle = 4;
-
-// Returns all properties of a barrier except its cell. Barriers with equal keys are merged into one barrier
-// for all their cells.
-auto merge_key(const CellBarrier& b) {
-    return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
-                           b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.src_family,
-                           b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
-}
 
 // Returns the accesses to each cell, indexed by cell.
 std::vector<std::vector<AccessEvent>> events_by_cell(const SubresourceGrid& grid,
@@ -35,8 +28,7 @@ std::vector<std::vector<AccessEvent>> events_by_cell(const SubresourceGrid& grid
 
 std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<CellBarrier> barriers) {
     std::sort(barriers.begin(), barriers.end(), [](const CellBarrier& a, const CellBarrier& b) {
-        return std::tuple_cat(merge_key(a), std::make_tuple(a.cell)) <
-               std::tuple_cat(merge_key(b), std::make_tuple(b.cell));
+        return std::make_tuple(merge_key(a), a.cell) < std::make_tuple(merge_key(b), b.cell);
     });
     std::vector<PlacedBarrier> result;
     for (size_t i = 0; i < barriers.size();) {
@@ -50,52 +42,12 @@ std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<
     return result;
 }
 
-// Describes the use of a resource by queues and queue families.
-struct QueueUsage {
-    bool several_queues = false;
-    bool several_families = false;
-    // True if the resource is used by one queue family at a time. Then barriers can transfer its ownership
-    // between the uses.
-    bool exclusive = false;
-};
-
 using CellAccesses = std::vector<std::vector<AccessEvent>>;  // Index: cell. The accesses, by position.
 
-// Returns false if consecutive reads in the same layout run on different queue families. Such reads may run
-// at the same time, so neither family can own the resource.
-bool one_family_at_a_time(const std::vector<AccessEvent>& events, const std::vector<LogicalQueue>& queues) {
-    for (size_t i = 1; i < events.size(); ++i) {
-        const AccessEvent &a = events[i - 1], &b = events[i];
-        const bool together = !a.writes && !b.writes && a.state.layout == b.state.layout;
-        if (together && queues[a.queue].family != queues[b.queue].family) return false;
-    }
-    return true;
-}
-
 QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses>& roles) {
-    std::set<QueueIndex> queues;
-    std::set<uint32_t> families;
-    bool in_turn = true;
-    for (const CellAccesses& cells : roles) {
-        for (const std::vector<AccessEvent>& events : cells) {
-            for (const AccessEvent& event : events) queues.insert(event.queue);
-            in_turn = in_turn && one_family_at_a_time(events, input.order->queues);
-        }
-    }
-    for (const QueueIndex queue : queues) families.insert(input.order->queues[queue].family);
-    const ResourceDecl& decl = *input.roles.front().decl;
-    QueueUsage usage;
-    // An import enters and leaves every frame on queue 0. The prologue, which initialises persistent
-    // resources, also runs on queue 0.
-    if (decl.import && !queues.empty()) queues.insert(kGraphicsQueue);
-    if (decl.import) families.insert(decl.import->family);
-    if (decl.lifetime == ResourceLifetime::persistent && !queues.empty())
-        families.insert(input.order->queues.front().family);
-    usage.several_queues = queues.size() > 1;
-    usage.several_families = families.size() > 1;
-    usage.exclusive = usage.several_families && in_turn && decl.kind == ResourceKind::image &&
-                      decl.lifetime == ResourceLifetime::transient;
-    return usage;
+    std::vector<std::span<const AccessEvent>> all;
+    for (const CellAccesses& cells : roles) all.insert(all.end(), cells.begin(), cells.end());
+    return weft::queue_usage(*input.roles.front().decl, *input.order, all);
 }
 
 // The barriers, dependencies and final states of one cell (a block of subresources). A resource with history
@@ -131,16 +83,6 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
     return trace;
 }
 
-// Returns true if the frame changes the import: it writes the import or changes its layout, or writes from
-// outside the frame are pending.
-bool changes(const ImportState& import, const std::vector<AccessEvent>& events) {
-    const bool pending = ((import.entry.access | import.exit.access) & access::kAllWrites) != 0;
-    return pending || import.entry.layout != import.exit.layout ||
-           std::any_of(events.begin(), events.end(), [&](const AccessEvent& event) {
-               return event.writes || event.state.layout != import.entry.layout;
-           });
-}
-
 CellTrace trace_cell(const HistoryInput& input, const QueueUsage& usage, const QueueRules& rules,
                      const std::vector<CellAccesses>& roles, uint32_t cell) {
     const ResourceDecl& decl = *input.roles.front().decl;
@@ -148,28 +90,11 @@ CellTrace trace_cell(const HistoryInput& input, const QueueUsage& usage, const Q
                                                                      : SingleQueueTracker::Start::taken_over;
     if (usage.several_queues)
         return run_tracker(decl.import ? MultiQueueTracker(rules, decl.import->entry,
-                                                           changes(*decl.import, roles.front()[cell]))
+                                                           changes_import(*decl.import, roles.front()[cell]))
                                        : MultiQueueTracker(rules, start),
                            roles, cell, decl);
     return run_tracker(decl.import ? SingleQueueTracker(decl.import->entry) : SingleQueueTracker(start),
                        roles, cell, decl);
-}
-
-// Merges the last uses of one cell into the last uses of the whole resource. For each queue only the latest
-// position is kept, because a semaphore wait for it also covers earlier positions.
-void add_last_uses(const std::vector<LastUse>& cell, std::vector<LastUse>& all) {
-    for (const LastUse& use : cell) {
-        const auto same = std::find_if(all.begin(), all.end(),
-                                       [&](const LastUse& other) { return other.queue == use.queue; });
-        if (same == all.end()) {
-            all.push_back(use);
-            continue;
-        }
-        same->position = std::max(same->position, use.position);
-        same->stages |= use.stages;
-        same->writes |= use.writes;
-        if (same->pass != use.pass) same->pass = kNoId;
-    }
 }
 
 // Adds the layout of each cell at the start of a frame to the resource's history. A cell that no pass uses
@@ -196,6 +121,23 @@ SubresourceGrid grid_of(const HistoryInput& input) {
 
 }  // namespace
 
+// Merges the last uses of one cell into the last uses of the whole resource. For each queue only the latest
+// position is kept, because a semaphore wait for it also covers earlier positions.
+void add_last_uses(const std::vector<LastUse>& cell, std::vector<LastUse>& all) {
+    for (const LastUse& use : cell) {
+        const auto same = std::find_if(all.begin(), all.end(),
+                                       [&](const LastUse& other) { return other.queue == use.queue; });
+        if (same == all.end()) {
+            all.push_back(use);
+            continue;
+        }
+        same->position = std::max(same->position, use.position);
+        same->stages |= use.stages;
+        same->writes |= use.writes;
+        if (same->pass != use.pass) same->pass = kNoId;
+    }
+}
+
 PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange& range) {
     return {barrier.position,
             barrier.after,
@@ -219,7 +161,7 @@ RingHistory track_resource(const HistoryInput& input) {
                            Position(input.order->order.size())};
     RingHistory ring;
     ring.roles.resize(roles.size());
-    ring.concurrent = usage.several_families && !usage.exclusive;
+    ring.concurrent = usage.concurrent();
     std::vector<std::vector<CellBarrier>> barriers(roles.size());
     std::vector<std::vector<Layout>> entries(roles.size());
     for (uint32_t cell = 0; cell < grid.cell_count(); ++cell) {

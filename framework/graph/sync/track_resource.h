@@ -34,6 +34,9 @@ struct RingHistory {
     bool concurrent = false;
 };
 
+// Adds the last uses of one cell to the last uses of the whole resource. For each queue only the latest
+// position is kept, because a semaphore wait for it also covers earlier positions.
+void add_last_uses(const std::vector<LastUse>& cell, std::vector<LastUse>& all);
 [[nodiscard]] PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange& range);
 
 // Computes the barriers and dependencies of a ring or of a single resource. For an import, they include the
