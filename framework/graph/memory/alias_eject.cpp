@@ -123,11 +123,11 @@ void place(const std::vector<PackItem>& items, std::vector<uint32_t> waiting, ui
 }  // namespace
 
 Packing pack_below(const std::vector<PackItem>& items, const std::vector<uint32_t>& order,
-                   uint64_t target_bytes, Conflicts& conflicts) {
+                   uint64_t target_bytes, size_t most_removals, Conflicts& conflicts) {
     Packing packing;
     packing.offsets_bytes.assign(items.size(), 0);
     conflicts.clear();
-    place(items, {order.rbegin(), order.rend()}, target_bytes, items.size(), conflicts, packing);
+    place(items, {order.rbegin(), order.rend()}, target_bytes, most_removals, conflicts, packing);
     return packing;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 
 #include "graph/memory/alias_best_fit.h"
 #include "graph/memory/alias_conflicts.h"
@@ -89,24 +90,35 @@ struct Attempt {
     uint64_t percent = 0;
 };
 constexpr std::array kAttempts{Attempt{size_descending_order, 3}, Attempt{area_descending_order, 4},
-                               Attempt{peak_first_order, 5}};
+                               Attempt{peak_first_order, 5}, Attempt{size_descending_order, 7}};
 
-// Improves a packing until it reaches the target of one of the attempts. `one_queue`: with several queues,
-// often no packing reaches the targets, so lower() would spend its time without a result.
+// Improves a packing until it reaches the target of one of the attempts.
 void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
-             bool one_queue, Packing& best) {
-    const bool searched = items.size() <= kMaxSearchedItems;
-    const size_t most_removals = items.size() <= kFewItems ? items.size() * 2 : items.size() / 2;
+             Packing& best) {
+    const size_t count = items.size(), most_lowered = count <= kFewItems ? count * 2 : count / 2;
     for (const auto& [order_of, percent] : kAttempts) {
         const uint64_t target = with_percent(lower_bound_bytes, percent);
         if (best.height_bytes <= target) return;
         const std::vector<uint32_t> order = order_of(items);
-        keep_smaller(pack_below(items, order, target, conflicts), best);
+        keep_smaller(pack_below(items, order, target, count, conflicts), best);
         if (best.height_bytes <= target) return;
-        if (one_queue)
-            keep_smaller(lower(items, order, best, target, most_removals, conflicts), best);
+        keep_smaller(lower(items, order, best, target, most_lowered, conflicts), best);
         if (best.height_bytes <= target) return;
-        if (searched) keep_smaller(search(items, order, target, conflicts), best);
+        if (count <= kMaxSearchedItems) keep_smaller(search(items, order, target, conflicts), best);
+    }
+}
+
+// Improves a packing for several queues. Often no packing reaches the targets, because the lower bound does
+// not count what the queues add. More removals than these need much time for hardly any gain.
+void improve_for_queues(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
+                        Packing& best) {
+    for (const auto& [order_of, percent] : std::span(kAttempts).first(2)) {
+        const uint64_t target = with_percent(lower_bound_bytes, percent);
+        if (best.height_bytes <= target) return;
+        const std::vector<uint32_t> order = order_of(items);
+        keep_smaller(pack_below(items, order, target, items.size() / 16, conflicts), best);
+        if (best.height_bytes <= target) return;
+        if (items.size() <= kMaxSearchedItems) keep_smaller(search(items, order, target, conflicts), best);
     }
 }
 
@@ -130,8 +142,11 @@ Packing pack(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, con
     const bool good = best.height_bytes <= with_percent(lower_bound_bytes, kGoodSweepPercent);
     if (!few && conflicts.dense() && !good && items.size() <= kMaxDenseItems)
         keep_smaller(pack_in_order(items, size_descending_order(items), conflicts), best);
-    if (!conflicts.dense() || (few && !good))
-        improve(items, lower_bound_bytes, conflicts, times == nullptr, best);
+    if (conflicts.dense() && !(few && !good)) return best;
+    if (times == nullptr)
+        improve(items, lower_bound_bytes, conflicts, best);
+    else
+        improve_for_queues(items, lower_bound_bytes, conflicts, best);
     return best;
 }
 

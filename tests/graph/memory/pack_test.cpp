@@ -70,7 +70,7 @@ TEST(Pack, AnItemThatDoesNotFitTakesThePlaceOfAnother) {
     const Packing simple = pack_in_order(a_b_c, {0, 1, 2}, conflicts);
     EXPECT_EQ(simple.offsets_bytes, (std::vector<uint64_t>{0, 2, 4}));
     EXPECT_EQ(simple.height_bytes, 8u);
-    const Packing below = pack_below(a_b_c, {0, 1, 2}, 6, conflicts);
+    const Packing below = pack_below(a_b_c, {0, 1, 2}, 6, 3, conflicts);
     EXPECT_EQ(below.offsets_bytes, (std::vector<uint64_t>{0, 4, 0}));
     EXPECT_EQ(below.height_bytes, 6u);
 }
@@ -103,11 +103,11 @@ TEST(Pack, EjectionReachesTheTargetOrPlacesTheRestAboveIt) {
         std::iota(order.begin(), order.end(), 0u);
         Conflicts conflicts(items);
         const uint64_t peak = peak_bytes(items), target = peak + peak / 20;
-        const Packing packing = pack_below(items, order, target, conflicts);
+        const Packing packing = pack_below(items, order, target, items.size(), conflicts);
         EXPECT_TRUE(sound(items, packing)) << "seed " << seed;
         reached += packing.height_bytes <= target ? 1 : 0;
         smaller += packing.height_bytes < pack_in_order(items, order, conflicts).height_bytes ? 1 : 0;
-        EXPECT_TRUE(sound(items, pack_below(items, order, peak / 2, conflicts))) << "seed " << seed;
+        EXPECT_TRUE(sound(items, pack_below(items, order, peak / 2, items.size(), conflicts))) << "seed " << seed;
     }
     std::printf("%zu of 60 packings reach the target, %zu are smaller than without ejection\n", reached,
                 smaller);
