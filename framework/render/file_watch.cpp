@@ -21,7 +21,7 @@ namespace {
 // not be read yet.
 constexpr uint32_t kMask =
     IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO | IN_ATTRIB | IN_ONLYDIR;
-// Maximum time that wait() goes on waiting for a pause while files keep changing.
+// wait() returns at most about this long after the first change, even if files change without a pause.
 constexpr auto kMostPatience = std::chrono::seconds(1);
 
 bool is_of_a_folder_itself(const inotify_event& event) {

@@ -1,7 +1,7 @@
-// Purpose: waits for changes of files. It notices files that are written in place, replaced by renaming (as
-// most editors do), removed or created again, and changes of parent folders. It uses inotify on folders
-// instead of polling, so it can also wait for files that do not exist yet. Errors: X580 (the system provides
-// no more inotify instances).
+// Purpose: waits for changes of files. It notices that a file is written in place, replaced by renaming (as
+// most editors do), removed or created again. It also notices that a parent folder is moved, removed or
+// created. It uses inotify on folders, not polling. So it can also wait for files that do not exist yet.
+// Errors: X580 (the system provides no more inotify instances).
 #pragma once
 
 #include <chrono>

@@ -40,8 +40,8 @@ uint32_t gpu_light_type(scene::LightType type) {
     return shared::kLightPoint;
 }
 
-// Returns the sort key of a light: directional lights first, and in each kind the lights without area and
-// function first.
+// Returns the sort key of a light. The order is: plain directional lights, other directional lights, other
+// plain lights, all others. is_plain() says which lights are plain.
 int rank(const shared::Light& light) {
     return (light.type == shared::kLightDirectional ? 0 : 2) + (is_plain(light) ? 0 : 1);
 }
@@ -66,12 +66,12 @@ shared::ViewConstants view_constants(const scene::Camera& camera, const glm::mat
     view.projection = reversed_infinite_projection(camera.fov_y_rad, width / height, camera.near_m);
     view.steady_view_projection = view.projection * view.view;
     view.jitter_uv = jitter_px / glm::vec2(width, height);
-    // The jitter moves the picture. Clip-space w is -z, so an offset in the z column moves all points by the
-    // same number of pixels, whatever their distance.
+    // The jitter moves the picture. Clip-space w is -z of view space, so an offset in the z column moves all
+    // points by the same number of pixels, whatever their distance.
     view.projection[2] -= glm::vec4(2.0f * view.jitter_uv, 0, 0);
     view.view_projection = view.projection * view.view;
-    // The matrix is inverted in double precision. With an infinite projection far from the origin, float
-    // would lose too many digits.
+    // The matrix is inverted in double precision. The projection has no far plane; if the camera is also far
+    // from the origin, float would lose too many digits.
     view.inverse_view_projection =
         glm::mat4(glm::inverse(glm::dmat4(view.projection) * glm::dmat4(view.view)));
     view.prev_view_projection = prev_view_projection;
@@ -155,16 +155,16 @@ shared::Material gpu_material(const scene::Material& m) {
     shared::Material gpu{};
     gpu.base_color = m.base_color;
     gpu.emissive = m.emissive;
-    // The cutoff is set for all materials. Only shaders of the list "masked" discard pixels, so it has no
-    // effect elsewhere.
+    // The cutoff is set for all materials. It has an effect only in draws whose pipeline variant sets the
+    // shader constant MASKED: only these discard pixels.
     gpu.alpha_cutoff = m.alpha_cutoff;
     const float r = (m.ior - 1) / (m.ior + 1);
     gpu.dielectric_f0 = glm::min(glm::vec3(r * r) * m.specular_color, glm::vec3(1));
     gpu.specular = m.specular;
     gpu.metallic = m.metallic;
     gpu.roughness = m.roughness;
-    // The scale is 0 if the material has no normal map, so that the normal of the mesh is used unchanged. The
-    // texel of the dummy map, 128/255, is not exactly the middle of the range.
+    // The scale is 0 if the material has no normal map, so that the normal of the mesh is used unchanged.
+    // Such a material gets a flat map of one texel, but the texel's value, 128/255, is not exactly 0.5.
     gpu.normal_scale = m.normal_texture.texture == scene::kNone ? 0.0f : m.normal_scale;
     gpu.occlusion_strength = m.occlusion_strength;
     gpu.base_color_uv = uv_of(m.base_color_texture);

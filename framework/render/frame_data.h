@@ -33,10 +33,11 @@ namespace weft::render {
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
 // True if the light has neither an area nor a light function (doors, picture, falloff curve).
 [[nodiscard]] bool is_plain(const shared::Light& light);
-// Returns the lights that have an intensity, at most kMaxLights. Directional lights come first, and within
-// each kind lights without area and function come first; otherwise the scene's order is kept. So a graph's
-// buffer that is too small omits the last lights. A light whose function index exceeds `functions` loses its
-// function. The first directional light casts the sun's shadows.
+// Returns the lights that have an intensity, at most kMaxLights. The order is: plain directional lights (see
+// is_plain()), other directional lights, other plain lights, all others. Otherwise the scene's order is
+// kept. If the graph's light buffer is too small, the last lights are dropped. `functions` is the number of
+// light functions; a light with an index beyond it loses its function. The first directional light casts the
+// sun's shadows.
 [[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s,
                                                     size_t functions = 0);
 // Converts a light function, but leaves the index of its picture at 0 (no picture).

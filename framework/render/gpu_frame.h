@@ -1,6 +1,6 @@
-// Purpose: descriptor set 0 of every frame slot, with one set for each view that a pass may use. The sets
-// refer to the frame constants, the sun's shadow cascades and the view, which the host writes for each frame
-// slot. They also refer to data common to all frames: the environment and the light functions.
+// Purpose: the descriptor sets that are bound as set 0: one for each pair of a frame slot and a view that a
+// pass may use. Each set refers to the frame constants, the sun's shadow cascades and its view. The host
+// writes these for each frame slot. All sets also refer to the same environment and light functions.
 #pragma once
 
 #include "render/descriptor_sets.h"

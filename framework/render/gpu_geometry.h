@@ -1,7 +1,7 @@
-// Purpose: a scene's meshes in GPU memory, in the vertex format of import_catalog.h. There is one buffer each
-// for positions, attributes, indices and instances of all meshes. Few meshes have vertex colours or second
-// uvs, so the buffers for these contain only such meshes. Errors: those of vk::Buffer::create() and
-// upload_buffer().
+// Purpose: a scene's meshes in GPU memory, in the vertex format of import_catalog.h. One buffer contains the
+// positions of all meshes, another one the attributes, and so on for indices and instances. Few meshes have
+// vertex colours or second uvs. So each of these two buffers contains only the meshes that have such data.
+// Errors: those of vk::Buffer::create() and upload_buffer().
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ struct MeshRange {
     uint32_t first_index = 0;
     uint32_t index_count = 0;
     int32_t vertex_offset = 0;
-    // Number that, added to a vertex index, gives the index of the vertex colour, as in shared::Instance;
-    // kNoStream if the mesh has no vertex colours.
+    // Vertex index + color_offset = index of the vertex colour, as in shared::Instance. kNoStream if the mesh
+    // has no vertex colours.
     int32_t color_offset = 0;
     int32_t second_uv_offset = 0;
 

@@ -26,8 +26,8 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     std::unique_ptr<GpuScene> gpu(new GpuScene);
     Result<GpuGeometry> geometry = GpuGeometry::create(device, scene);
     if (!geometry) return geometry.take_errors();
-    // GpuFrame must be created before GpuMaterials, because it reads textures that lights project, and
-    // GpuMaterials may free textures.
+    // GpuFrame must be created before GpuMaterials: GpuFrame reads the textures that lights project, and
+    // GpuMaterials may free them.
     Result<GpuFrame> frame = GpuFrame::create(device, scene);
     if (!frame) return frame.take_errors();
     Result<GpuMaterials> materials = GpuMaterials::create(device, scene, owned);
@@ -160,9 +160,9 @@ void GpuScene::record(const vk::DrawContext& context) const {
     }
 }
 
-// Returns how many draws, from the i-th on, have the same mesh and state, and instances with consecutive
-// indices. One instanced command draws all of them in the same order. Each indirect draw has its own command,
-// so there the result is 1.
+// Returns how many draws one instanced command can draw, starting with the i-th draw. These draws have the
+// same mesh and state, and their instances have consecutive indices. With indirect drawing the result is 1,
+// because each draw has its own command in the buffer.
 uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
                                uint32_t i) const {
     if (context.draw_commands != VK_NULL_HANDLE) return 1;

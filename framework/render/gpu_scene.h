@@ -1,7 +1,7 @@
-// Purpose: a scene on the GPU in the form that graphs use. It has the draw lists opaque, masked and
-// anisotropic, sorted by material, and transparent, sorted by distance in every frame. Each list also has a
-// buffer of draw commands. Descriptor sets: 0 (frame), 2 (material) and 3 (draw), which
-// shaders/include/*_set.glsl declare.
+// Purpose: a scene on the GPU in the form that graphs use. The draw lists "opaque", "masked" and
+// "anisotropic" are sorted by material. The list "transparent" is sorted by distance in every frame. Each
+// list also has a buffer of draw commands. Descriptor sets: 0 (frame), 2 (material) and 3 (draw). They are
+// declared in frame_set.glsl, material_set.glsl and surface_vertex.glsl in shaders/include/.
 #pragma once
 
 #include <map>
@@ -59,8 +59,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
                                        uint32_t i) const;
     void set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const;
-    // Returns the index of the i-th draw in its list. Only the transparent list is drawn in another order
-    // than it is stored.
+    // Returns the index in `list` of the draw that is recorded as number i, counted from 0. The index differs
+    // from i only in the transparent list, which is recorded from far to near.
     [[nodiscard]] uint32_t place_of(std::string_view list, uint32_t i) const;
 
     GpuScene() = default;

@@ -41,7 +41,7 @@ Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const Parse
             return LoadedVersion{last_->number, std::nullopt, std::move(values)};
         }
     }
-    // Created before the files are read.
+    // Created before the files are read, so that the stamps reveal a change during the reading.
     FileStamps stamps;
     std::optional<ParsedGraph> own;
     if (!same_files && parsed == nullptr) {
@@ -63,7 +63,8 @@ Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const Parse
         last_->document = std::move(own->document);
         last_->graph_files = std::move(own->files);
     }
-    // The caller may have parsed its document long before this call. So only an own document is kept.
+    // If the caller parsed the document, the files may have changed since then. So `last_` only keeps a
+    // document that this function has read itself.
     if (own || same_files) remember(request, std::move(found), *loaded);
     return LoadedVersion{work_.loads, std::move(*loaded), std::nullopt};
 }

@@ -1,8 +1,8 @@
 // Purpose: loads graphs repeatedly for one device and scene, and does only the work that a change needs.
-// Shaders that did not change since the last load are not compiled again. If no file changed, only the stages
-// that depend on the request run again. If only values of parameters change, the graph is not even resolved
-// again. load() may run on only one thread at a time; the other functions may
-// run on any thread.
+// Shaders that did not change since the last load are not compiled again. If no file changed, the graph files
+// are not read again, but the graph is resolved again if the request changed (for example its size). If only
+// values of parameters changed, only these values are computed again. load() may run on only one thread at a
+// time; the other functions may run on any thread.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct LoadedVersion {
     std::optional<ResolvedGraph> values;
 };
 
-// Counts the stages that load() has run so far.
+// Counts the work that load() has done so far.
 struct LoadWork {
     uint64_t loads = 0;     // Number of calls of load().
     uint64_t read = 0;      // Number of times that the graph files were read.
@@ -62,7 +62,7 @@ class GraphLoader {
     [[nodiscard]] const LoadWork& work() const { return work_; }
 
  private:
-    // The last successful load.
+    // The last successful load whose document load() has read itself (not one with `parsed` of the caller).
     struct Last {
         FileStamps stamps;
         GraphRequest request;

@@ -50,8 +50,8 @@ ImportDecl draw_commands(const ImportDecl& list) {
     buffer.stride_bytes = sizeof(shared::DrawCommand);
     buffer.size_bytes = uint64_t{std::max(1u, list.draws)} * sizeof(shared::DrawCommand);
     buffer.usage = usage::kStorage | usage::kTransferSrc | usage::kTransferDst | usage::kIndirect;
-    // The state of the buffer between frames. Only graphs access the buffer. If a graph writes it, the writes
-    // have finished before the next frame reads it, because of this transfer read.
+    // The state of the buffer between frames. Nothing really reads the buffer then: only graphs access it.
+    // The transfer read is declared so that a frame's writes have finished before the next frame reads them.
     const AccessState between{stage::kCopy, access::kTransferRead, Layout::undefined};
     buffer.import = ImportState{between, between, 0};
     return import;

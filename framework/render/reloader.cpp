@@ -150,7 +150,8 @@ void Reloader::select(const Selection& selection) {
 void Reloader::ask_again() {
     {
         const std::lock_guard lock(mutex_);
-        // If the session was resized in between, the new size is used.
+        // The session may have been resized after the last select(). So the session's size and output are
+        // used.
         selection_.request.size = session_.selection().request.size;
         selection_.output = session_.selection().output;
         asked_ = true;

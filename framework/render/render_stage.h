@@ -40,17 +40,18 @@ struct StageFingerprint {
     std::map<std::string, Program, std::less<>> programs;
     VkImage output = VK_NULL_HANDLE;
     uint32_t pipelines = 0;  // Number of pipelines of the stage.
-    // LoadedVersion::number of the graph at its own size; 0 if the graph was resolved again for another size.
+    // LoadedVersion::number of the load that made the graph; 0 if the graph was resolved again later, for
+    // another size (see Session::resize()).
     uint64_t load = 0;
-    // Number of the running graph's state: each replacement, also of values only, adds 1. The number shows
-    // whether a replacement was prepared for the state that runs now or for an older one. 0: no graph runs
-    // yet.
+    // Number of the running graph's state. Each replacement adds 1, even if it replaces only values. The
+    // number shows whether a replacement was prepared for the state that runs now or for an older one. 0: no
+    // graph runs yet.
     uint64_t generation = 0;
 };
 [[nodiscard]] StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& shaders,
                                                 VkImage output);
-// True if the stage with fingerprint `from` can run the plan of `to` with only its values and pipelines
-// replaced.
+// True if the stage with fingerprint `from` can be kept for the plan with fingerprint `to`, and only the
+// values and pipelines of the stage must be replaced.
 [[nodiscard]] bool can_amend(const StageFingerprint& from, const StageFingerprint& to);
 [[nodiscard]] uint32_t count_changed_programs(const StageFingerprint& from, const StageFingerprint& to);
 

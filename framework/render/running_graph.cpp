@@ -49,7 +49,8 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     Diagnostics warnings;
     std::set<std::filesystem::path> files;
     StageFingerprint now = running();
-    // With another output, the stage must be made again from the graph.
+    // For another output image, the stage must be made again. This needs the graph. If `known` is 0, load()
+    // returns the graph even if no file has changed.
     const uint64_t known = now.output == selection.output ? now.load : 0;
     Result<LoadedVersion> loaded = loader_.load(selection.request, nullptr, known, warnings, files);
     if (!loaded) return {loaded.take_errors(), std::move(warnings), std::move(files)};

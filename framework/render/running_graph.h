@@ -18,7 +18,7 @@ class RunningGraph {
     RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports);
 
     // Loads the first graph. Call it before the scene is uploaded, so that errors in the graph are found
-    // before slow work. `parsed` is the parsed graph, or null: the function parses it.
+    // before slow work. `parsed` is the parsed graph; if it is null, the function parses the graph file.
     [[nodiscard]] Status load_first(const ParsedGraph* parsed, Diagnostics& warnings);
     // Makes the objects of the first graph.
     [[nodiscard]] Result<PendingSwap> start(vk::Device& device, const GpuScene& scene,
@@ -44,7 +44,8 @@ class RunningGraph {
 
  private:
     [[nodiscard]] StageFingerprint running() const;
-    // Stores that the running graph is the same as the graph of `next`, which was loaded later.
+    // Stores the load number of `next` for the running graph. `next` comes from a later load, but its graph
+    // is the same. So the next prepare() can notice that nothing has changed since that load.
     void note_same(const SwapParts& next);
 
     // Ensures that only one prepare() runs at a time.

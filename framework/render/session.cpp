@@ -11,9 +11,9 @@
 namespace weft::render {
 namespace {
 
-// Returns the scene's imports with the owner that their Vulkan objects will have. If the device has queues of
-// several families, the objects are shared by all these families; otherwise the main queue's family owns
-// them.
+// Returns the scene's imports, and sets which queue family owns their Vulkan objects. If the device has
+// queues of several families, the objects are shared by all these families; otherwise the main queue's family
+// owns them.
 ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene, Extent3D size) {
     ImportCatalog catalog = scene_imports(size, &scene);
     for (auto& [name, import] : catalog.imports) {
@@ -104,8 +104,8 @@ Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
     if (size == selection().request.size) return Unit{};
     Result<PendingSwap> next = parts_->graph->prepare_resize(size, output, warnings);
     if (!next) return next.take_errors();
-    // This cannot return false, because only this thread swaps graphs, so no other swap can have happened
-    // since prepare_resize().
+    // The value of `swapped` is never false: only this thread swaps graphs, so no other swap can have
+    // happened since prepare_resize().
     Result<bool> swapped = swap_in(std::move(*next));
     return swapped ? Status(Unit{}) : Status(swapped.take_errors());
 }

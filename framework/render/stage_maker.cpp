@@ -29,7 +29,7 @@ Diagnostics find_excess(const vk::Device& device, const FramePlan& plan, const G
 }
 
 // Returns an error for each pass that draws indirectly, if the device lacks drawIndirectFirstInstance.
-// Indirect draws need this feature, because firstInstance selects the object.
+// Indirect draws need this feature, because firstInstance in a draw command is the index of the object.
 Diagnostics find_missing_features(const vk::Device& device, const FramePlan& plan) {
     Diagnostics missing;
     if (device.optional().draw_indirect_first_instance) return missing;

@@ -31,7 +31,7 @@ struct StageSettings {
 
 class StageMaker {
  public:
-    // All arguments must outlive the StageMaker. The thread that calls this constructor is the drawing
+    // The three referenced objects must outlive the StageMaker. The calling thread becomes the drawing
     // thread: pipelines_made_between_frames() counts the pipelines made on it.
     StageMaker(vk::Device& device, const GpuScene& scene, const GraphLoader& loader, StageSettings settings)
         : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)) {}

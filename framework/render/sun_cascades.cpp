@@ -9,13 +9,14 @@ namespace {
 
 static_assert(sizeof(shared::SunCascade) == 80 && sizeof(shared::SunConstants) == 336);
 
-// Weight of the split into equal ratios; the split into equal steps has the rest. Zhang et al. use 0.5. Here
-// it is larger, because rooms and courtyards are seen from close by.
+// Weight of the split into equal ratios in split_distances(); the split into equal steps has the weight
+// 1 - kRatioShare. Zhang et al. use 0.5. A larger weight gives finer shadows near the eye. It is used here,
+// because rooms and courtyards are seen from close by.
 constexpr double kRatioShare = 0.6;
 // Maximum distance from the eye at which shadows are drawn, if the scene is larger than this.
 constexpr double kMostReach_m = 250;
-// Width of the border around the sphere in texels: the radius of the filter, the offset along the normal, and
-// half a texel for snapping to whole texels.
+// Width in texels of the border between a cascade's sphere and the edge of its map. The border has room for
+// the radius of the filter, the offset along the normal, and half a texel for snapping to whole texels.
 constexpr double kBorderTexels = 6;
 // Margin beyond the scene's bounds, relative to their depth, so that rounding does not cut off objects on the
 // bounds.
@@ -54,7 +55,8 @@ Sphere sphere_of_part(const scene::Camera& camera, double aspect, double from_m,
     return {glm::dvec3(world[3]) - glm::dvec3(world[2]) * along, std::sqrt(radius2)};
 }
 
-// The range of depths along the light that contains the whole scene.
+// The range of depths that contains the whole scene. Depth is dot(position, to_sun): larger is nearer to the
+// sun.
 struct DepthRange {
     double farthest = 0, nearest = 0;
 };
@@ -79,8 +81,8 @@ void set_row(glm::mat4& matrix, int row, const glm::vec3& factors, double offset
 }
 
 // The matrices of one cascade. The axes are rounded to float first and are the same in every frame. The
-// origin is a whole number of texels, which a float represents exactly. So the maps of two frames differ by
-// exactly whole texels.
+// origin is a whole number of texels, which a float represents exactly. So if the camera moves, the map moves
+// by exactly whole texels, and static shadows do not flicker.
 struct MapMatrices {
     glm::mat4 to_map{0}, to_clip{0};
     glm::dvec2 origin_texels{0};
@@ -106,8 +108,8 @@ MapMatrices matrices_of(const Sphere& sphere, double texel_m, uint32_t size_px, 
     return matrices;
 }
 
-// Returns the view constants of a shadow map. The projection is parallel, so depth is linear. The eye is
-// above the centre of the map, where the scene's bounds end towards the sun.
+// Returns the view constants of a shadow map. The projection is parallel, so depth is linear. The eye is the
+// point on the line from the cascade's centre to the sun at which the depth is `depth.nearest`.
 shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matrices, uint32_t size_px,
                               const Axes& axes, const DepthRange& depth) {
     shared::ViewConstants view{};
@@ -130,8 +132,8 @@ shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matr
 }
 
 // The sphere that each cascade must cover: its part of the camera's view, or the scene if that is smaller.
-// The last cascade contains the whole scene, unless the scene is larger than the maximum shadow distance;
-// then the cascade ends there.
+// The last cascade contains the whole scene, if the diameter of the scene is at most kMostReach_m. Otherwise
+// the last cascade ends at this distance from the eye.
 class Parts {
  public:
     Parts(const scene::Camera& camera, double aspect, const scene::Bounds& bounds, uint32_t count)

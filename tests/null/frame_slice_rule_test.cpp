@@ -1,8 +1,8 @@
-// Tests which graphs with `perFrame` passes are accepted. Such passes run only in some frames. resolve() and
-// the checker are compared with a brute-force search over every set of frame slices that may run in a frame.
-// A graph is wrong if a read can see a version other than the one that its reference names. Exception: if
-// every writer of a layer modifies it in place, reads of this layer are never wrong, because they mean the
-// content that the layer has at that time.
+// Tests which graphs with `perFrame` passes are accepted. Such passes are divided into frame slices, and each
+// slice runs only in some frames. resolve() and the checker are compared with a brute-force search over every
+// set of slices that may run in a frame. A graph is wrong if a pass can read another version of an image
+// layer than the one that its reference names. Exception: if all writers of a layer modify it in place, a
+// read of the layer is never wrong. It wants the content that the layer has when the reading pass runs.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -30,8 +30,8 @@ class DepthOfField : public ShippedEffects {
     static const glm::vec4& at(const Image& image, uint32_t x, uint32_t y) {
         return image[size_t{y} * kSize.width + x];
     }
-    // Returns the contrast of the blue and green stripes in column x, in blue. It is 0 where the stripes have
-    // merged to one colour.
+    // Returns the difference between the largest and the smallest blue value in column x. The difference is 0
+    // where the blur has merged the blue and green stripes to one colour.
     static float contrast(const Image& image, uint32_t x) {
         float low = 100, high = 0;
         for (uint32_t y = 24; y < 40; ++y) {
@@ -132,8 +132,8 @@ class LampReference {
     glm::dvec3 hidden_{0};
 };
 
-// Largest relative difference of a pixel from the nearby values of the reference: above their maximum, and
-// below their minimum.
+// How far pixels lie above the maximum of the nearby reference values, and how far below their minimum. Both
+// are relative differences, and the largest ones of all compared pixels.
 struct Overshoot {
     double above = 0, below = 0;
 };

@@ -14,9 +14,9 @@ inline Json shipped(const std::string& name) {
     return Json::parse(read_text(graph_path(name)).value_or("{}"), nullptr, true, true);
 }
 
-// Returns a graph whose first pass, `picture`, writes `hdr`, followed by the passes `passes` of the shipped
-// graph `name`. The first pass is called "glass", because in the shipped graphs that is the last pass before
-// the effect.
+// Returns a graph that begins with the pass `picture`, which writes `hdr`. The passes `passes` of the shipped
+// graph `name` follow. The first pass gets the name "glass", because the effect reads the picture as
+// "hdr@glass": in the shipped graphs, "glass" is the last pass before the effect.
 inline Json behind_picture(const std::string& name, const Json& picture,
                            std::initializer_list<const char*> passes,
                            std::initializer_list<const char*> resources) {

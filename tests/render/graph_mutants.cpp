@@ -321,8 +321,8 @@ Mutant GraphMutants::make(uint32_t seed) const {
     mutant.seed = seed;
     mutant.root = files_[random() % files_.size()];
     mutant.file = mutant.root;
-    // In some mutants (one of four for each included file), the change is in an included file instead of the
-    // graph.
+    // The change may be in an included file instead of the graph itself. Each included file is chosen with a
+    // probability of 1/4.
     for (const std::string& file : files_) {
         const std::string name = fs::path(file).filename().string();
         const bool included =

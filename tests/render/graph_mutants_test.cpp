@@ -50,7 +50,7 @@ void expect_useful(const Diagnostic& d, const FileReader& reader) {
     std::string line;
     uint32_t count = 0;
     while (count < d.line && std::getline(lines, line)) ++count;
-    // The line after the last newline is empty.
+    // A diagnostic at the end of the file may name the line after the last newline. This line is empty.
     if (count < d.line) line.clear();
     EXPECT_LE(d.line, count + 1) << to_text(d);
     EXPECT_LE(d.column, line.size() + 1) << to_text(d);

@@ -6,7 +6,8 @@ namespace weft::render {
 namespace {
 
 // The program may copy or blit the output between frames. So the import's exit state must make the frame's
-// writes available to copies and blits, and its entry state must make the next frame wait for them.
+// writes visible to these copies and blits. The import's entry state must make the next frame wait until they
+// have finished.
 TEST(ImportCatalog, TheOutputMayBeCopiedAndBlittedBetweenFrames) {
     const ImportCatalog catalog = scene_imports({64, 64, 1});
     const ResourceDecl& output = catalog.imports.at("backbuffer").resource;

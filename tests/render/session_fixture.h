@@ -1,5 +1,5 @@
-// Purpose: test fixture that renders a scene on a device with validation, with graphs/deferred.json unless a
-// test names another graph, and reads back the resources that the test needs.
+// Purpose: test fixture that renders a scene and reads back the resources that the test needs. The device
+// runs with validation. render() uses graphs/deferred.json unless a test names another graph.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ inline Status draw_frame(render::Session& session, double time_s = 0, double del
 }
 
 struct Rendered {
-    // Decoded images by the reference under which the test observed them, such as "hdr@glass".
+    // Decoded images. The key is the reference that the test observed, such as "hdr@glass".
     std::map<std::string, std::vector<glm::vec4>> images;
     shared::ViewConstants view{};
     std::vector<shared::Light> lights;

@@ -12,7 +12,7 @@ namespace {
 // did_you_mean() suggests nothing for a name that is longer than this, because misspelt names are rarely so
 // long.
 constexpr size_t kMostNameBytes = 64;
-// did_you_mean() does not suggest longer names.
+// did_you_mean() never suggests a known name that is longer than this.
 constexpr size_t kMostKnownBytes = 2 * kMostNameBytes;
 // Limits the cost of one search for similar names: the search stops after it has compared this many pairs of
 // letters.
@@ -20,9 +20,10 @@ constexpr size_t kMostLetterPairs = 1u << 21;
 constexpr size_t kMostSuggestions = 3;
 
 // Returns the optimal string alignment distance of two names: each insertion, deletion, substitution and swap
-// of neighbouring letters costs 1. Computes only the diagonal band of the table that can contain a distance
-// up to `most` (Ukkonen 1985). Returns most + 1 for any greater distance. Adds the number of compared pairs
-// of letters to `pairs`. Name b has at most kMostKnownBytes letters.
+// of neighbouring letters costs 1. Fills a table with one row per letter of `a` and one column per letter of
+// `b`, but only near its diagonal, because distances up to `most` occur only there (Ukkonen 1985). Returns
+// most + 1 for any greater distance. Adds the number of compared pairs of letters to `pairs`. Name b has at
+// most kMostKnownBytes letters.
 size_t edit_distance(std::string_view a, std::string_view b, size_t most, size_t& pairs) {
     const size_t far = most + 1;
     if (a.size() > b.size() + most || b.size() > a.size() + most) return far;
@@ -47,7 +48,8 @@ size_t edit_distance(std::string_view a, std::string_view b, size_t most, size_t
             least = std::min(least, next[j]);
         }
         pairs += end + 1 - std::min(begin, end + 1);
-        // A swap reaches over one row, and costs 1.
+        // Every value of row i + 1 comes from row i, or by a swap from row i - 1 plus 1. So if this condition
+        // is true, all following rows contain only `far`.
         if (least == far && least_before >= most) return far;
         least_before = least;
     }

@@ -24,8 +24,9 @@ std::vector<uint32_t> count_newlines(std::string_view text) {
 size_t offset_of_line(const SourceFile& file, uint32_t line) {
     if (line <= 1) return 0;
     const uint32_t newlines = line - 1;
-    // Each block knows how many newlines precede it. `block` is the first block that at least `newlines`
-    // newlines precede, so the newline before the wanted line is in the block before `block`.
+    // newlines_before has one number per block: the newlines before this block. `block` is the first block
+    // whose number is at least `newlines`. So the newline that ends the previous line is in the block before
+    // `block`, and the search begins there.
     const auto block = std::ranges::lower_bound(file.newlines_before, newlines);
     const auto blocks_before = block - file.newlines_before.begin();
     size_t at = blocks_before > 0 ? static_cast<size_t>(blocks_before - 1) * kBlockBytes : 0;
@@ -42,8 +43,8 @@ size_t offset_of_line(const SourceFile& file, uint32_t line) {
 std::string line_of(const SourceFile& file, uint32_t line) {
     const size_t start = offset_of_line(file, line);
     if (start == std::string::npos) return "";
-    // Without this limit each diagnostic of a minified file, which is a single line, would copy the whole
-    // file.
+    // A line longer than kMaxExcerptBytes is not shown. A minified file is a single line, so otherwise each
+    // diagnostic would copy the whole file.
     const std::string_view text = std::string_view(file.text).substr(start, kMaxExcerptBytes + 1);
     const size_t length = std::min(text.find('\n'), text.size());
     if (length > kMaxExcerptBytes) return "";

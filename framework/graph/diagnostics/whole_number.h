@@ -8,8 +8,9 @@
 
 namespace weft {
 
-// Returns true if `number` without its fraction fits into Int. The upper bound `end` is a power of two, which
-// a double represents exactly; the largest value of Int may have no exact double.
+// Returns true if `number` without its fraction fits into Int. Compares with `end`, which is the largest
+// value of Int plus 1: this power of two is exact as a double, but the largest value itself, such as 2^63 -
+// 1, may not be.
 template <class Int>
 [[nodiscard]] bool fits_into(double number) {
     static_assert(std::numeric_limits<Int>::is_integer);

@@ -91,8 +91,8 @@ constexpr std::array kSampleCounts{
 };
 constexpr uint32_t kMostSamples = 64;
 
-// Alignments that a profile file may omit. The default of DeviceProfile then applies; it is the same for
-// every profile.
+// Alignments that a profile file may omit. DeviceProfile contains the default value of each omitted
+// alignment.
 constexpr std::array kMemoryLimits{
     WideLimit{"imageAlignmentBytes", &DeviceProfile::image_alignment_bytes},
     WideLimit{"bufferAlignmentBytes", &DeviceProfile::buffer_alignment_bytes},
@@ -239,8 +239,8 @@ struct ProfileReader {
                                             item.value("lazilyAllocated", false), contents(item)});
     }
 
-    // Checks values that depend on each other or that the file may omit, such as the heap index of each
-    // memory type. So this check runs after all keys have been read.
+    // Checks values that depend on each other or that the file may omit. For example, a memory type names a
+    // heap by its index in "memoryHeaps". So this check runs after all keys have been read.
     void check_memory(const DeviceProfile& profile) {
         if (profile.memory_types.size() > 32)
             fault("/memoryTypes", std::to_string(profile.memory_types.size()) + " memory types are too many",

@@ -1,7 +1,7 @@
-// Purpose: divides an image into boxes of mips × layers, called cells. The cells are as large as possible,
-// but each range that a pass uses in the frame is a union of whole cells. So the state of an image can be
-// tracked per cell. Cells that need the same barrier are merged into ranges again. Aspects are not divided,
-// because depth and stencil of an image always change together.
+// Purpose: divides an image into cells. A cell is a range of mips in a range of layers. The cells are as
+// large as possible, but each range that a pass uses in the frame consists of whole cells. So the state of an
+// image can be tracked per cell. Cells that need the same barrier are merged into ranges again. Aspects are
+// not divided, because depth and stencil of an image always change together.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,9 @@ class SubresourceGrid {
     [[nodiscard]] uint32_t mip_count() const { return static_cast<uint32_t>(mip_cuts_.size()) - 1; }
     [[nodiscard]] uint32_t layer_count() const { return static_cast<uint32_t>(layer_cuts_.size()) - 1; }
 
-    // Mips at which cells begin, in ascending order; the first is 0 and the last is the number of mips of the
-    // image.
+    // Boundaries of the cells in ascending order: cells contain the mips from mip_cuts_[i] to mip_cuts_[i +
+    // 1] - 1. The first value is 0 and the last is the number of mips of the image. layer_cuts_ does the same
+    // for layers.
     std::vector<uint32_t> mip_cuts_;
     std::vector<uint32_t> layer_cuts_;
     AspectMask aspects_;

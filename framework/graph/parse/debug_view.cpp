@@ -10,8 +10,8 @@
 namespace weft {
 namespace {
 
-// The ways to turn the values of a resource into colours. The order is that of the decoder numbers in the
-// shaders of shaders/debug/, because those shaders get the number as their constant DECODE.
+// The ways to turn the values of a resource into colours. The shaders in shaders/debug/ get the number of a
+// decoder as their specialization constant DECODE, so the order must match the numbers in these shaders.
 enum class Decoder : uint8_t {
     color,
     display,
@@ -31,7 +31,8 @@ constexpr std::array<const char*, 13> kNames{"color", "display", "squared", "oct
                                              "depth", "vector",  "red",     "green",      "blue",
                                              "alpha", "heat",    "index"};
 
-// The properties of the shown resource that select its decoder. They are known before the graph is resolved.
+// The properties of the shown resource that select its decoder and shader. They come from the description of
+// the resource, because debug views are added before the graph is resolved.
 struct Shown {
     bool is_buffer = false;
     bool layered = false;

@@ -126,8 +126,7 @@ class ExpressionParser {
 
     bool selection() {
         if (!primary()) return false;
-        // A "." that another "." follows belongs to a range such as "0..3", not to a selection such as
-        // "size.x".
+        // A single dot selects a component, as in "size.x". Two dots belong to a range, such as "0..3".
         while (peek() == '.' && peek(1) != '.') {
             const size_t at = position_++;
             const char c = peek();

@@ -17,8 +17,8 @@ struct GrammarTable {
     std::vector<std::string> words;
     // Keys that must be present. Only filled for the keys of one kind of pass or resource.
     std::vector<std::string> required = {};
-    // For the keys of one kind of pass or resource: the place that lists the keys of all kinds, such as
-    // "anyPass". Otherwise empty.
+    // If `words` are the keys of one kind of pass or resource: the place that lists the keys of all kinds.
+    // For example, this is "anyPass" for the place "computePass". Otherwise empty.
     std::string kind_of = {};
 };
 

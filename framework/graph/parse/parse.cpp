@@ -133,8 +133,9 @@ constexpr std::array kTopKeys{
     KeyRule<GraphDesc>{"jitter", read_jitter},
 };
 
-// Checks that no name occurs twice in `sections` together. References and expressions use the names of all
-// these sections in the same places, so equal names would be ambiguous.
+// Checks that no two entries of `sections` have the same name, even if they are in different sections. A
+// reference or an expression gives only the name, not the section, so equal names would be ambiguous. If
+// `in_expressions` is true, also reports reserved words of expressions.
 void check_shared_names(ParseContext& context, const JsonNode& root,
                         std::span<const std::string_view> sections, bool in_expressions) {
     std::map<std::string, SourceLoc> first;

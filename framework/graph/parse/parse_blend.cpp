@@ -76,8 +76,9 @@ constexpr std::array kBlendKeys{
         "alpha", [](ParseContext& c, const JsonNode& n, BlendDraft& d) { read_equation(c, n, d.alpha); }},
 };
 
-// Returns true if an object is one blend equation, with an array under "color" or "alpha". Any other object
-// maps the names of outputs to their blends.
+// Returns true if an object is one blend for all outputs, such as {"color": ["one", "add", "one"]}: it has an
+// array under "color" or "alpha". Any other object, such as {"hdr": "add"}, maps the names of outputs to
+// their blends.
 bool is_equation(const JsonNode& node) {
     for (const std::string_view key : {"color", "alpha"}) {
         const JsonNode* part = node.find(key);
@@ -98,8 +99,8 @@ void read_blend(ParseContext& context, const JsonNode& node, BlendState& out) {
     out = blend_state(true, color, draft.alpha.value_or(draft.color ? color : kReplace));
 }
 
-// Reads the write mask of an output: a string such as "rgb" with each written channel once, or "none" for no
-// channel.
+// Reads the write mask of an output: the letters of the written channels, such as "rgb", or "none". No letter
+// may occur twice.
 void read_mask(ParseContext& context, const JsonNode& node, uint8_t& out) {
     if (!expect(context, node, JsonKind::string)) return;
     uint8_t mask = 0;

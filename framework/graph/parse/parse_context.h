@@ -28,8 +28,8 @@ class ParseContext {
     explicit ParseContext(const SourceMap& sources, const GraphLimits& limits = {})
         : sources_(sources), limits_(limits) {}
 
-    // Adds an error and returns it. The reference is valid until the next error is added. When is_full() is
-    // true, the error is dropped.
+    // Adds an error and returns it. The reference is valid until the next error is added. If is_full() is
+    // true, the error is not added: the function returns an empty Diagnostic that is never reported.
     Diagnostic& error(SourceLoc loc, std::string code, std::string message);
     void error(SourceLoc loc, std::string code, std::string message, std::string help);
     void add(Diagnostics errors);
@@ -43,8 +43,8 @@ class ParseContext {
     // limit graph.expressionParts, reports an error and returns false.
     bool count_parts(const Expr& expression);
     bool count_parts(const RefDesc& ref);
-    // Returns true if parsing should stop: kMaxErrors errors were reported, or the graph has exceeded a limit
-    // on its amount of data.
+    // Returns true if parsing should stop: kMaxErrors errors were reported, or within() has found a count
+    // above its limit.
     [[nodiscard]] bool is_full() const { return is_over_limit_ || errors_.size() >= kMaxErrors; }
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
     // Returns the errors, sorted by file, line and column. Errors of the main file come before those of
@@ -199,7 +199,8 @@ void read_named(ParseContext& context, const JsonNode& node, std::string_view wh
     }
 }
 
-// Parsers for the sections of a graph and of a pass. Each parses one JSON value into the description.
+// Parsers for the sections of a graph and of a pass. Each parses one JSON value and stores the result in
+// `graph` or `pass`.
 void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 // Parses the section "tests". Must run after the sections "tiers", "params", "imports" and "resources",
@@ -219,8 +220,8 @@ void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
 // Checks that one more constant, parameter or size does not exceed the limit graph.constants. Otherwise
 // reports an error and returns false.
 bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc);
-// Reports each index of a repeat that has the name of a constant, parameter or size, or a word of the
-// expression language.
+// Reports an index of a repeat, such as "i", if its name is also the name of a constant, parameter or size,
+// or a reserved word of expressions.
 void check_indices(ParseContext& context, const GraphDesc& graph);
 void parse_pass_params(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_state(ParseContext& context, const JsonNode& node, PassDesc& pass);

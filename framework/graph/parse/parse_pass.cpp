@@ -6,8 +6,8 @@
 namespace weft {
 namespace {
 
-// A set of pass types, one bit per type. A row of the tables below uses a set for the types that accept a
-// key.
+// A set of pass types, one bit per type. For example, each row of kPassKeys has the set of the pass types
+// that accept the key.
 using TypeMask = uint32_t;
 constexpr TypeMask kCompute = 1;
 constexpr TypeMask kFullscreen = 2;
@@ -15,7 +15,8 @@ constexpr TypeMask kRaster = 4;
 constexpr TypeMask kClear = 8;
 constexpr TypeMask kCopy = 16;
 constexpr TypeMask kReadback = 32;
-// Bit of all pass types that are implemented in C++, whatever their names.
+// All pass types that a program implements in C++ share this bit, because the parser does not know their
+// names.
 constexpr TypeMask kCustom = 64;
 constexpr TypeMask kBlit = 128;
 constexpr TypeMask kTransfer = kCopy | kBlit;
@@ -77,8 +78,8 @@ void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.view_number = std::move(*number);
 }
 
-// Reads up to three counts for x, y and z: one expression, whose value may be a size that sets x and y, or an
-// array of expressions.
+// Reads one to three counts, for x, y and z. The JSON value is an array of expressions or a single
+// expression. If a single expression has a size as its value, the size sets both x and y.
 void read_counts(ParseContext& context, const JsonNode& node, std::vector<Expr>& out) {
     if (node.kind != JsonKind::array) {
         read_expression(context, node, out.emplace_back());
@@ -219,8 +220,9 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
     if (type->kind != JsonKind::string || type->string.empty()) return kAll;
     TypeMask mask = kCustom;
     if (find_choice(std::span<const Choice<TypeMask>>(kBuiltinTypes), type->string, mask)) return mask;
-    // The type is not built in, so it may be implemented in C++, which resolve() checks later. A C++ pass has
-    // no keys for shaders: if the pass has such a key, the type is reported as unknown.
+    // The type is not built in. It may be a C++ type, and resolve() checks later that this type exists. But a
+    // C++ type does not accept keys such as "shader" or "draws". If the pass has such a key, its type is
+    // probably a misspelt built-in type, so it is reported as unknown.
     for (const JsonMember& entry : member.value.members) {
         const PassKey* key = find_key(entry.key);
         if (key == nullptr || (key->types & kCustom) != 0) continue;
@@ -281,8 +283,9 @@ void check_dispatch(ParseContext& context, const JsonNode& node) {
                   "remove one of the two");
 }
 
-// Gives a raster pass with a depth attachment but no depth test the default test for reversed Z: "greater",
-// with depth writes. Reports a depth test without a depth attachment.
+// If a raster pass has a depth attachment but names no depth test, sets the default test for reversed Z:
+// "greater" with depth writes. A fullscreen pass has no default, so its missing test is an error. Also
+// reports a depth test without a depth attachment.
 void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& pass) {
     const JsonNode* state = member.value.find("state");
     const JsonNode* depth = state == nullptr ? nullptr : state->find("depth");

@@ -96,8 +96,8 @@ PortDraft read_port(ParseContext& context, const JsonNode& node, std::string nam
     return draft;
 }
 
-// Returns true if `node` is an object of ports. Reports other values as errors: valid lists of references
-// have become objects in merge(), so a list here contains a value that is not a string.
+// Returns true if `node` is an object of ports. Reports other values as errors. merge() has already replaced
+// each valid list, such as ["hdr"], by an object. So a list here contains a value that is not a string.
 bool is_port_map(ParseContext& context, const JsonNode& node) {
     if (node.kind == JsonKind::object) return true;
     if (node.kind != JsonKind::array) {
@@ -118,8 +118,9 @@ bool check_port_count(ParseContext& context, size_t count, SourceLoc loc) {
                           "graph.passPorts", "use one image with layers instead of many images");
 }
 
-// Returns true if the port has its name from its own reference, as in the shorthand ["hdr"]. Such a name is
-// not checked: if it is invalid, the reference is invalid too, and one error is enough.
+// Returns true if merge() took the name of the port from its reference, as in the shorthand ["hdr"]. Name and
+// reference then have the same location in the file. Such a name is not checked: if it is invalid, the
+// reference is invalid too, and one error is enough.
 bool named_by_reference(const JsonMember& member) {
     const JsonNode* ref = member.value.find("ref");
     return ref != nullptr && ref->loc.line == member.key_loc.line && ref->loc.column == member.key_loc.column;
@@ -228,8 +229,8 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
     for (const auto& [key, help] :
          {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
           std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})
-        // If the object has two members but not this key, the key is probably misspelt and was already
-        // reported as unknown.
+        // If the object has two members but not `key`, as in {"list": "opaque", "indirct": "commands"},
+        // read_object() has already reported the other member as unknown.
         if (node.find(key) == nullptr && node.members.size() < 2)
             missing_key(context, node.loc, "a list drawn indirectly", key, help);
     if (!draft.list.empty()) {
@@ -245,8 +246,8 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
     constexpr std::string_view kWhat = "draws without a list";
     if (!read_object(context, node, kWhat, kVerticesKeys, pass)) return;
     const auto is_known = [](const JsonMember& member) { return member.key == "instances"; };
-    // The missing key is reported only if there is no key except "instances". Any other key is "vertices"
-    // itself, or a misspelling that was already reported.
+    // Reports that "vertices" is missing if the only key is "instances". Any other key is "vertices" itself,
+    // or an unknown key that read_object() has already reported.
     if (std::ranges::all_of(node.members, is_known))
         missing_key(context, node.loc, kWhat, "vertices", "give the number: { \"vertices\": 3 }");
 }

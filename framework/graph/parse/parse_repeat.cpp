@@ -1,5 +1,5 @@
 // Parses "repeat": { "i": "1..mips(hiz)-1", "j": "3..0 by -1" }, which repeats a pass for all values of its
-// indices. The index that is written first changes slowest.
+// indices. The first index is the outer loop: here, "j" counts from 3 to 0 for each value of "i".
 #include "graph/parse/expression.h"
 #include "graph/parse/parse_context.h"
 

@@ -192,7 +192,8 @@ void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& reso
                  "remove \"mips\", or resolve into an image with mips");
 }
 
-// Checks the keys of resources whose content later frames use ("history" or "keep"), such as "firstFrame".
+// Checks the keys that concern content of earlier frames. "history" and "keep" exclude each other.
+// "firstFrame" and "onResize" need one of the two.
 void check_persistence(ParseContext& context, const JsonNode& node, const ResourceDesc& resource) {
     const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
         const PointerScope scope(context, key);

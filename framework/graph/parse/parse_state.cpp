@@ -66,8 +66,8 @@ void read_depth(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     bad_choice(context, node, node.string, depth_choices());
 }
 
-// The allowed range of a number in the state of a pass. A literal number is checked when it is parsed, and
-// the result of an expression in resolve().
+// The allowed range of a number in the state of a pass. A literal number is checked when it is parsed. The
+// result of an expression is checked in resolve().
 struct NumberRule {
     double least, most;
     bool whole;
@@ -201,8 +201,8 @@ void read_viewport(ParseContext& context, const JsonNode& node, PassDesc& pass) 
     read_rect<&RasterState::viewport>(context, node, kPlace, pass);
 }
 
-// Skips the keys "blend" and "writeMask". parse_state() calls parse_blend() for them after all other keys,
-// because blending belongs to the outputs.
+// Skips the keys "blend" and "writeMask". parse_state() passes both keys to parse_blend() at the end, because
+// the blend state of an output combines them.
 void skip_blend(ParseContext&, const JsonNode&, PassDesc&) {}
 
 constexpr std::array kStateKeys{

@@ -1,6 +1,6 @@
 // Chooses the best of three candidate orders: the one with the lowest peak of live memory, and at equal peaks
-// the one with the fewest barrier batches. One candidate is the program order (the author's order). It wins
-// ties, so the chosen order is never worse than the author's.
+// the one with the fewest barrier batches. One candidate is the program order (the author's order), so the
+// chosen order is never worse than the author's. If another order is only as good, the program order wins.
 #include <algorithm>
 #include <cassert>
 #include <tuple>

@@ -96,7 +96,8 @@ void SingleQueueTracker::add_last_uses(std::vector<LastUse>& all) const {
 }
 
 void SingleQueueTracker::apply_barrier(const CellBarrier& barrier) {
-    // A layout transition rewrites the memory, so earlier content is no longer visible to any access.
+    // After a layout transition or a pending write, only the accesses in `dst` of this barrier see the
+    // content.
     if (layout_ != barrier.dst.layout || unflushed_ != 0) visible_.fill(access::kNone);
     for (StageMask left = barrier.dst.stages; left != 0; left &= left - 1)
         visible_[first_stage(left)] |= barrier.dst.access;

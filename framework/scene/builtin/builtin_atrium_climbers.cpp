@@ -141,7 +141,7 @@ void add_climbers(Parts& parts) {
     const glm::mat4 right = moved({0, 0, 0}, -0.5f * kPi);
     const uint32_t hanging = add_mesh(parts, stems(hanging_vines(), 0.014f));
     const uint32_t box = add_mesh(parts, trough());
-    // The troughs with ivy stand between two posts of the gallery. The posts are 1.5 m apart.
+    // Each trough with ivy stands between two posts of the gallery. The posts are 1.5 m apart.
     for (const glm::mat4& at :
          {left * moved({3.75f, 0, -kCourtHalfX}), right * moved({-2.25f, 0, -kCourtHalfX}),
           right * moved({3.75f, 0, -kCourtHalfX})}) {

@@ -1,4 +1,5 @@
-// Tests that pipeline state which only some devices support is checked against the device profile.
+// Tests that resolve() refuses pipeline state that the device does not support, and accepts pipeline state
+// that every device supports.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -8,8 +9,8 @@ class ResolvePassState : public ResolveTest {
  protected:
     ResolvePassState() { shaders["s"] = fragment({"color"}); }
 
-    // Returns a graph with one drawing pass. Its pipeline state stands on line 5, which the expected errors
-    // name.
+    // Returns a graph with one drawing pass. The pipeline state of the pass is on line 5 of the text, so the
+    // tests expect the errors on line 5.
     static std::string drawing(const std::string& state, const std::string& type = "raster") {
         const std::string draws = type == "raster" ? R"j("draws": ["opaque"], )j" : "";
         return "\n\"imports\": {\"opaque\": \"drawlist\", \"backbuffer\": \"output\"},\n\"passes\": {\n" +

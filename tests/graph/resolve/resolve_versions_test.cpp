@@ -291,8 +291,8 @@ TEST_F(ResolveVersions, CycleOfAfters) {
     expect_help(d, "remove \"after\" from");
 }
 
-// Pass "r" reads the version of pass "a", but runs after "b", which overwrites that version. resolve() must
-// report a cycle.
+// Pass "r" must read x before pass "b" changes it, because of the pin "x@a". But the `after` of "r" requires
+// that "r" runs after "b". resolve() must report a cycle.
 TEST_F(ResolveVersions, PinOnAnOverwrittenVersionIsACycle) {
     const Diagnostic d = bad(R"j("resources": {"x": "rgba16f", "y": "rgba16f"},
       "passes": {

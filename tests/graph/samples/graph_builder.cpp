@@ -23,7 +23,7 @@ struct CellVersion {
     std::vector<PassId> readers;
 };
 
-// Visits the passes in program order. Finds the passes that wrote the content which each read sees, and the
+// Visits the passes in program order. Finds, for each read, the passes that wrote the content. Also adds the
 // edges between passes.
 class Versions {
  public:
@@ -234,8 +234,8 @@ void GraphBuilder::after(const std::string& from, const std::string& to) {
 ResolvedGraph GraphBuilder::build() const {
     ResolvedGraph graph = graph_;
     if (graph.name.empty()) graph.name = "built";
-    // Each frame passes the content of a ring's image to the next older one, so all images of a ring need the
-    // usage flags of each of them.
+    // The resources of a ring exchange their memory from frame to frame: "x" becomes "x[-1]", and so on. So
+    // each resource of a ring needs the usage flags of all of them.
     for (const ResourceDecl& role : graph_.resources)
         if (role.ring != kNoId) graph.resources[role.ring].usage |= role.usage;
     for (ResourceDecl& role : graph.resources)

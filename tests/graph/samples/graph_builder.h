@@ -35,9 +35,9 @@ class GraphBuilder {
     void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);
     // Marks the import as shared between all queue families (VK_SHARING_MODE_CONCURRENT).
     void make_concurrent(ResourceId import);
-    // Changes the resource to the newest resource of a ring, and adds the older ones "x[-1]", "x[-2]" and so
-    // on. Returns all of them, newest first. If `history` is 0, the resource only keeps its content from
-    // frame to frame.
+    // Makes a ring of the resource "x": adds the resources "x[-1]", "x[-2]" and so on, which are the content
+    // of "x" in the last `history` frames. Returns all resources of the ring, newest first. If `history` is
+    // 0, "x" only keeps its content from frame to frame.
     std::vector<ResourceId> ring(ResourceId resource, uint32_t history);
     void set_output(ResourceId resource) { graph_.output = resource; }
 
@@ -47,7 +47,7 @@ class GraphBuilder {
     PassDecl& compute(std::string name, const std::vector<BuilderUse>& uses) {
         return pass(std::move(name), PassKind::compute, uses);
     }
-    // Adds an edge: pass `to` must run after pass `from`, although they share no resource.
+    // Adds an edge: pass `to` must run after pass `from`, even if they share no resource.
     void after(const std::string& from, const std::string& to);
 
     [[nodiscard]] const ResourceDecl& resource(ResourceId id) const { return graph_.resources[id]; }

@@ -65,8 +65,8 @@ class Generator : public RandomFeatures {
         }
     }
 
-    // Combines most results that no pass reads into the final result. The other unread results stay unused,
-    // so that their passes are culled.
+    // Takes most of the results that no pass has read so far, and combines them into the final result. The
+    // other unread results stay unused, so that their passes are culled.
     void fold(uint32_t wanted) {
         std::vector<RandomCell> loose;
         for (const RandomCell& cell : images_)
@@ -88,8 +88,8 @@ class Generator : public RandomFeatures {
                       {{"src", last.resource, Access::copy_read, {}, kNoId}});
     }
 
-    // Mixes the inputs into a new image. An input may have been overwritten in the meantime; then the pass
-    // reads its new content, which is also a valid graph.
+    // Mixes the inputs into a new image. Another pass may have overwritten an input after fold() chose it.
+    // Then the new pass reads the newer content, and the graph is still valid.
     RandomCell mix_into_new(const std::vector<RandomCell>& inputs) {
         constexpr const char* kShaders[] = {"mix_image_1.comp", "mix_image_2.comp", "mix_image_3.comp"};
         const RandomCell cell = new_image(16u * between(1, 3));

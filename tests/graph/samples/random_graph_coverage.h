@@ -14,7 +14,7 @@ struct GraphCoverage {
     // Frames in which a resource takes over memory from another one.
     uint32_t alias_transitions = 0;
     uint32_t several_queues = 0;
-    // Frames with a semaphore wait across queues, within the frame.
+    // Frames in which a queue waits for work of the same frame on another queue.
     uint32_t waits = 0;
     // Frames with an ownership transfer between queue families.
     uint32_t transfers = 0;
@@ -25,11 +25,12 @@ struct GraphCoverage {
     uint32_t ranges = 0;
     // Frames with a live iteration of a repeated pass.
     uint32_t repeats = 0;
-    // Frames with a live mip chain that RandomFeatures has made.
+    // Frames with a live mip chain from RandomFeatures. Mip chains of random texts are repeats: see
+    // `repeats`.
     uint32_t chains = 0;
     // Frames in which a condition removed a pass or changed an input.
     uint32_t conditionals = 0;
-    // Frames with an edge between passes that share no resource.
+    // Frames with an `after` edge, which orders two passes even if they share no resource.
     uint32_t after = 0;
     // Frames in which a live pass uses a depth image as attachment and as input.
     uint32_t depth_inputs = 0;

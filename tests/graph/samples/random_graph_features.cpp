@@ -122,7 +122,7 @@ void RandomFeatures::mip_chain() {
             images_.push_back({id, one_cell(mip, layer), layer + 1 < layers || mip > 0});
 }
 
-// Clears one or two mips of all layers of a new image. Other passes write the remaining mips.
+// Clears one or two mips of all layers of a new image. Later passes may write the remaining mips.
 void RandomFeatures::clear_range() {
     const ResourceId id = builder_.image(fresh_name("parts"), Format::r32u, 32, 3, 2);
     const SubresourceRange range{below(2), between(1, 2), 0, 2, aspect::kColor};
@@ -136,7 +136,7 @@ void RandomFeatures::clear_range() {
     images_.back().read = false;
 }
 
-// Copies two mips of two layers from one image array to another.
+// Copies mips 0 and 1 of both layers of one image to mips 1 and 2 of another image.
 void RandomFeatures::copy_range() {
     const SubresourceRange range{0, 2, 0, 2, aspect::kColor};
     const ResourceId from = builder_.image(fresh_name("source"), Format::r32u, 16, 2, 2);
@@ -194,8 +194,8 @@ void RandomFeatures::draw_layers() {
     images_.push_back(cell);
 }
 
-// Adds several passes that draw on the same colour and depth images. Either all of them write the depth, or
-// all of them only test it.
+// Adds passes that write the same depth image. Then adds the same number of passes that draw on one colour
+// image and only test this depth.
 void RandomFeatures::draw_depth_layers() {
     const std::vector<RandomCell> inputs = take(images_, 1);
     const uint32_t side = 16u * between(1, 3);

@@ -17,7 +17,8 @@ class RandomFeatures : public RandomPasses {
 
  private:
     // Adds a pass that reads images of earlier frames and writes the image of the current frame. The seed of
-    // the pass may be a built-in value: the frame number, or 1 if the earlier image is valid.
+    // the pass may be a built-in value: the frame number, or a flag (1 if the oldest image is valid,
+    // otherwise 0).
     void remember_image();
     void remember_buffer();
     void keep_image();

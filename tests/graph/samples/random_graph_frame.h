@@ -33,8 +33,8 @@ class RandomFrame {
     RandomFrame(uint32_t seed, const RandomGraphOptions& options) : random_(seed), options_(options) {}
 
  protected:
-    // Implemented here, because the distributions of the standard library give other numbers in each
-    // implementation.
+    // These functions replace the distributions of <random>, which give other numbers in each standard
+    // library. So a seed gives the same result everywhere.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
@@ -181,11 +181,12 @@ class RandomFrame {
     std::mt19937 random_;
     RandomGraphOptions options_;
     GraphBuilder builder_;
-    // Mip levels and layers of images that passes have written, oldest first.
+    // Image content that passes may read: from earlier passes, from earlier frames and from the import. The
+    // latest addition is at the end.
     std::vector<RandomCell> images_;
-    // Buffers that passes have written.
+    // Buffers whose content passes may read.
     std::vector<RandomCell> buffers_;
-    // Mip levels and layers that no pass has written yet, of images in which passes have written others.
+    // Cells that no pass has written yet. Passes have written other cells of the same images.
     std::vector<RandomCell> unwritten_;
     std::vector<std::string> pass_names_;
     ResourceId state_words_ = kNoId;

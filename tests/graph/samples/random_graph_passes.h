@@ -177,8 +177,8 @@ class RandomPasses : public RandomFrame {
         images_[i].read = false;
     }
 
-    // Adds a pass that writes depth from an image, passes that draw with a depth test against this depth, and
-    // passes that read the depth as an input.
+    // Adds a pass that computes a depth image from a colour image, and a pass that reads the depth image as
+    // an input. Sometimes adds a pass between them that draws with a depth test against the depth image.
     void depth_chain() {
         const uint32_t side = 16u * between(1, 3);
         const ResourceId z = builder_.image(fresh_name("depth"), Format::d32f, side);

@@ -60,8 +60,8 @@ class TextGenerator : public RandomTextFaults {
         }
     }
 
-    // Combines most results that no pass reads into the final result. The other unread results stay unused,
-    // so that their passes are culled.
+    // Takes most of the results that no pass has read so far, and combines them into the final result. The
+    // other unread results stay unused, so that their passes are culled.
     void fold() {
         std::vector<size_t> loose = values_that(
             [&](size_t v) { return kind_of(v) == ValueKind::color && !model_.values[v].read && chance(75); });

@@ -5,8 +5,8 @@
 // must accept all texts.
 //
 // The order of declarations in a graph has no meaning, so a text lists passes and resources in random order.
-// The generator makes passes one after another, and each pass reads versions that exist already. The pins and
-// the `after` lists of the text express this order.
+// The generator makes passes one after another, and each pass reads versions that exist already. Pins
+// ("image@pass") and `after` lists in the text tell resolve() this order.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,8 @@ namespace weft::test {
 
 struct RandomText {
     std::string text;
-    // The same graph without conditions, as the generator evaluates them: passes with a false `if` are
-    // removed, `else` inputs are inserted, unconnected optional ports are removed, and repeats have numeric
-    // bounds.
+    // The same graph after the generator has evaluated all conditions. Passes with a false `if` are removed.
+    // Inputs without content are removed, or replaced with their `else` inputs. Repeats have numeric bounds.
     std::string plain;
     // Values of the parameters by name, for `text` and for `plain`.
     std::map<std::string, double> params;

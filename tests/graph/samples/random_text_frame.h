@@ -16,8 +16,8 @@ class RandomTextFrame {
     explicit RandomTextFrame(uint32_t seed) : random_(seed) {}
 
  protected:
-    // Implemented here, because the distributions of the standard library give other numbers in each
-    // implementation.
+    // These functions replace the distributions of <random>, which give other numbers in each standard
+    // library. So a seed gives the same result everywhere.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
@@ -94,8 +94,8 @@ class RandomTextFrame {
         model_.values.push_back(v);
         return model_.values.size() - 1;
     }
-    // Adds a value that is already written, by passes that the generator does not track. No other pass may
-    // write it.
+    // Adds a value that already has content, although its list of writers is empty. For example, passes wrote
+    // the content through ports that said() made. No further pass may write the value.
     size_t add_closed_value(size_t resource, std::string part = "", bool single = true) {
         const size_t id = add_value(resource, std::move(part));
         model_.values[id].closed = true;
@@ -137,8 +137,8 @@ class RandomTextFrame {
         return {value, model_.values[value].writers.size(), chance(50), {}};
     }
 
-    // Returns a port through which a pass with this condition reads `value`. If the value may be missing, the
-    // port is optional or gets an `else` input.
+    // Returns an input port that reads `value`, for a pass with this `condition`. A value with another
+    // condition may be missing when the pass runs. Then the port is optional or gets an `else` input.
     TextPort input(const char* name, size_t value, size_t condition, bool may_be_empty) {
         TextPort port{name, last_version(value), {}, false, {}};
         bool nearest = resource_of(value).format == "r32f" || chance(20);
@@ -161,8 +161,8 @@ class RandomTextFrame {
         return pick_value(
             [&](size_t v) { return kind_of(v) == kind && model_.values[v].condition == kNone; });
     }
-    // Returns a port that is bound to the given text, such as a history or an import. The generator tracks no
-    // value for such a text.
+    // Returns a port whose reference is the given text, such as "ring[-1]" or the import "noise". The port
+    // has no TextValue.
     static TextPort said(const char* name, std::string words, std::string more = "") {
         return {name, {kNone, 0, false, std::move(words)}, {}, false, std::move(more)};
     }
@@ -193,8 +193,8 @@ class RandomTextFrame {
         model_.passes.back().after = model_.values[value].writers;
         write(port, value);
     }
-    // Records that the last added pass modifies the value in place. The input port names the current version;
-    // without an input port, the output port names it.
+    // Records that the last added pass modifies the value in place. The port `in` refers to the version
+    // before the change. If `in` is null, the port `out` refers to this version.
     void change(size_t value, const char* in, const char* out) {
         TextValue& v = model_.values[value];
         TextPass& pass = model_.passes.back();

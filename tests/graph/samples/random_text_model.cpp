@@ -26,7 +26,7 @@ class Writer {
 
  private:
     // Returns the imports of the graph. The output is imported only if a pass writes it, because an unwritten
-    // output would be an error.
+    // output is an error. With `idle_output`, the text has this error on purpose.
     std::string imports() const {
         const auto presents = [](const TextPass& p) {
             return std::any_of(p.out.begin(), p.out.end(),
@@ -62,8 +62,8 @@ class Writer {
         return text + r.more + "}";
     }
 
-    // Returns the text of a reference, such as "image@pass.mip(1)". A reference to the last version has no
-    // pin, because the value may have alternative writers, of which only one runs.
+    // Returns the text of a reference, such as "image@pass.mip(1)". The last version of a closed value gets
+    // no pin, because the value may have alternative writers, of which only one runs.
     std::string reference(const TextRef& ref) const {
         if (ref.value == kNone) return ref.words;
         const TextValue& value = model_.values[ref.value];

@@ -1,5 +1,5 @@
-// Purpose: describes a random graph as a model, which records the pass that writes each value, and under
-// which condition. Converts the model to both texts of RandomText.
+// Purpose: describes a random graph as a model. The model records which passes write each value, and the
+// condition of each pass. text_of() converts the model to the two texts of RandomText.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,8 @@ struct TextResource {
     std::string verbatim;
 };
 
-// A part of a resource that passes always write as a whole, together with its writers in the order of their
-// execution.
+// The content of a part of a resource, such as one mip or a whole buffer. `writers` lists the passes that
+// write this part, in the order in which they run.
 struct TextValue {
     size_t resource = kNone;
     // Suffix that selects the part in a reference, such as ".mip(1)".
@@ -53,8 +53,8 @@ struct TextValue {
     std::vector<size_t> writers;
 };
 
-// Reference of a port: the version of a value after its first `version` writers, or the text `words` if
-// `value` is kNone.
+// Reference of a port. If `value` is kNone, the reference is the text `words`. Otherwise it is the version of
+// the value after its first `version` writers.
 struct TextRef {
     size_t value = kNone;
     size_t version = 0;
@@ -67,8 +67,8 @@ struct TextRef {
 struct TextPort {
     std::string name;
     TextRef ref;
-    // Input that replaces `ref` if its value is missing (`else`); unused if `value` is kNone and `words` is
-    // empty.
+    // The `else` input, which replaces `ref` if the value of `ref` is missing. The port has no `else` input
+    // if `otherwise.value` is kNone and `otherwise.words` is empty.
     TextRef otherwise;
     bool optional = false;
     // Further members of the port as JSON text: `, "key": value`.
@@ -81,14 +81,15 @@ struct TextPass {
     std::vector<TextPort> in, out, depth;
     std::vector<size_t> after;
     size_t condition = kNone;
-    // True if the text without conditions keeps the pass, with "if": false, because it is the only writer of
-    // a history.
+    // True if RandomText::plain keeps the pass even if its condition is false. The pass then has "if": false.
+    // It must stay, because it is the only writer of a resource with history.
     bool stays = false;
     // True if the pass is a repeat without iterations.
     bool empty = false;
     // Further members of the pass as JSON text: `, "key": value`.
     std::string more;
-    // Further members for only one text: for RandomText::text, and for RandomText::plain.
+    // Further members of the pass in only one of the texts: `more_text` in RandomText::text, `more_plain` in
+    // RandomText::plain.
     std::string more_text, more_plain;
 };
 

@@ -11,8 +11,8 @@ class RandomTextPasses : public RandomTextFrame {
     using RandomTextFrame::RandomTextFrame;
 
  protected:
-    // Chooses what the next pass writes, and returns its index: a new image, or an unwritten mip or layer of
-    // an image that is partly written.
+    // Adds a value for the next pass to write, and returns the index of the value. The value is in a new
+    // image, or it is an unwritten mip or layer of an image that is partly written.
     size_t target() {
         if (!unwritten_.empty() && chance(60)) {
             const uint32_t i = below(static_cast<uint32_t>(unwritten_.size()));
@@ -32,9 +32,9 @@ class RandomTextPasses : public RandomTextFrame {
                (layers > 1 ? ".layer(" + std::to_string(layer) + ")" : "");
     }
 
-    // Gives the last added pass a condition, with a probability of `percent`. The caller lets such a pass
-    // write a whole new value. If another pass wrote the same value, a false condition would not make its
-    // content missing.
+    // With a probability of `percent`, gives the last added pass a condition. Such a pass either modifies a
+    // value in place, or is the first writer of a new resource. In the second case, the value is missing if
+    // the condition is false.
     void choose_condition(uint32_t percent) {
         if (chance(percent)) model_.passes.back().condition = new_condition();
         settle_condition();
@@ -76,8 +76,8 @@ class RandomTextPasses : public RandomTextFrame {
         read_colors(inputs);
         const size_t output = output_of_last_pass();
         write("color", output);
-        // A partial draw counts as a write in place. A pass that overwrites the whole image must not come
-        // later, because it would have to run before the partial draw.
+        // A partial draw counts as a write in place. Weft runs writes in place after the other writers of a
+        // resource. So no later pass may overwrite the whole image.
         if (partial) model_.values[output].fresh = false;
     }
 
@@ -90,8 +90,8 @@ class RandomTextPasses : public RandomTextFrame {
             return !value.closed && value.single && !value.writers.empty() && accept(v);
         });
     }
-    // Picks a colour value of another resource than `than`, because a pass must not read the cells that it
-    // modifies.
+    // Picks a colour value of another resource than the resource of value `than`. The caller modifies `than`,
+    // and a pass must not sample the content that it modifies.
     size_t other_color(size_t than) {
         return pick_value([&](size_t v) {
             return kind_of(v) == ValueKind::color && model_.values[v].condition == kNone &&
@@ -127,7 +127,8 @@ class RandomTextPasses : public RandomTextFrame {
         model_.passes.back().in = {input("a", other, model_.passes.back().condition, false)};
         change(v, nullptr, "color");
     }
-    // Picks a colour value that this frame writes without a condition and that passes may still modify.
+    // Picks a colour value that later passes may overwrite. The value has no condition, and its first writer
+    // ignores the older content.
     size_t overwritable_color() {
         return changeable([&](size_t c) {
             return kind_of(c) == ValueKind::color && model_.values[c].fresh &&

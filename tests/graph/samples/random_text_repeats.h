@@ -10,8 +10,8 @@ class RandomTextRepeats : public RandomTextPasses {
     using RandomTextPasses::RandomTextPasses;
 
  protected:
-    // Adds passes that process one or two layers mip by mip downwards, and often upwards again. An `if` may
-    // remove some of the passes.
+    // Adds passes that write the mips of an image with one or two layers, from the largest mip to the
+    // smallest, and often back again. An `if` may remove the passes on the way back.
     void pyramid() {
         const uint32_t mips = between(3, 5), layers = chance(30) ? 2 : 1;
         const size_t image = new_image("pyramid", mips, layers);
@@ -147,7 +147,7 @@ class RandomTextRepeats : public RandomTextPasses {
 
     // Adds repeats that are spread over frames (`perFrame`), so that each frame runs only some iterations.
     // Each iteration writes its own layer, and sometimes a second repeat with its own `perFrame` reads the
-    // layers. Or all iterations modify parts of one buffer.
+    // layers. Sometimes all iterations modify parts of one buffer instead.
     void frame_slices() {
         const uint32_t rounds = between(2, 4);
         const std::string slice = slice_keys(rounds);
@@ -175,8 +175,9 @@ class RandomTextRepeats : public RandomTextPasses {
         close_layers(next, rounds);
     }
 
-    // Adds a fault: all iterations of a repeat with `perFrame` write the same kept image. So the next
-    // iteration overwrites each result before the reader's iteration runs in a later frame.
+    // Adds a fault (W124): all iterations of the repeat "bake" write the same kept image, but they run in
+    // different frames (`perFrame`). So in some frames the pass "store" would read the result of an iteration
+    // from another frame.
     void chain_slices_wrongly() {
         const uint32_t rounds = between(2, 4);
         const size_t scratch = new_image("scratch"), kept = kept_layers("stored", rounds);

@@ -1,5 +1,5 @@
-// Tests that resolve() accepts random texts, and that the resolved graph agrees with the model of the
-// generator.
+// Tests that both texts of a RandomText resolve and give the same plan, and that resolve() finds the fault in
+// each FaultyText.
 #include "tests/graph/samples/random_text.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 namespace weft::test {
 namespace {
 
-// Returns the hash of the graph's plan. The hash does not depend on line and column numbers, so it compares
-// the meaning of two texts.
+// Returns the hash of the graph's plan. The hash does not depend on line and column numbers, so two texts
+// with the same meaning have the same hash.
 std::string meaning(const ResolvedGraph& graph) {
     return plan_hash(compile(graph, content_needs(graph), {}));
 }

@@ -1,4 +1,5 @@
-// Mixes depth from input a, while the same pass tests depth against it. All bits of the depth count.
+// Mixes the depth values of image a with the seed. The same pass uses this image as its depth attachment, for
+// the depth test. All bits of a depth value affect the result.
 #version 460
 #include "mixing.glsl"
 

@@ -1,4 +1,5 @@
-// Functions that mix integers exactly. The seed differs from pass to pass, so that the results differ too.
+// Functions that mix integers. Integer arithmetic is exact, so any two correct plans of a graph give the same
+// bytes. Each pass has its own seed, so that passes with the same inputs give different results.
 layout(push_constant) uniform Params { uint seed; } params;
 
 // Returns a 32-bit integer hash (M. Jarzynski, M. Olano, "Hash Functions for GPU Rendering", JCGT 2020).

@@ -35,8 +35,9 @@ Count& count() {
     return in_file != nullptr ? *in_file : in_memory;
 }
 
-// Finds LLVM's own function in the driver that called. Each driver has its own copy of LLVM, so only the
-// libraries that this driver depends on are searched; two drivers in one process have two copies.
+// Finds the function of LLVM that this library replaces (kFunction), so that it can be called after counting.
+// `caller` is an address in the driver that called the replacement. Each driver in the process may have its
+// own copy of LLVM, so the search covers only this driver and the libraries that it depends on.
 MakeModule find_real(void* caller) {
     Dl_info driver{};
     void* library =

@@ -1,6 +1,7 @@
 // Writes the depth of the reference room for light culling: floor and ceiling 8 m apart, walls 16 m apart, far wall 60
-// m away, two rows of columns and 60 spheres, seen from the origin along -z. Units: metres. Output `depth`: near plane
-// / distance along the view, of the first surface seen through the pixel's centre.
+// m away, two rows of columns and 60 spheres, seen from the origin along -z. Units: metres.
+// Output `depth`: the distance of the near plane, divided by the distance of the surface that is visible at
+// the pixel's centre. Both distances are measured along -z.
 #version 460
 #include "frame_set.glsl"
 

@@ -1,6 +1,6 @@
 // Counts unnecessary entries of the light lists in a room at 1080p with 3,072 lights: floor, columns, spheres
-// and a far wall, with lights anywhere inside. The limits are what culling achieves that tests a box for each
-// occupied depth slice of a tile.
+// and a far wall, with lights anywhere inside. The limits are the results of a culling method that tests each
+// light against one box per depth slice of a tile, for the slices that contain a pixel.
 #include <random>
 
 #include "tests/render/light_tiles/tile_fixture.h"

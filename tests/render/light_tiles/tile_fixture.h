@@ -84,14 +84,15 @@ class TileTest : public SessionTest {
         if (name == "tileMask") copy(data.bytes, frame.mask);
         if (name == "glassLights") copy(data.bytes, frame.glass_lights);
         if (name != "lights") return;
-        // The buffer has room for more lights than the scene has, so the copy is cut to this number.
+        // The buffer has room for more lights than the scene has. Only the lights of the scene are kept.
         const size_t count = frame.lights.size();
         copy(data.bytes, frame.lights);
         frame.lights.resize(count);
     }
 };
 
-// Counts entries of the light lists, compared with the lights that a search pixel by pixel finds.
+// Sums over all tiles: entries of the light lists (`listed`), lights that reach a pixel of the tile
+// (`needed`), and needed lights that are not in the tile's list (`missed`).
 struct Comparison {
     size_t listed = 0, needed = 0, missed = 0;
     [[nodiscard]] double in_vain_percent() const {

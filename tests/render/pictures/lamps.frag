@@ -1,4 +1,5 @@
-// Draws small bright lamps at the distance lamp_m in front of a dim wall at the distance wall_m, which may be the sky.
+// Draws small bright lamps at the distance lamp_m in front of a dim wall at the distance wall_m. With a very
+// large wall_m, the wall stands for the sky.
 #version 460
 #include "frame_set.glsl"
 layout(location = 0) in vec2 uv;

@@ -4,7 +4,8 @@ layout(push_constant) uniform Params { uint beforeValid; } params;
 uniform sampler2D before;
 layout(rgba32f) writeonly uniform image2D dst;
 
-// Writes 1 while the history is intact (1) or not valid yet. If the history is lost once, the output stays 0.25.
+// Writes 1 if the history contains 1 or is not valid yet, otherwise 0.25. The output is the history of the
+// next frame. So if the content of the history is lost once, the output stays 0.25.
 void main() {
     const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     const vec4 past = texelFetch(before, at, 0);

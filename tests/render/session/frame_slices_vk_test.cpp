@@ -1,4 +1,5 @@
-// Tests passes with `perFrame`: in each frame only one of them runs, and the results of the others are kept.
+// Tests passes with `perFrame`. The first frame runs all of them. Each later frame runs only one of them, and
+// the results of the others are kept.
 #include "tests/render/session_fixture.h"
 
 namespace weft::test {

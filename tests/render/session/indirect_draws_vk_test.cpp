@@ -1,5 +1,5 @@
 // Tests indirect draws: a shipped graph draws its opaque list with a copy of the scene's draw commands. The
-// picture must be the same as without it; a device without the needed feature must give an error.
+// picture must be the same as with direct draws. A device without the needed feature must give an error.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -22,7 +22,7 @@ class LiveFolder {
 
     // How a file is written: in place, or as most editors do, by writing another file and renaming it.
     enum class Way : uint8_t { in_place, rename };
-    // Changes a file for good: `text` becomes its wanted content, which restore() restores.
+    // Changes a file permanently: `text` becomes its wanted content, which restore() restores.
     void set(const std::string& name, const std::string& text, Way way = Way::rename);
     // Replaces `from` by `to` in the wanted content of a file. The test fails if `from` does not occur.
     void replace(const std::string& name, const std::string& from, const std::string& to,

@@ -11,7 +11,7 @@
 namespace weft::test {
 namespace {
 
-// Global, because the replaced functions are plain functions and have no object.
+// Global, because the counting functions are plain functions. They have no access to the ObjectCounter.
 std::atomic<int64_t> live_objects = 0;
 
 template <auto Create, class Function>

@@ -1,6 +1,7 @@
 // Purpose: counts the Vulkan objects of a device that were created and not destroyed yet. It replaces the
-// functions in the device's table that create and destroy objects. These are plain functions, so their count
-// is a global variable, and only one counter may exist at a time.
+// functions in the device's table that create and destroy objects. The replacements are plain
+// functions without access to the counter. So the number of live objects is a global variable, and only one
+// ObjectCounter may exist at a time.
 #pragma once
 
 #include <cstdint>

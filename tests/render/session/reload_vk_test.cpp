@@ -17,8 +17,8 @@ constexpr Extent3D kReloadSize{64, 36, 1};
 // The number of frames after which the picture no longer changes: the longest history has 2 frames.
 constexpr uint32_t kSettlingFrames = 3;
 
-// A valid edit, which the test applies and undoes alternately, and the most work that it is allowed to cause
-// (compiled shaders, new pipelines, a new plan).
+// A valid edit, which the test applies and undoes alternately. `cost` is the exact work that the edit must
+// cause: changed shaders, new pipelines, a new plan or new values.
 struct GoodEdit {
     const char* name;
     std::function<void(LiveFolder&, bool there)> apply;
@@ -160,8 +160,8 @@ class Reloading : public SessionTest {
         while (made.wait_for(std::chrono::milliseconds(2)) != std::future_status::ready) draw(*live_, 1);
         return made.get();
     }
-    // Expects that the counter in the graph, which must go on after each replacement of the graph, equals the
-    // number of frames rendered.
+    // The graph counts its frames in the buffer "frames". Expects that this count equals the number of frames
+    // rendered. So no replacement of the graph may reset the count.
     void expect_all_counted() {
         ASSERT_TRUE(live_->finish());
         uint32_t counted = 0;
@@ -211,9 +211,10 @@ class ManyEdits : public Reloading {
         EXPECT_TRUE(live_->finish());
         return {objects.live(), resident_bytes()};
     }
-    // Applies valid and faulty edits alternately, and measures after `settled` and after `count` edits. At
-    // both moments the files must have the same content, so complete cycles of applying and undoing all edits
-    // lie between them.
+    // Applies faulty and valid edits alternately. Measures objects and memory after `settled` and after
+    // `count` edits. The files must have the same content at both measurements. So the number of edits
+    // between them is a multiple of 4 * good_count: in so many edits, each valid edit is applied once and
+    // undone once, and half of the edits are faulty.
     void run(uint32_t settled, uint32_t count) {
         const std::vector<GoodEdit> good = good_edits();
         const std::vector<BrokenEdit> broken = broken_edits();

@@ -15,8 +15,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr Extent3D kReloaderSize{64, 36, 1};
 
-// The threads that created pipelines. Global, because the functions in the device's table are plain functions
-// without an object.
+// The threads that created pipelines. Global, because make_graphics() and make_compute() are plain
+// functions in the device's table, without access to the test object.
 std::set<std::thread::id> pipeline_threads;
 PFN_vkCreateGraphicsPipelines real_graphics = nullptr;
 PFN_vkCreateComputePipelines real_compute = nullptr;

@@ -9,8 +9,9 @@ namespace weft::test {
 namespace {
 
 // Returns the mean of `value` over half vectors h, weighted by D·(n·h), where D is the anisotropic GGX
-// distribution. The samples are a uniform hemisphere, stretched by the roughnesses. A sample at u = cos θ has
-// weight 2 u, so grazing directions, where `value` is unbounded, count little.
+// distribution. The samples are uniform on the hemisphere (u = cos θ and φ), and their slopes are multiplied
+// by the two roughnesses. A sample has the weight 2 u, which gives the density D·(n·h). So grazing directions
+// count little; there, a `value` that divides by n·h is unbounded.
 template <class Value>
 double mean_over_normals(const Stretched& s, const Value& value) {
     constexpr int kSteps = 1200;
@@ -51,7 +52,8 @@ TEST(ReferenceAnisotropy, DistributionIsNormalised) {
 
 TEST(ReferenceAnisotropy, MaskingLeavesTheProjectedArea) {
     // The integral ∫ D·G1(v)·max(v·h, 0) dω must be n·v (Heitz 2014, equation 15). mean_over_normals()
-    // already weights the half vectors by D·(n·h).
+    // already weights the half vectors by D·(n·h), so the value is divided by n·h, which is h.z. G1(v) =
+    // 1 / (1 + Λ(v)) does not depend on h, so it is applied after the integration.
     const Stretched s = stretched(0.5, 0.7);
     for (const glm::dvec3 v :
          {glm::dvec3(0.8, 0, 0.6), glm::dvec3(0, 0.8, 0.6), glm::dvec3(0.6, 0.6, 0.52915026)}) {

@@ -93,8 +93,9 @@ TEST_P(Anisotropy, StrengthAndRotationAreThoseOfTheExtension) {
 
 TEST_P(AnisotropicMaterials, TexturesTurnAndWeaken) {
     scene::Scene scene = striped_metal();
-    // One texel per strip. They give the directions -x at full strength, +y at strength 0.4, +x+y at full
-    // strength (which the material rotates by a quarter turn), and -y at full strength.
+    // Each strip has a texture of one texel. The four texels encode: direction -x at full strength; +y at
+    // strength 0.4; the diagonal +x+y at full strength (this material adds a quarter turn); -y at full
+    // strength. Each strength is multiplied by the strength of the material, 0.8.
     const std::array<std::array<uint8_t, 4>, kStrips> texels{
         {{0, 128, 255, 255}, {128, 255, 102, 255}, {255, 255, 255, 255}, {128, 0, 255, 255}}};
     const std::array<double, kStrips> turn{0, kPi / 2, kPi / 4 + kPi / 2, -kPi / 2},

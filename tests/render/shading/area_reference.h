@@ -37,8 +37,8 @@ void visit_rectangle(const shared::Light& light, const glm::dvec3& at, const Vis
     }
 }
 
-// Visits patches of a capsule's surface. On the cylinder, they are equal steps around the axis and along it.
-// The half spheres are divided in equal steps of height, because a sphere's area is uniform in height.
+// Visits patches of a capsule's surface. The cylinder is divided into equal steps around the axis and along
+// it. The half spheres are divided into slices of equal height, because such slices have equal areas.
 template <class Visit>
 void visit_capsule(const shared::Light& light, const glm::dvec3& at, const Visit& visit, int turns = 360,
                    int steps = 150) {
@@ -70,8 +70,8 @@ void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& 
     visit_capsule(light, at, visit);
 }
 
-// Visits the patches of a light as the other overload does, but with fewer patches, each about `patch_m`
-// metres long.
+// Like the overload above, but the caller chooses the size of the patches: each is about `patch_m` metres
+// long, or shorter if a direction of the surface would otherwise have fewer than 16 patches.
 template <class Visit>
 void visit_light(const shared::Light& light, const glm::dvec3& at, const Visit& visit, double patch_m) {
     const auto patches = [&](double length_m) {

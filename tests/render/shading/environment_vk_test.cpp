@@ -1,5 +1,5 @@
-// Tests light from an environment map: the background against a second implementation of the sampler, and the
-// reflection by simple surfaces against closed forms.
+// Tests light from an environment map. The background is compared with a second implementation of the
+// sampler. The light that simple surfaces reflect is compared with closed forms.
 #include <algorithm>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
@@ -63,8 +63,9 @@ class EnvironmentLight : public SessionTest {
     void expect_background(glm::vec3 at);
 };
 
-// Compares every background pixel of a view in direction `at`. A texel of the map is wider than a pixel
-// there, so the interpolation is visible. GPU samplers have a precision of 1/256 texel.
+// Renders the background in direction `at` and compares every pixel with sampled(). A texel of the map covers
+// many pixels, so errors of the interpolation are visible. The tolerance depends on the difference between
+// neighbouring texels, because GPU samplers place a sample with a precision of only 1/256 texel.
 void EnvironmentLight::expect_background(glm::vec3 at) {
     scene::Scene scene = matt_plane(1);
     scene.environment = environment_of(16, 8, [](uint32_t x, uint32_t y) {

@@ -56,8 +56,8 @@ TEST_F(Forward, SeesWhatDeferredSees) {
         int worst = 0;
         for (size_t i = 0; i < forward.size(); ++i) {
             if (i % 4 == 3) continue;
-            // Read as integers, two non-negative half floats differ by the number of representable values
-            // between them.
+            // The bits of non-negative half floats are compared as integers. The difference is the number of
+            // steps from one half float to the next between the two values.
             const int off = std::abs(int{deferred[i]} - int{forward[i]});
             differ += off > 0 ? 1 : 0;
             worst = std::max(worst, off);
@@ -68,8 +68,8 @@ TEST_F(Forward, SeesWhatDeferredSees) {
     }
 }
 
-// Returns a scene with three transparent panes that face the camera at (0, 0, 4). Each pane emits another
-// colour. The scene lists the nearest pane first or last.
+// Returns a scene with three transparent panes that face the camera at (0, 0, 4). Each pane emits a different
+// colour. The scene lists the nearest pane first if `nearest_first` is true, otherwise last.
 scene::Scene panes(bool nearest_first) {
     scene::Scene scene;
     scene::Mesh quad;

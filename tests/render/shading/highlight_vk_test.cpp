@@ -11,11 +11,11 @@ namespace weft::test {
 namespace {
 
 struct Expectation {
-    // Limits for the sum of the shaders' highlights over the floor, relative to the sum of the exact ones.
+    // `least` and `most` limit the sum of the shaders' highlights over the floor, divided by the exact sum.
     double roughness, least, most;
 };
-// One element for each of the first three channels in irradiance.json. Measured ratios for these roughnesses:
-// 0.85 to 1.16, 0.75 to 1.09, 0.66 to 1.03.
+// One element for each of the first three roughnesses in irradiance.json (the first three channels of its
+// image `highlight`). Measured ratios for these roughnesses: 0.85 to 1.16, 0.75 to 1.09, 0.66 to 1.03.
 constexpr std::array kExpectations{Expectation{0.1, 0.8, 1.2}, Expectation{0.3, 0.7, 1.15},
                                    Expectation{0.6, 0.62, 1.08}};
 // Limit for the sum of absolute differences at the points, relative to the sum of the exact values. Measured:
@@ -40,7 +40,7 @@ Highlights mirrored(const shared::Light& light, const glm::dvec3& at) {
         const auto add = [&](const glm::dvec3& l, double solid_angle) {
             sum[i] += reflected(mirror, v, l).x * solid_angle;
         };
-        // The surface of the light is visited in steps of a third of the width of the reflection lobe.
+        // The light's patches are at most about a third as long as the reflection lobe is wide at the light.
         visit_light(light, at, add, roughness * roughness * distance_to_light(light, at));
     }
     return sum;

@@ -37,9 +37,9 @@ TEST_F(Irradiance, OfLightsWithoutExtentIsTheirClosedForm) {
     std::printf("worst relative error %.1e\n", worst);
 }
 
-// Compares the irradiance of each light with `reference`. The error is relative to the expected value, or to
-// 3e-5 (1e-5 of a whole sky of radiance 1) if that is larger. Lights beyond the number of placements are
-// ignored.
+// Compares the irradiance of each light with `reference`. Points for which `reference` is negative are
+// skipped. The error is relative to the expected value, but at least to 3e-5. This is 1e-5 of the irradiance
+// from a whole sky of radiance 1, which is π. Lights beyond the number of placements are ignored.
 template <class Reference>
 void expect_close(const Measured& m, std::span<const Placement> placements, double tolerance,
                   const Reference& reference) {
@@ -136,7 +136,8 @@ class Functions : public Irradiance {
         const Measured m = measure(std::move(scene));
         std::vector<double> shares;
         if (m.irradiance.empty()) return shares;
-        // Lights without a function come first in the session's list of lights.
+        // The session sorts its list of lights, so the two lights may change places. In this list, function 0
+        // means that the light has no function.
         const size_t shaped = m.lights[0].function != 0 ? 0 : 1, plain = 1 - shaped;
         for (size_t i = 0; i < kPoints; ++i)
             shares.push_back(m.at(plain, i).x > 1e-6 ? m.at(shaped, i).x / m.at(plain, i).x : -1);
@@ -167,8 +168,8 @@ TEST_F(Functions, DoorsCutTheLightOffWhereTheyAre) {
 
 TEST_F(Functions, CurvesFollowTheirBezier) {
     scene::LightFunction function;
-    // The four Bézier values of the factor t², where t is the distance divided by reach_m. The factor cancels
-    // the inverse square of the distance.
+    // These four Bézier values give the factor t², where t is the distance divided by reach_m. Up to reach_m,
+    // this factor cancels the light's decrease with the square of the distance.
     function.curve = {0, 0, 1.0f / 3, 1};
     function.reach_m = 4;
     const scene::Light light = shaped(scene::LightType::point, {0, 1, 0}, {0, -1, 0}, {1, 0, 0});

@@ -1,10 +1,10 @@
-// Tests that all methods for finding the lights of a pixel agree with a loop over all lights: tiled shading
-// in one pass exactly, light volumes within the error of blending to half floats. Half floats have 11 bits.
-// Each light that reaches a pixel rounds the sum once more, to nearest or towards 0, and no partial sum
-// exceeds the total:
+// Compares all methods for finding the lights of a pixel with a loop over all lights. Tiled shading in one
+// pass must give exactly the same picture. Light volumes blend each light into an image of half floats, which
+// have 11 bits. So the sum of a pixel is rounded once for each light that reaches it, to nearest or towards
+// 0. No partial sum exceeds the total, so the error of a pixel has this bound:
 // |blended − looped| ≤ (lights + 2) · 2⁻¹⁰ · looped + (lights + 2) · 2⁻²⁴
-// The 2 is for the rounding of the initial value and of the loop. The last term is half a step of the
-// smallest half floats.
+// The 2 is for the rounding of the initial value and of the loop's result. The smallest half floats are 2⁻²⁴
+// apart, which gives the last term.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/session_fixture.h"
@@ -102,8 +102,8 @@ double reaching(const std::vector<shared::Light>& lights, const glm::dvec3& posi
     return count;
 }
 
-// Returns the largest error of any channel, divided by the bound for its pixel, which grows with the number
-// of lights that reach the pixel. A result above 1 is a failure.
+// Returns the largest error of any channel of any pixel, divided by the bound for this pixel (the formula at
+// the start of this file). A result above 1 is a failure.
 double worst_share(const Rendered& looped, const Rendered& blended) {
     const Image &a = looped.images.at("hdr@lighting"), &b = blended.images.at("hdr@lighting"),
                 &depth = looped.images.at("depth");

@@ -50,8 +50,8 @@ TEST_F(Lighting, EveryPixelOfTheSpheresFollowsFromTheGBuffer) {
         const glm::dvec3 expected =
             glm::dvec3(r.images.at("hdr@gbuffer")[i]) + reflected(s, eye, l) * e * double(r.pre_exposure);
         const glm::dvec3 found(r.images.at("hdr")[i]);
-        // With float, n·l has an error of about 3e-7. Half floats end at 2⁻²⁴, so smaller values have no
-        // relative precision.
+        // The shaders compute n·l in float, with an error of about 3e-7. The smallest positive half float is
+        // 2⁻²⁴ (6e-8). Both errors are absolute, so they are subtracted before the relative error is taken.
         const glm::dvec3 slack = glm::dvec3(6e-8) + e * double(r.pre_exposure) * 5e-7;
         for (int c = 0; c < 3; ++c) {
             const double stored = std::min(expected[c], 65000.0);

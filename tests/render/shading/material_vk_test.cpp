@@ -283,7 +283,7 @@ TEST_P(Materials, PointLightsEndAtTheirRange) {
     for (const float range_m : {0.0f, 2.5f, 2.0f}) {
         scene::Light light;
         light.intensity = 40;
-        // The light is above the middle of the pixel that is measured.
+        // The light is 2 m in front of the middle of the measured pixel.
         light.position = {1.0f / 16, -1.0f / 16, 2};
         light.range_m = range_m;
         scene.lights = {light};

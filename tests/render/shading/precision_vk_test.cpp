@@ -86,8 +86,9 @@ glm::dvec3 radiance(const Stored& p, const View& view) {
     return sum + p.occlusion * (matt * matt_sky(*view.scene, s.normal) + mirror * seen);
 }
 
-// Returns the bound of the error: the sum of the effects of each stored number, when the number is changed by
-// its largest error in both directions.
+// Returns the bound of the error. Each stored number is changed by its largest error, once up and once down,
+// while the other numbers stay the same. The larger change of the radiance counts. The bound is the sum of
+// these changes over all numbers, times kTogether.
 glm::dvec3 bound(const Stored& p, const View& view) {
     const glm::dvec3 stored = radiance(p, view);
     glm::dvec3 sum(0);

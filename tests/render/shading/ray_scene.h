@@ -1,6 +1,7 @@
 // Purpose: casts rays against the triangles of a scene, for references that are independent of the tested
 // code. It uses a tree of bounding boxes, split at the median triangle. Opaque surfaces stop a ray. Masked
-// surfaces stop a ray where the nearest texel of mip 0 passes the cutoff.
+// surfaces stop a ray where the alpha of the nearest texel of mip 0 is at least the cutoff. Transparent
+// (blended) surfaces are left out.
 #pragma once
 
 #include <algorithm>
@@ -54,8 +55,8 @@ class RayScene {
     struct Node {
         glm::dvec3 least{std::numeric_limits<double>::infinity()},
             most{-std::numeric_limits<double>::infinity()};
-        // Number of triangles of a leaf. An inner node has count 0; its children are the next node and the
-        // node `second`.
+        // A leaf has `count` triangles, from index `first` of order_. An inner node has count 0; its children
+        // are the next node in nodes_ and the node `second`.
         uint32_t first = 0, count = 0;
         uint32_t second = 0;
     };

@@ -8,9 +8,9 @@
 namespace weft::test {
 
 struct Stretched {
-    // Roughness α (not squared) of GGX along the tangent.
+    // The parameter α of GGX along the tangent. Without anisotropy, α is the square of glTF's roughness.
     double along = 1;
-    // Roughness α of GGX along the bitangent.
+    // The parameter α of GGX along the bitangent.
     double across = 1;
 };
 

@@ -44,8 +44,8 @@ class TileShading : public SessionTest {
     std::vector<uint16_t> hdr_of(const scene::Scene& scene, const std::string& graph) {
         return words<uint16_t>(bytes_of(scene, graph, {"hdr"})["hdr"]);
     }
-    // Splits a buffer of tile lists into the light indices of each tile, in the order of the list. Words
-    // after the end of a list are ignored.
+    // Splits a buffer of light lists into one list of light indices for each tile. In the buffer, all tiles
+    // have equally many words: the length of the list, the light indices, then unused words.
     static std::vector<std::vector<uint32_t>> lists_in(const std::vector<std::byte>& bytes) {
         const std::vector<uint32_t> all = words<uint32_t>(bytes);
         const size_t stride = all.size() / kTiles;
@@ -64,8 +64,8 @@ class TileShading : public SessionTest {
         size_t differ = 0, lit = 0;
         int worst = 0;
         for (size_t i = 0; i < found.size(); ++i) {
-            // Read as integers, two non-negative half floats differ by the number of representable values
-            // between them.
+            // The bits of non-negative half floats are compared as integers. The difference is the number of
+            // steps from one half float to the next between the two values.
             const int off = std::abs(int{found[i]} - int{wanted[i]});
             differ += off > 0 ? 1 : 0;
             lit += i % 4 != 3 && wanted[i] > 0 ? 1 : 0;

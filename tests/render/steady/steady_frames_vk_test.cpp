@@ -19,8 +19,9 @@ constexpr Extent3D kSize{64, 36, 1};
 constexpr double kStep_s = 1.0 / 60;
 // Number of frames at the start in which the driver may still compile code.
 constexpr uint32_t kFirstFrames = 3;
-// Number of frames in which nothing may be compiled. With the first frames, they are more frames than the
-// longest history and than the sequence of sub-pixel camera offsets (jitter).
+// Number of frames in which nothing may be compiled. Together with kFirstFrames, these are 12 frames. This is
+// more than the longest history of the graphs, and more than the 8 sub-pixel camera offsets (jitter) of
+// branches.json.
 constexpr uint32_t kSteadyFrames = 9;
 constexpr int64_t kMiB = 1 << 20;
 

@@ -1,4 +1,5 @@
-// Two branches of very different length. llvmpipe would compile a special version for the branch that is taken.
+// Two branches of very different length. Without Weft's workaround (docs/shaders.md, "Branches on values that
+// change"), llvmpipe would compile a uniform in the condition as a constant, so only one branch would remain.
 #include "sky.glsl"
 
 vec4 two_skies(bool plain, vec2 at) {

@@ -62,8 +62,8 @@ double off_whole(double x) {
     return std::abs(x - std::round(x));
 }
 
-// Moves the camera by random steps of 0.1 mm to 10 m, from less than a texel to many texels, and rotates it
-// at random.
+// Moves the camera by random steps of 0.1 mm (less than a texel) to 10 m (many texels), and rotates it at
+// random. A fixed world point must move by a whole number of texels in each shadow map.
 TEST(SunCascades, MoveByWholeTexelsHoweverTheCameraMoves) {
     const uint32_t seed = std::random_device{}();
     Random random(seed);
@@ -108,8 +108,8 @@ TEST(SunCascades, HoldWhatTheCameraSeesAndAllThatCasts) {
             const double distance_m = random.between(0, 80);
             const glm::dvec4 point =
                 glm::dmat4(shot.camera.transform) * glm::dvec4(glm::normalize(ray) * distance_m, 1);
-            // Only points inside the scene's bounds are tested: clamping a point outside moves it, and the
-            // test skips it.
+            // Only points inside the scene's bounds are tested. The clamping moves points that are outside,
+            // so these are recognised and skipped.
             const glm::dvec3 at = glm::clamp(glm::dvec3(point), glm::dvec3(shot.scene.bounds.min),
                                              glm::dvec3(shot.scene.bounds.max));
             if (glm::length(at - glm::dvec3(point)) > 0) continue;

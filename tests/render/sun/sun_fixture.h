@@ -11,7 +11,7 @@ namespace weft::test {
 inline constexpr uint32_t kGrid = 384;
 inline const std::string kSunGraphs = WEFT_SOURCE_DIR "/tests/render/sun/";
 
-// A grid of world positions with kGrid rows and columns; grid.json must have the same numbers.
+// A grid of world positions with kGrid rows and columns. The image `seen` in grid.json must have this size.
 struct Grid {
     glm::vec3 corner{0}, right{0}, down{0};
     [[nodiscard]] glm::vec3 at(uint32_t i) const {
@@ -36,7 +36,8 @@ struct Seen {
     std::vector<float> share;
     // Octahedral normals of the pixels; empty if the graph has no normals.
     std::vector<glm::vec4> normals;
-    // Depth of each pixel: distance of the near plane divided by the distance along the view.
+    // Depth of each pixel: the distance of the near plane divided by the distance of the surface. Both are
+    // measured along the view direction.
     std::vector<glm::vec4> depths;
     render::SunCascades sun;
     glm::vec3 eye{0};

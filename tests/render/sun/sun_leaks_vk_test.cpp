@@ -19,8 +19,8 @@ struct Pixel {
 
 // Casts up to `steps` × `steps` rays towards the sun, from points on the surface's plane up to `reach_m` away
 // from the pixel's point. A map may miss shadow casters that rise less than `lift_m` above the surface, so
-// these do not make a point dark. Holes of masked surfaces decide nothing, because the texels of shadow maps
-// are coarser.
+// these do not make a point dark. A ray that meets only masked surfaces (leaves) counts as neither lit nor
+// dark, because the holes of leaves are smaller than the texels of shadow maps.
 Sunlight sunlight(const RayScene& rays, const Pixel& pixel, const glm::dvec3& to_sun, double reach_m,
                   double lift_m, int steps) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun)),
@@ -97,8 +97,9 @@ class SunInTheAtrium : public SunShadows {
         // Largest difference from fully dark or fully lit that counts as correct, as a share of the sun's
         // light.
         constexpr float kTolerated = 0.1f;
-        // Rays per side. The cords of lamps are half a texel wide, so a few rays may miss a cord that the map
-        // contains. Therefore a dark pixel is confirmed with many rays.
+        // Rays along each side of the square of rays. The cords of lamps are half a texel wide, so kFew rays
+        // may miss a cord that the map contains. So if the map darkens a pixel where all these rays reach the
+        // sun, the pixel counts as wrong only if kMany rays give the same result.
         constexpr int kFew = 5, kMany = 49;
         const glm::dvec3 to_sun(seen.sun.constants.to_sun);
         const double texel_m = texel_at(seen, glm::vec3(pixel.at));
