@@ -109,16 +109,18 @@ void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Con
 }
 
 // Improves a packing for several queues. Often no packing reaches the targets, because the lower bound does
-// not count what the queues add. More removals than these need much time for hardly any gain.
+// not count what the queues add. So the time is limited more strictly if there are many items.
 void improve_for_queues(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
                         Packing& best) {
-    for (const auto& [order_of, percent] : std::span(kAttempts).first(2)) {
+    const size_t count = items.size();
+    const bool searched = count <= kMaxSearchedItems;
+    for (const auto& [order_of, percent] : std::span(kAttempts).first(searched ? 3 : 2)) {
         const uint64_t target = with_percent(lower_bound_bytes, percent);
         if (best.height_bytes <= target) return;
         const std::vector<uint32_t> order = order_of(items);
-        keep_smaller(pack_below(items, order, target, items.size() / 16, conflicts), best);
+        keep_smaller(pack_below(items, order, target, searched ? count : count / 16, conflicts), best);
         if (best.height_bytes <= target) return;
-        if (items.size() <= kMaxSearchedItems) keep_smaller(search(items, order, target, conflicts), best);
+        if (searched) keep_smaller(search(items, order, target, conflicts), best);
     }
 }
 
