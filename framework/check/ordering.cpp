@@ -58,7 +58,7 @@ AccessRecord AccessRecord::transition(const Actor& actor, const Scopes& scopes) 
     record.available_reach_ = scopes.dst_execution;  // A layout transition makes its own writes available.
     record.transition_reach_ = scopes.dst_execution;
     for (int t = 0; t < stage::kCount; ++t)
-        if (has(scopes.dst_memory, t)) record.visible_[static_cast<size_t>(t)] = scopes.dst_access;
+        if (has(scopes.dst_memory, t)) record.visible_[static_cast<size_t>(t)] = static_cast<ShortMask>(scopes.dst_access);
     return record;
 }
 
@@ -82,7 +82,7 @@ void AccessRecord::carry(const StageChain& chain, StageMask available_before) {
     available_reach_ |= chain.after(available_before);
     if (actor_.transition) transition_reach_ |= chain.after(transition_reach_);
     for (StageMask rest = stages_; rest != 0; rest &= rest - 1) {
-        StageMask& reach = reach_[static_cast<size_t>(std::countr_zero(rest))];
+        ShortMask& reach = reach_[static_cast<size_t>(std::countr_zero(rest))];
         reach |= chain.after((rest & -rest) | reach);
     }
 }

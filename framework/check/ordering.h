@@ -64,6 +64,11 @@ class AccessRecord {
     [[nodiscard]] AccessMask access() const { return access_; }
 
  private:
+    // A mask of stages or accesses in half the memory. For a plan with 10,000 passes, the checker stores about a
+    // million of them.
+    using ShortMask = uint16_t;
+    static_assert(stage::kCount <= 16 && access::kCount <= 16);
+
     void carry(const StageChain& chain, StageMask available_before);
 
     Actor actor_;
@@ -76,10 +81,10 @@ class AccessRecord {
     // Later stages that are ordered after the barrier that made the write available.
     StageMask available_reach_ = 0;
     // Index: bit of a stage of this access. Later stages that are ordered after this stage.
-    std::array<StageMask, stage::kCount> reach_{};
-    StageMask transition_reach_ = 0;
+    std::array<ShortMask, stage::kCount> reach_{};
     // Index: bit of a later stage. Accesses to which the write is visible.
-    std::array<AccessMask, stage::kCount> visible_{};
+    std::array<ShortMask, stage::kCount> visible_{};
+    StageMask transition_reach_ = 0;
 };
 
 }  // namespace weft::check
