@@ -2,7 +2,8 @@
 // of its payload as u64, little-endian, followed by the payload: kind, number, count of texts, texts (see
 // framework/shader/worker/payload.h). The worker first sends `hello`. After each `compile`, the worker
 // requests the included files one by one with `include`, and ends with `done` or `failed`. Neither side
-// trusts its input: the size of frames is limited, and a malformed payload counts as no answer.
+// trusts its input: the size of a payload is limited, and after a malformed payload the worker ends or is
+// killed.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +22,7 @@ enum class MessageKind : uint64_t {
     include,
     source,     // Answer to `include`. Texts: name and source text.
     no_source,  // Answer to `include`: the file cannot be included. Text: the reason.
-    done,       // The stage compiled. Texts: SPIR-V, then names of variables without location.
+    done,       // The stage compiled. Texts: SPIR-V, then names of inputs and outputs without a location.
     failed,     // The stage did not compile. Text: log of glslang.
 };
 

@@ -19,7 +19,8 @@ namespace weft::shader {
 namespace {
 
 constexpr std::chrono::milliseconds kWatchEvery{20};
-// Memory that a frame may need in addition to the SPIR-V: for names of variables, or for the request.
+// The payload of a message may be this much larger than the limit for SPIR-V. `done` needs these bytes for
+// names of variables, and `include` needs them for names of files.
 constexpr uint64_t kFrameSlackBytes = 1 << 20;
 
 Diagnostic cannot_start(const std::filesystem::path& program, const std::string& why) {
@@ -192,8 +193,8 @@ bool WorkerProcess::send(const Message& message) {
     return true;
 }
 
-// Waits for the exit of the worker, which has closed its socket. The wait ends early if the worker sleeps for
-// one second or has used up its time.
+// Waits for the exit of a worker that has closed its socket, so that kill_for() finds its exit status. The
+// wait ends early if the worker has slept for one second in total, or has used up its time.
 void WorkerProcess::wait_for_end() {
     constexpr std::chrono::milliseconds kStep{1}, kMostSleep{1000};
     std::chrono::milliseconds slept{0};

@@ -1,9 +1,10 @@
 // Purpose: starts and watches the shader worker process. The worker is started without a shell, with an empty
 // environment, and with its socket as the only open file descriptor besides /dev/null. It is killed if it
 // exceeds its time or memory, or sends invalid messages. The worker limits its own address space. Builds with
-// sanitizers cannot do this, so this class also watches the resident memory. The time limit counts processor
-// time, and the time that the worker sleeps although an answer is due. Waiting for a processor on a busy
-// machine does not count. Error X570: the worker cannot be started, or has another version.
+// sanitizers cannot do this, so this class also watches the resident memory. The same time limit
+// applies separately to the worker's processor time and to the time that the worker sleeps while the caller
+// waits for it. The time that the worker waits for a processor on a busy machine does not count. Error X570:
+// the worker cannot be started, or has another version.
 #pragma once
 
 #include <sys/types.h>

@@ -1,6 +1,7 @@
 // Purpose: turns errors of the executor into diagnostics, which name the pass or resource concerned. Codes:
-// V411 memory, image or view, V412 pipeline, V413 descriptors, V414 import that is missing or has the wrong
-// shape, V415 draw source, V416 vertex format, V417 a plan that this executor cannot run, V418 recording,
+// V411 memory, image or view, V412 pipeline, V413 descriptors, V414 an import that the program did not give,
+// or an image of the wrong shape (format, size, mips, layers or samples), V415 a DrawSource that is missing
+// or lacks a descriptor set, V416 vertex format, V417 a plan that this executor cannot run, V418 recording,
 // submitting or reading back. Time-outs, lost devices and exhausted memory have the codes of vk_result.h.
 #pragma once
 

@@ -11,7 +11,7 @@
 namespace weft::vk {
 namespace {
 
-// Returns how well a kind of device suits; the device with the smallest rank is chosen.
+// Returns the rank of a kind of device. Among several devices, the one with the smallest rank is preferred.
 int rank(VkPhysicalDeviceType type) {
     switch (type) {
         case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:

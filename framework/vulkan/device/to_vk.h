@@ -44,8 +44,8 @@ namespace weft::vk {
 [[nodiscard]] VkSamplerAddressMode to_vk(SamplerWrap wrap);
 
 [[nodiscard]] VkCompareOp to_vk(CompareOp op);
-// CullMode::material means that every draw sets its own cull mode. Its translation, the value before the
-// first draw, is VK_CULL_MODE_NONE.
+// CullMode::material means that every draw sets its own cull mode. It becomes VK_CULL_MODE_NONE, which is the
+// cull mode before the first draw sets one.
 [[nodiscard]] VkCullModeFlags to_vk(CullMode mode);
 [[nodiscard]] VkFrontFace to_vk(FrontFace face);
 [[nodiscard]] VkPrimitiveTopology to_vk(Topology topology);

@@ -32,8 +32,9 @@ std::string pass_names(const FramePlan& plan, uint32_t first) {
     return names;
 }
 
-// Returns how many objects each pass draws, from position `first` of the execution order on, because many
-// draws may explain a time-out. Example: "gbuffer 4096, sunShadows#0 4096".
+// Returns how many objects each pass draws, for the passes from position `first` of the execution order on.
+// The help of the error for a lost frame lists these numbers, because many draws may cause a time-out.
+// Example: "gbuffer 4096, sunShadows#0 4096".
 std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t first) {
     std::string counts;
     for (size_t position = first; draws != nullptr && position < plan.schedule.order.size(); ++position) {

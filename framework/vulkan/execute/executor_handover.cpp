@@ -40,8 +40,9 @@ Status ReplayExecutor::take_over(Predecessor predecessor) {
         return quiet;
     }
     objects_->resources.rings.inherit(old.objects_->resources.rings, old.frames_run_, predecessor.transition);
-    // The new executor goes on counting frames, and so uses the frame slots in the same order. The program's
-    // data has one copy per frame slot, which a frame of the old executor in that slot may still read.
+    // This executor continues the frame count of `old`, so its first frame uses the next frame slot. The
+    // program's data has one copy per slot. A frame of `old` may still read the copy of its slot, so
+    // begin_frame() first waits for the frame of `old` in the same slot.
     frames_begun_ = old.frames_begun_;
     predecessor_ = std::move(predecessor);
     return Unit{};
@@ -53,14 +54,14 @@ Status ReplayExecutor::be_followed(const FramePlan& next) {
         if (Status started = start_without_frame(); !started) return started;
     }
     followed_ = true;
-    // If both plans use a single queue, its work runs in order. With several queues, the host must wait for
-    // the old frames.
+    // If each plan has only one batch per frame, both plans use the same queue, which runs the old and the
+    // new frames in order. With several queues, the host must wait for the old frames.
     const bool one_queue = plan().submissions.batches.size() <= 1 && next.submissions.batches.size() <= 1;
     return one_queue ? Status(Unit{}) : finish();
 }
 
 // Writes the first contents of this executor's persistent resources. Needed if another executor replaces this
-// one before its first frame, because the other executor copies these contents.
+// one before this one has run a frame, because the other executor copies these contents.
 Status ReplayExecutor::start_without_frame() {
     Status started = immediate_submit(device_, "writing the initial content of persistent resources",
                                       [&](VkCommandBuffer commands) { record_start(commands); });

@@ -29,7 +29,8 @@ class FrameSlots {
     [[nodiscard]] VkResult wait(uint32_t slot);
     // Waits until the queues are idle. Call this after all frames have finished and before the semaphores are
     // destroyed, because lavapipe (Mesa 22.3) signals the end of a submission slightly before it releases the
-    // semaphores. The call is not needed if something else was submitted to the queues since.
+    // semaphores. The call is not needed if other work was submitted to the queues after these
+    // frames, for example by an executor that replaced this one.
     void let_go() const;
     // True if the frame in `slot` has finished, or if the device is lost. This function does not wait.
     [[nodiscard]] bool is_over(uint32_t slot) const;

@@ -17,7 +17,8 @@ VkImageSubresourceLayers layers_of(const ResourceDecl& decl, uint32_t mip) {
     return layers_to_vk(range);
 }
 
-// Returns the size of a mip level in pixels as an offset, which is the end corner in a VkImageBlit.
+// Returns the size of a mip level in pixels, as the second corner in a VkImageBlit. The first corner is
+// {0, 0, 0}.
 VkOffset3D end_of(const ResourceDecl& decl, uint32_t mip) {
     const Extent3D extent = mip_extent(decl.extent, mip);
     return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height),

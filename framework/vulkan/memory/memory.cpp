@@ -26,8 +26,8 @@ VkMemoryPropertyFlags wanted_properties(Buffer::Memory memory) {
     return 0;
 }
 
-// Returns a memory type with the properties `wanted`. If there is none, host-cached and device-local are not
-// required, because memory without them works too.
+// Returns a memory type with the properties `wanted`. If the device has none, the function
+// searches again without the properties host-cached and device-local, because memory without them works too.
 uint32_t pick_memory_type(const Device& device, uint32_t type_bits, VkMemoryPropertyFlags wanted) {
     const uint32_t type = device.memory_type(type_bits, wanted);
     if (type != UINT32_MAX) return type;
@@ -51,8 +51,8 @@ Result<VkDeviceMemory> allocate(Device& device, const VkMemoryRequirements& need
     return memory;
 }
 
-// Returns the number of mip levels from the full size down to one texel. The limit that Vulkan reports
-// (maxMipLevels) is that of the largest image, so a smaller image needs this check too.
+// Returns the number of mip levels from the full size down to one texel. Vulkan also reports a
+// limit (maxMipLevels), but for the largest image of a format. A smaller image has room for fewer mip levels.
 uint32_t mips_of(const VkExtent3D& extent) {
     const uint32_t largest = std::max({extent.width, extent.height, extent.depth});
     return static_cast<uint32_t>(std::bit_width(largest));
