@@ -59,6 +59,7 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
         if (loaded->values) {
             now.load = loaded->number;
             same = StageMaker::make_values(selection, std::move(*loaded->values), std::move(now));
+            if (same->rebuilt.nothing()) note_same(*same);
         } else {
             same = keep_running(selection, std::move(now));
         }
