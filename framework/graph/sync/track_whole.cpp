@@ -55,7 +55,8 @@ const WholeHistory* WholeTracker::track(ResourceId id, const ResourceDecl& decl,
     last_uses_.clear();
     for (const RangeAccess& access : events) append_access(access.event, merged_);
     const std::span<const AccessEvent> all(merged_);
-    const QueueUsage usage = queue_usage(decl, order_, {&all, 1});
+    const bool alone = order_.queues.size() == 1 && !decl.import;
+    const QueueUsage usage = alone ? QueueUsage{} : queue_usage(decl, order_, {&all, 1});
     result_.concurrent = usage.concurrent();
     if (usage.several_queues)
         run_on_queues(id, decl, usage);
@@ -75,7 +76,10 @@ void WholeTracker::store(const ResourceDecl& decl) {
     const SubresourceRange whole = decl.whole();
     for (const CellBarrier& barrier : sync_.barriers)
         history.barriers.push_back(placed_barrier(barrier, whole));
-    add_last_uses(last_uses_, history.last_uses);
+    if (last_uses_.size() == 1)
+        history.last_uses.push_back(last_uses_.front());
+    else
+        add_last_uses(last_uses_, history.last_uses);
     std::swap(result_.dependencies, sync_.dependencies);
 }
 
