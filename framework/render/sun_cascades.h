@@ -1,11 +1,11 @@
-// Purpose: computes the shadow maps of the sun, which is the first directional light of a scene. Each map
-// (cascade) covers the camera's view between two distances from the eye, and is seen from the sun in parallel
-// projection. A map covers a sphere around its part of the view. So its size does not change when the camera
-// rotates, and it moves by whole texels only: static shadows do not flicker. In the direction of the sun,
-// every map covers the whole scene, so no shadow caster is missed. Pure functions in double precision. Units:
-// metres, texels. Source: Zhang et al. 2006, "Parallel-Split Shadow Maps for Large-Scale Virtual
-// Environments" (the splits); Valient 2007, "Stable Rendering of Cascaded Shadow Maps", ShaderX6 (spheres,
-// whole texels).
+// Purpose: computes the projections of the sun's shadow maps. The sun is the first directional light of a
+// scene. Each map (cascade) covers the camera's view between two distances from the eye, in a parallel
+// projection along the light. A map covers a sphere around its part of the view, so the size of the map does
+// not change when the camera rotates. A map moves by whole texels only, so static shadows do not flicker. In
+// the direction of the sun, every map covers the whole scene, so no shadow caster is missed. Pure functions
+// in double precision. Units: metres, texels. Source: Zhang et al. 2006, "Parallel-Split Shadow Maps for
+// Large-Scale Virtual Environments" (the splits); Valient 2007, "Stable Rendering of Cascaded Shadow Maps",
+// ShaderX6 (spheres, whole texels).
 #pragma once
 
 #include <array>
@@ -36,8 +36,8 @@ struct SunScene {
     scene::Bounds bounds;
 };
 
-// One shadow map: a square of texels in parallel projection along the light, and the sphere that the map must
-// cover.
+// One shadow map: the sphere that the map must cover, and the square of texels that covers this sphere in a
+// parallel projection along the light.
 struct SunCascade {
     glm::dvec3 center{0};
     double radius_m = 0;
@@ -49,8 +49,9 @@ struct SunCascade {
     glm::dvec2 origin_texels{0};
 };
 
-// Splits the range from near_m to far_m into `count` parts and returns their ends, in metres. The ends are a
-// weighted mean of a split into equal ratios and a split into equal steps. The last end is `far_m`.
+// Splits the range from near_m to far_m into `count` parts and returns their ends, in metres. Each end is the
+// weighted mean of two values: the end if all parts had the same ratio of far to near distance, and the end
+// if all parts had the same length. The last end is `far_m`.
 [[nodiscard]] std::array<double, shared::kMostSunCascades> split_distances(double near_m, double far_m,
                                                                            uint32_t count);
 
@@ -58,7 +59,7 @@ struct SunCascades {
     uint32_t count = 0;
     std::array<SunCascade, shared::kMostSunCascades> cascades;
     shared::SunConstants constants{};
-    // View constants for passes with the view "sun(i)", by i.
+    // Element i has the view constants for passes with the view "sun(i)".
     std::array<shared::ViewConstants, shared::kMostSunCascades> views{};
 };
 // Computes all shadow maps of the sun for one camera. `aspect` is width / height of the picture.

@@ -1,6 +1,6 @@
-// Purpose: the contents of a PendingSwap, which can replace the running graph. It has a whole stage, or only
-// new values and pipelines if the new plan has the same structure as the running one, or neither if nothing
-// changed.
+// Purpose: the contents of a PendingSwap, which can replace the running graph. If the structure of the plan
+// changed, the parts contain a whole new `stage`. If only values or pipelines changed, they contain an
+// `amendment` for the running stage. If nothing changed, they contain neither.
 #pragma once
 
 #include <memory>

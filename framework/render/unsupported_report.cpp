@@ -20,7 +20,8 @@ std::set<std::string> drawn_lists(const FramePlan& plan) {
     return lists;
 }
 
-// Returns the names of materials as text, such as "glass", "water", "leaves", "ice" and 3 more.
+// Returns the names of materials for a message. If there are more than kMaxNamed, the text ends in a count of
+// the others, such as `and 3 more`.
 std::string names_of(const std::set<uint32_t>& materials, const scene::Scene& scene) {
     std::string names;
     size_t named = 0;

@@ -8,8 +8,8 @@
 namespace weft::render {
 
 // Returns warnings about the parts of the scene that the plan does not draw. S155 (at most once): the scene
-// has transparent objects and the plan draws surfaces, but no transparent ones. S157: the plan's light buffer
-// is too small for all lights that have an intensity.
+// has transparent objects; the plan draws other objects, but not the transparent ones. S157: the plan's light
+// buffer is too small for all lights with an intensity above 0.
 [[nodiscard]] Diagnostics report_unsupported(const FramePlan& plan, const scene::Scene& scene);
 
 }  // namespace weft::render

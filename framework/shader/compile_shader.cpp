@@ -30,8 +30,8 @@ struct StageFile {
     bool shared = false;  // True if the file is in the include root, such as fullscreen.vert.
 };
 
-// Index: ProgramKind. File extension of the shader. It is empty for a raster program, which has two files:
-// stage_files() chooses their names.
+// File extension of the shader for each ProgramKind. The extension is empty for a raster program, because it
+// has two files, whose names come from stage_files().
 constexpr std::array kExtensions{".comp", ".frag", ""};
 static_assert(kExtensions.size() == static_cast<size_t>(ProgramKind::raster) + 1);
 
@@ -140,8 +140,8 @@ void report(const InterfaceFaults& faults, const std::vector<CompiledStage>& sta
         FoundWord found{find_declaration(fault.subject, source, reader.sources()),
                         static_cast<uint32_t>(fault.subject.size())};
         if (fault.subject.empty()) found = find_words(fault.words, source, reader.sources());
-        // The words of the capability are not in the source. Then the cause may be GL_EXT_spirv_intrinsics,
-        // whose words start with "spirv_". With these words, a shader can request any capability.
+        // If the source has no GLSL word that leads to the rejected capability, search for words that start
+        // with "spirv_". They belong to GL_EXT_spirv_intrinsics, which can request any capability.
         if (found.position.line == 0 && fault.code == "W208")
             found = find_words("spirv_*", source, reader.sources());
         Diagnostic diagnostic = diagnostic_at(found.position, fault.code, fault.message);

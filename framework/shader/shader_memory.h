@@ -1,7 +1,7 @@
-// Purpose: keeps the compiled programs of a graph in memory, so that a reload compiles only changed shaders
-// again. For each program, the paths that its compilation searched are stored with it. The class also lists
-// all paths that the last load searched, even those that do not exist, so that a program can watch them for
-// changes. One thread at a time may use an object.
+// Purpose: keeps the compiled programs of a graph in memory, so that a reload compiles only changed shaders.
+// Each program is stored with the files that its compilation searched for. The class also lists all paths at
+// which the last load searched for files, even if no file exists there. An application can watch these paths
+// for changes. One thread at a time may use an object.
 #pragma once
 
 #include <filesystem>
@@ -32,8 +32,7 @@ class ShaderMemory {
     void add_files_of(const shader::SourceReader& reader);
     // Returns the absolute paths that were searched since the last call of begin().
     [[nodiscard]] const std::set<std::filesystem::path>& files() const { return files_; }
-    // Returns how many programs were requested from find() in total. misses() returns how many of these were
-    // not stored.
+    // Returns the number of calls of find(). misses() returns the number of calls that returned null.
     [[nodiscard]] uint64_t requests() const { return requests_; }
     [[nodiscard]] uint64_t misses() const { return misses_; }
 

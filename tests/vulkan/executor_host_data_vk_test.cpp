@@ -1,5 +1,5 @@
-// Purpose: tests that data from the host reach exactly the frame for which the program set them, with several
-// frames in flight.
+// Purpose: tests data from the host: parameters and uploads. The data that the program sets for a frame must
+// be visible in this frame and in no other frame, with several frames in flight.
 #include "tests/vulkan/executor_fixture.h"
 #include "weft/pass.h"
 
@@ -72,8 +72,9 @@ TEST_P(ParamsVk, reach_the_frame_they_were_given_for) {
 INSTANTIATE_TEST_SUITE_P(PushAndUniform, ParamsVk, testing::Bool(),
                          [](const auto& kind) { return kind.param ? "push" : "uniform"; });
 
-// A pass in C++ that uploads words to one port and fills another port. On purpose, it also tries to upload
-// one word too many and to write to a port that does not exist.
+// A pass in C++ that uploads words to one port and fills another port. On purpose, the pass also uploads one
+// word too many and uploads to a port that does not exist. The executor must ignore the extra word
+// and the upload to the missing port.
 struct UploadWords {
     static constexpr std::string_view kType = "upload_words";
     static constexpr std::array<PortDecl, 2> kPorts{Out{"words", Access::copy_write},

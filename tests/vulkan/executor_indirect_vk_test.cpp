@@ -60,8 +60,8 @@ constexpr uint32_t kIndirectSide = 8;
 
 class ExecutorIndirectDrawVk : public ExecutorTest {
  protected:
-    // Adds three passes: "write" writes the commands of two draws, "cull" removes the draw `culled` (2
-    // removes none), and "draw" executes the commands.
+    // Adds three passes: "write" writes the commands of the draws 0 and 1. "cull" sets the instance count of
+    // the draw `culled` to 0 (`culled` = 2 changes no draw). "draw" executes the commands.
     void add_passes(GraphBuilder& builder, uint32_t culled) {
         write_shader("write.comp", R"(
             layout(local_size_x = 2) in;

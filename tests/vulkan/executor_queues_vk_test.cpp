@@ -10,7 +10,8 @@ namespace {
 
 using test::GraphBuilder;
 
-// The calls of vkQueueSubmit that watched_submit() has recorded, and the call that it lets fail.
+// State of watched_submit(), which replaces vkQueueSubmit: `seen` are the recorded calls, from 0. The call
+// `fail_at` and all later calls fail and are not recorded.
 struct Submissions {
     struct One {
         std::vector<uint64_t> waits;
@@ -46,8 +47,8 @@ VKAPI_ATTR VkResult VKAPI_CALL never_reached(VkDevice, const VkSemaphoreWaitInfo
 
 class ExecutorQueuesVk : public ExecutorTest {
  protected:
-    // Makes a plan: the pass "fill" is on the first queue, "twice" on the second queue, and "read" on the
-    // first queue again.
+    // Makes a plan for one or two queues. With two queues, the passes "fill" and "read" are on the first
+    // queue, and the pass "twice" between them is on the second queue.
     FramePlan make_plan(uint32_t queues) {
         write_shader("fill.comp", R"(
             layout(local_size_x = 8, local_size_y = 8) in;
@@ -141,8 +142,8 @@ TEST_F(ExecutorQueuesVk, batches_signal_and_await_the_values_that_plans_document
         for (const QueueWait& wait : batches[batch].waits)
             if (frame > 0 || !wait.previous_frame)
                 waits.push_back(value(wait.batch, wait.previous_frame ? frame - 1 : frame));
-        // In the first frame, each batch also waits for the semaphore value 1. This value signals the end of
-        // the work before the first frame.
+        // In the first frame, each batch also waits for the value 1 of a separate semaphore. The first queue
+        // signals this value at the end of the work before the first frame.
         if (frame == 0) waits.push_back(1);
         EXPECT_EQ(one.waits, waits) << "frame " << frame << ", batch " << batch;
     }

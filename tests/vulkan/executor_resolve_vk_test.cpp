@@ -1,5 +1,5 @@
-// Purpose: tests the resolve of multisampled attachments at the end of a pass. The result is compared sample
-// by sample with edge functions that this file computes.
+// Purpose: tests the resolve of multisampled attachments at the end of a pass. Edge functions in this file
+// compute which samples the triangle covers. The expected value of each pixel follows from these samples.
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +17,8 @@ constexpr uint32_t kSamples = 4;
 struct Point {
     double x = 0, y = 0;
 };
-// Corners of the triangle in pixels. All corners are on the 1/256 grid to which rasterisers round, and no
-// edge passes through a sample.
+// Corners of the triangle in pixels. Rasterisers round corners to a grid of 1/256 pixel. These corners are on
+// the grid, so rounding does not move them. No edge passes through a sample.
 constexpr std::array<Point, 3> kCorners{Point{1.25, 2.0625}, Point{3.6875, 14.25}, Point{14.5625, 5.875}};
 // The standard sample locations of Vulkan for four samples per pixel.
 constexpr std::array<Point, kSamples> kSamplePoints{Point{0.375, 0.125}, Point{0.875, 0.375},

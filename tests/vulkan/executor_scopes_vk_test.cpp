@@ -1,5 +1,5 @@
-// Purpose: tests passes that share a rendering scope. They must draw in order, each with its own state, and
-// the attachments must be stored as the last pass of the scope declares.
+// Purpose: tests passes that share a rendering scope (vkCmdBeginRendering to vkCmdEndRendering). The passes
+// must draw in order, each with its own state. The scope must use the store operations of its last pass.
 #include <cmath>
 
 #include "tests/graph/compile/naive_plan.h"
@@ -83,7 +83,8 @@ class ExecutorScopesVk : public ExecutorTest {
     ImportCatalog imports_;
 };
 
-// Inside both scissors the result must be (x + y) * 3. Another order of the passes would give another value.
+// "base" writes x, "plus" adds y inside its scissor, and "times" multiplies by 3 inside its scissor. Inside
+// both scissors the result must be (x + y) * 3. Another order of the passes would give another value.
 TEST_F(ExecutorScopesVk, blends_in_one_scope_keep_their_order_and_their_scissors) {
     BlendState add, multiply;
     add.enabled = multiply.enabled = true;

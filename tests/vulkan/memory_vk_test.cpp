@@ -234,8 +234,8 @@ TEST(CreationInfo, follows_the_declaration) {
     EXPECT_EQ(info.mipLevels, 7u);
     EXPECT_EQ(info.arrayLayers, 6u);
     decl.image_kind = ImageKind::d2_array;
-    // A transient image may share memory with another image, but never its texels. So
-    // VK_IMAGE_CREATE_ALIAS_BIT is not needed.
+    // A transient image may share memory with another image, but no pass reads the texels of one image
+    // through the other image. So VK_IMAGE_CREATE_ALIAS_BIT is not needed.
     decl.lifetime = ResourceLifetime::transient;
     info = image_create_info(decl);
     EXPECT_EQ(info.flags, 0u);

@@ -18,8 +18,9 @@ void expect_valid(const ShaderProgram& program) {
         EXPECT_EQ(shader::spirv_fault(module.spirv), std::nullopt) << program.reference;
 }
 
-// Returns the interface of the changed program. Faults about push constants are expected: Weft requires the
-// name Params for a push constant block, but the added index is in a block with another name.
+// Returns the interface of a program that with_opaque_uniforms() changed. Faults about push constants are
+// expected: Weft requires the name Params for a push constant block, but with_opaque_uniforms() adds a push
+// constant block with another name for its index.
 ShaderInterface reflected(const ShaderProgram& program) {
     shader::InterfaceFaults faults;
     ShaderInterface interface = shader::reflect_program(program.modules, faults);

@@ -12,7 +12,8 @@
 namespace weft::vk {
 namespace {
 
-// Returns arbitrary content for an import. The numbers differ from word to word and from import to import.
+// Returns pseudo-random content for the import `name`. The same name and size always give the same content,
+// so that the results of two plans can be compared.
 std::vector<std::byte> content_of(const std::string& name, uint64_t size_bytes) {
     uint32_t state = 2166136261u;
     for (const char c : name) state = (state ^ static_cast<unsigned char>(c)) * 16777619u;

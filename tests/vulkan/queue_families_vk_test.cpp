@@ -107,8 +107,8 @@ TEST_F(QueueFamiliesVk, a_transfer_without_its_first_half_is_heard) {
     })) << (messages.empty() ? "nothing was heard" : messages[0].text);
 }
 
-// Plants a fault: a barrier on a transfer queue names the fragment shader stage. Returns false if the plan
-// has no such barrier.
+// Plants a fault: adds the fragment shader stage to a barrier on a transfer queue. A transfer queue does not
+// support this stage. Returns false if the plan has no barrier on a transfer queue.
 bool plant_fragment_stage(FramePlan& plan) {
     const Schedule& schedule = plan.schedule;
     for (Position position(0); position < schedule.queue.size(); ++position) {

@@ -49,9 +49,9 @@ DeviceProfile three_families() {
     return profile;
 }
 
-// Runs graphs with all features on one to four logical queues. Half of the plans assume three queue families
-// that the device may not have; all queues are mapped to those of the device. Three frames run, so that a
-// history of two frames is read.
+// Runs graphs with all features on one to four logical queues. Half of the plans assume a device with three
+// queue families. The real device may have fewer: the executor maps each logical queue of the plan to a queue
+// of the device. Three frames run, so that the third frame can read a history of two frames.
 TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
     constexpr uint32_t kFirstQueueSeed = 100;
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 200 : 36;

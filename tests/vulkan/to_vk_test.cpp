@@ -1,5 +1,5 @@
-// Purpose: tests the tables between Weft's enumerations and Vulkan's: they must be complete, and one-to-one
-// where this is necessary.
+// Purpose: tests the tables that convert Weft's enumerations to Vulkan's. Every enumerator must have a Vulkan
+// value. Two enumerators may have the same Vulkan value only where a test in this file allows it.
 #include "vulkan/device/to_vk.h"
 
 #include <gtest/gtest.h>

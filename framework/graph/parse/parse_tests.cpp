@@ -185,8 +185,8 @@ GraphTestDesc finished(ParseContext& context, TestDraft draft) {
     return std::move(draft.test);
 }
 
-// Returns the number of frames of all runs of a test together. A run without a given number of frames counts
-// as one frame, because the graph's number of frames may be an expression without a value yet.
+// Returns the total number of frames of all runs of a test. A test that gives no number of frames uses the
+// graph's number. This may be an expression without a value yet, so each run counts as one frame here.
 size_t stated_frames(const GraphTestDesc& test) {
     return test.swap.empty() ? test.tiers.size() * std::max(1u, test.frames)
                              : test.swap.size() * size_t{test.every};

@@ -10,8 +10,9 @@ namespace weft {
 
 // Returns a phrase such as "a read after a write".
 [[nodiscard]] const char* describe_reason(BarrierReason reason);
-// Returns the uses by `pass` for which the barrier waits: uses of the barrier's resource, or of the earlier
-// resources in the same memory if the barrier takes memory over from them.
+// Returns the uses by `pass` that overlap the barrier's range of its resource. If the barrier takes over
+// memory from other resources (`aliased_from`), returns the uses of these resources instead. Pipeline stages
+// are not compared.
 [[nodiscard]] std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& barrier,
                                                           PassId pass);
 [[nodiscard]] bool waits_for(const FramePlan& plan, const BarrierDecl& barrier, PassId pass);
@@ -23,8 +24,8 @@ namespace weft {
 // and the uses that are the reason. Returns an empty text for kNoId.
 [[nodiscard]] std::string describe_cause(const FramePlan& plan, uint32_t dependency);
 
-// Returns indented lines that tell which of the two resources takes over memory from the other, and at which
-// position; or that a third resource uses the memory in between.
+// Returns one indented line for each time that `a` or `b` takes over memory from the other. The line names
+// the schedule position. If neither does, the text says that a third resource uses the memory in between.
 [[nodiscard]] std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, ResourceId b);
 
 }  // namespace weft

@@ -71,8 +71,8 @@ std::string largest_at_peak(const FramePlan& plan) {
     return text;
 }
 
-// Creates a diagnostic about memory. Its source location is the largest resource among those that are alive
-// at the memory peak.
+// Creates a diagnostic about memory. Its source location is the declaration of the largest resource that is
+// alive at the memory peak.
 Diagnostic memory_fault(const FramePlan& plan, const std::string& file, std::string code,
                         std::string message) {
     const std::vector<ResourceId> live = live_at_peak(plan);

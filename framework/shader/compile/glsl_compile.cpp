@@ -16,8 +16,8 @@ IncludeAnswer refused(std::string why) {
     return {false, {}, std::move(why)};
 }
 
-// Returns the function that finds the text of an #include. The worker program and compilation in this process
-// both use it, so that the same rules apply.
+// Returns the function that finds the text of an #include. It is called in this process even if the worker
+// program compiles the stage, so the same rules apply with and without a worker.
 IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) {
     return [&reader, limits, followed = uint64_t{0},
             refusal = std::pair<std::string, std::string>()](const IncludeRequest& request) mutable {
@@ -29,8 +29,8 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
         if (lookup.source == nullptr) {
             // For #include "x", glslang asks twice: for a file beside the including file, then for a file in
-            // the include root. If the first file exists but must not be read, the reason for this helps the
-            // user more than "no such file" for the second.
+            // the include root. If the first file must not be read and the second does not exist, return the
+            // reason for the first file. It helps the user more than "no such file".
             if (lookup.refused) refusal = {request.name, lookup.reason};
             return refused(refusal.first == request.name ? refusal.second : lookup.reason);
         }

@@ -1,9 +1,10 @@
 // Purpose: compiles stages of GLSL to SPIR-V. This happens in the worker program, which has limits on memory
-// and processor time, or in this process. A SourceReader reads the included files. The worker starts with the
-// first stage and compiles all later stages, too; it is started again if it had to be killed. Binding numbers
-// and missing locations in the SPIR-V are provisional until link_stages() assigns them. Errors: W202 GLSL
-// error, W203 the included file does not exist or is outside the allowed folders, W207 the worker crashed or
-// exceeded its limits, X570 the worker cannot be started.
+// and processor time. If ShaderRoots::worker is empty, it happens in this process. A SourceReader reads the
+// included files. The worker starts with the first stage and compiles all later stages, too. If the worker
+// stopped or had to be killed, the next stage starts a new one. Binding numbers and missing locations in the
+// SPIR-V are provisional until link_stages() assigns them. Errors: W202 GLSL error, W203 the included file
+// does not exist or is outside the allowed folders, W207 the worker crashed or exceeded its limits, X570 the
+// worker cannot be started.
 #pragma once
 
 #include <cstdint>

@@ -142,8 +142,8 @@ Diagnostics parse_glsl_log(const std::string& log, const SourceReader& reader, c
         if (!text.starts_with(kErrorPrefix) || is_summary(text)) continue;
         diagnostics.push_back(
             to_diagnostic(parse_line(text.substr(kErrorPrefix.size()), reader, main), reader));
-        // Stop after the first error with a line number. glslang stops in that file, too, but continues in
-        // the including file with errors that only follow from the first.
+        // Stop after the first error with a line number. glslang stops reading the faulty file there, but
+        // continues in the file that includes it. Later errors only follow from the first error.
         if (diagnostics.back().line > 0) break;
     }
     if (diagnostics.empty()) {

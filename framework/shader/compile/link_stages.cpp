@@ -47,8 +47,8 @@ void move_to(CompiledStage& stage, ReflectedVariable& variable, uint32_t locatio
     if (variable.location_word) stage.spirv[*variable.location_word] = location;
 }
 
-// Assigns locations to the variables that have none, sorted by name. Each variable gets the lowest free
-// location that has enough free locations after it.
+// Assigns locations to the variables that have none, sorted by name. Each variable gets the lowest
+// consecutive free locations that suffice. For example, a mat4 needs four locations.
 void place_free_variables(CompiledStage& stage, std::vector<ReflectedVariable>& variables) {
     std::set<uint32_t> taken;
     std::vector<ReflectedVariable*> free;
@@ -108,7 +108,7 @@ void join_by_name(CompiledStage& stage, std::vector<ReflectedVariable>& inputs,
                           list_of(outputs)});
         stage.unplaced.erase(name);
         input.location_word.reset();
-        // The error is already reported; 0 makes the check of locations below skip this input.
+        // The error of this input is already reported. If `columns` is 0, check_inputs() skips the input.
         input.columns = 0;
     }
 }

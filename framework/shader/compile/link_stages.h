@@ -1,7 +1,7 @@
 // Purpose: gives the stages of one program matching binding numbers and locations. Resources of set 1 are
 // numbered by name over all stages, and used resources come first. Inputs and outputs without a location are
-// matched by name. Then every input must have an output of the same type. Only numbers inside the SPIR-V
-// change. Fault: W205.
+// matched by name. After this, every input of the fragment stage must have an output of the vertex stage with
+// the same location and type. Only numbers inside the SPIR-V change. Fault: W205.
 #pragma once
 
 #include <vector>

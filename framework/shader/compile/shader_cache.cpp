@@ -52,8 +52,8 @@ std::string pack_manifest(const SourceReader& reader) {
     return writer.payload();
 }
 
-// Returns true if every file that the manifest lists is unchanged. Then the reader has read the same texts as
-// a compilation would read.
+// Returns true if every file that the manifest lists is unchanged. The function reads the files with
+// `reader`. So if it returns true, `reader` has read the same texts as a compilation would read.
 bool still_so(const std::string& manifest, SourceReader& reader) {
     PayloadReader payload(manifest);
     const auto count = payload.number();

@@ -1,7 +1,7 @@
 // Purpose: stores compiled programs on disk, so that unchanged shaders are not compiled again. For each
-// shader, a manifest lists all files that its compilation searched (also those that do not exist), with
-// hashes of their texts. If all of them are unchanged, the SPIR-V is loaded; its file name is the hash of all
-// contents. If anything is missing, changed or damaged, the shader is compiled again.
+// shader, a manifest lists all files that its compilation searched for (also those that do not exist), with
+// hashes of their texts. If all of them are unchanged, the SPIR-V is loaded from a second file, whose name is
+// the result of content_hash_of(). If anything is missing, changed or damaged, the shader is compiled again.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ namespace weft::shader {
 
 // Loads a program from the cache; returns nullopt if the cache does not contain it. Only the reference, the
 // modules and the content hash are set; the interface must be computed by reflection. The SPIR-V is not
-// validated yet. `reader` must be new; if a program is returned, `reader` has read the same texts as a
-// compilation would read.
+// validated yet. `reader` must not have read any file before the call. If a program is returned, `reader` has
+// read the same texts as a compilation would read.
 [[nodiscard]] std::optional<ShaderProgram> load_cached(const std::string& reference, ProgramKind kind,
                                                        const ShaderRoots& roots, SourceReader& reader);
 

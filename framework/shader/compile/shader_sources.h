@@ -29,7 +29,7 @@ struct SourceProbe {
 // The text that was found, or the reason why no text was found.
 struct SourceLookup {
     const SourceText* source = nullptr;
-    bool refused = false;  // True if the file exists or may exist, but must not be read.
+    bool refused = false;  // True if the file may exist, but is not read. Example: the path contains "..".
     std::string reason;
 };
 
@@ -46,11 +46,11 @@ class SourceReader {
     // then the include root. #include <x.glsl> searches only the include root.
     [[nodiscard]] SourceLookup read_include(const std::string& requested, const std::string& includer,
                                             bool beside);
-    // Searches the file of an earlier probe again. Returns true if the result is the same.
+    // Searches for the file of an earlier probe again. Returns true if the result is the same as in `probe`.
     [[nodiscard]] bool still_so(const SourceProbe& probe);
 
     [[nodiscard]] const std::vector<SourceProbe>& probes() const { return probes_; }
-    // Returns the absolute paths of all files that were searched, also of those that do not exist. For a
+    // Returns the absolute paths at which the reader searched for files, even if no file exists there. For a
     // symbolic link, the list also contains its target.
     [[nodiscard]] const std::vector<std::filesystem::path>& places() const { return places_; }
     [[nodiscard]] std::vector<const SourceText*> sources() const;

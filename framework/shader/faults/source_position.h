@@ -13,7 +13,8 @@
 namespace weft::shader {
 
 struct SourceText {
-    // Name of the file in the compiler: its path below the root folder, made unique within a program.
+    // Name under which glslang knows the file: its path below the root folder. If another file of the program
+    // has the same name, "@" and the index of the root folder are added, such as "noise.glsl@1".
     std::string name;
     std::string path;  // Path of the file in messages to the user.
     std::string text;
@@ -30,10 +31,9 @@ struct SourcePosition {
     uint32_t column = 0;
 };
 
-// Finds the position where a name is declared, by searching the text. This is the first occurrence of the
-// name as a whole word, outside comments, before a character that can end a declarator (";", "[", "=" or
-// "{"). The function searches `first`, then the other files. If it finds nothing, it returns `first` with
-// line 0.
+// Finds the position where a name is declared, by searching the text. The function takes the first occurrence
+// of the name that is a whole word outside comments, and that ";", "[", "=" or "{" follows. It searches
+// `first`, then the other files. If it finds nothing, it returns `first` with line 0.
 [[nodiscard]] SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                               const std::vector<const SourceText*>& others);
 

@@ -70,9 +70,9 @@ class CapabilityCheck {
         fault(std::string("the capability ") + row->name + ", " + why, row->words, remedy);
     }
 
-    // Reports an extension that is not in kExtensions. This list contains the extensions of all allowed
-    // capabilities. If another error was already reported, nothing is added, because the rejected capability
-    // explains the extension.
+    // Reports an extension that is not in kExtensions. kExtensions contains the extensions of all allowed
+    // capabilities. If an error was already reported, nothing is added: the shader probably needs the
+    // extension for the rejected capability, so a second error would not help the user.
     void extension(const std::string& name) {
         if (!faults_.empty() || std::ranges::find(kExtensions, name) != kExtensions.end()) return;
         fault("the SPIR-V extension " + name + ", which Weft does not support", words_of_extension(name),
@@ -87,8 +87,8 @@ class CapabilityCheck {
 
  private:
     // Returns the GLSL words that may lead to a SPIR-V extension. For example, SPV_AMD_gcn_shader comes from
-    // "#extension GL_AMD_gcn_shader". The vendor prefix can differ between the two, so other prefixes are
-    // included.
+    // "#extension GL_AMD_gcn_shader". The GLSL extension can have another prefix than the SPIR-V extension,
+    // so the names with GL_EXT, GL_ARB and GL_KHR are included, too.
     static std::string words_of_extension(const std::string& name) {
         const size_t maker_end = name.find('_', 4);
         if (!name.starts_with("SPV_") || maker_end == std::string::npos) return {};
@@ -112,7 +112,8 @@ class CapabilityCheck {
     std::set<std::string> said_;
 };
 
-// Checks for uses that need a device feature in Vulkan although SPIR-V has no capability for them.
+// Rejects shared variables with an initial value. They need a device feature in Vulkan, but SPIR-V has no
+// capability for them, so CapabilityCheck cannot reject them.
 class FeatureCheck {
  public:
     FeatureCheck(ShaderStage stage, InterfaceFaults& faults) : stage_(stage), faults_(faults) {}

@@ -100,8 +100,9 @@ uint32_t array_count(spvc_compiler compiler, spvc_type type, bool& is_runtime) {
 
 namespace {
 
-// Returns the distance in bytes from one array element to the next. For an array of arrays, SPIR-V states the
-// stride of the outermost dimension, so it is divided by the lengths of the inner dimensions.
+// Returns the distance in bytes from one array element to the next. For an array of arrays, SPIRV-Cross
+// returns the stride of the outermost dimension. The function divides this stride by the lengths of the inner
+// dimensions.
 uint32_t element_stride(spvc_compiler compiler, spvc_type block, spvc_type type, unsigned index) {
     const unsigned dimensions = spvc_type_get_num_array_dimensions(type);
     unsigned stride = 0;

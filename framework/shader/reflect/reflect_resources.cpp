@@ -82,9 +82,9 @@ void Reflector::describe_image(ReflectedBinding& reflected, spvc_type type) {
                                                      : NumericClass::float_like;
 }
 
-// Finds out whether the shader can read and write the resource. NonReadable is `writeonly` in GLSL, and
-// NonWritable is `readonly`. SPIRV-Cross reports such a decoration of a block only if all its members have
-// it.
+// Finds out whether the shader can read the resource, and whether it can write it. The GLSL qualifier
+// `writeonly` becomes NonReadable in SPIR-V, and `readonly` becomes NonWritable. For a block, SPIRV-Cross
+// reports one of these decorations only if all members of the block have the decoration.
 void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, bool is_buffer) {
     bool non_readable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonReadable) == SPVC_TRUE;
     bool non_writable = spvc_compiler_has_decoration(compiler_, id, SpvDecorationNonWritable) == SPVC_TRUE;
@@ -100,7 +100,8 @@ void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, boo
     binding.reads = !non_readable;
     binding.writes = !non_writable;
     // Writing in the vertex stage needs the device feature vertexPipelineStoresAndAtomics. SPIR-V has no
-    // capability for this feature, and Weft does not enable it on any device, so it is checked here.
+    // capability for this feature, so the SPIR-V gate cannot reject the shader. Weft does not enable the
+    // feature on any device.
     if (binding.writes && result_.stage == ShaderStage::vertex && used_.contains(id))
         fault(binding.name, "the vertex stage can write to \"" + binding.name + "\"",
               "declare \"" + binding.name + "\" as `readonly`, or write in a fragment or compute stage");

@@ -156,8 +156,8 @@ void Reflector::reflect_execution() {
         result_.writes_point_size = spvc_compiler_has_active_builtin(compiler_, SpvBuiltInPointSize,
                                                                      SpvStorageClassOutput) == SPVC_TRUE;
     }
-    // A work group size from specialisation constants (LocalSizeId) is returned here, too, with the default
-    // values of the constants.
+    // If specialisation constants set the work group size (LocalSizeId), SPIRV-Cross returns the size for the
+    // default values of the constants.
     for (unsigned i = 0; i < 3 && result_.stage == ShaderStage::compute; ++i) {
         result_.local_size[i] =
             spvc_compiler_get_execution_mode_argument_by_index(compiler_, SpvExecutionModeLocalSize, i);

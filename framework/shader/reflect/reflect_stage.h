@@ -21,7 +21,8 @@ using WordIndex = std::optional<uint32_t>;
 struct ReflectedBinding {
     ShaderBinding binding;
     bool is_params = false;  // True for a uniform block that is named Params.
-    // True if main() can reach a use of the resource for some value of the specialisation constants.
+    // True if main() uses the resource, directly or in a function that it calls. A use in a branch that only
+    // some values of a specialisation constant take counts, too.
     bool used = false;
     WordIndex set_word;
     WordIndex binding_word;

@@ -1,7 +1,7 @@
-// Checks the memory of a module's variables, and the depth of its types and calls. A driver then never gets
-// an array such as `float s[1 << 28]` or a chain of 50,000 functions. Private memory is counted for one
-// invocation, as if every call were inlined, because drivers do this. Sums that exceed 64 bits become the
-// largest number.
+// Checks the memory of a module's variables, and the depth of its types and calls. So a driver never gets an
+// array such as `float s[1 << 28]` or a chain of 50,000 functions. Private memory is counted for one
+// invocation. A function counts once for each call, because drivers inline calls. Sums that exceed 64 bits
+// become UINT64_MAX.
 #include <spirv.h>
 
 #include <algorithm>

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kGlslVersion = 460;
 constexpr const char* kPortSetText = "1";
-// This number is part of the cache key. Increase it when a change of the options below changes the SPIR-V of
-// the same text.
+// This number is part of the cache key. Increase it if you change the options below and the same GLSL then
+// gives different SPIR-V.
 constexpr int kOptionsRevision = 1;
 
 // Initialises glslang at the first call, once per process. Initialising a static variable is thread-safe.

@@ -1,8 +1,8 @@
 // Purpose: compiles the text of one stage to SPIR-V with glslang. A callback supplies included files, and no
 // file is opened here. glslang does not limit memory or time: a few hundred bytes of macros can use
-// gigabytes, and deep nesting can overflow the stack. Therefore the worker program calls this function with
-// limits (shader/worker), and all other code uses glsl_compile.h. Binding numbers and missing locations are
-// provisional until link_stages(). Errors are in `log`, in the format of glslang.
+// gigabytes, and deep nesting can overflow the stack. Therefore the worker program (shader/worker) limits
+// itself before it calls run_glslang(), and all other code uses glsl_compile.h. Binding numbers and missing
+// locations are provisional until link_stages() assigns them. Errors are in `log`, in the format of glslang.
 #pragma once
 
 #include <cstddef>

@@ -20,12 +20,13 @@
 namespace weft::shader {
 namespace {
 
-// Largest size of a request. Requests come from the trusted parent process, so this limit only catches
-// mistakes.
+// Largest size in bytes of a message from the parent process. The worker trusts the parent process, so this
+// limit only catches mistakes.
 constexpr uint64_t kMostFrameBytes = 1ull << 31;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-// Sanitizers reserve terabytes of address space, so the caller watches the resident memory instead.
+// Sanitizers reserve terabytes of address space, so the worker cannot limit its address space. The parent
+// process watches the resident memory of the worker instead (WorkerProcess).
 constexpr bool kCanLimitAddresses = false;
 #else
 constexpr bool kCanLimitAddresses = true;

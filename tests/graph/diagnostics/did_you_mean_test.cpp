@@ -12,7 +12,8 @@
 namespace weft {
 namespace {
 
-// Returns the optimal string alignment distance, from the whole table.
+// Returns the optimal string alignment distance. Fills the whole table of distances; did_you_mean() fills
+// only a part of its table.
 size_t full_distance(const std::string& a, const std::string& b) {
     std::vector<std::vector<size_t>> table(a.size() + 1, std::vector<size_t>(b.size() + 1));
     for (size_t i = 0; i <= a.size(); ++i) {

@@ -76,7 +76,7 @@ void check_mutants(const std::string& original) {
     std::mt19937 random(kSeed);
     int faulty = 0;
     for (int i = 0; i < kMutants && !::testing::Test::HasFailure(); ++i) {
-        // Failures name the number of the mutant.
+        // With each failure, gtest prints the number `i` of the mutant.
         SCOPED_TRACE(i);
         const std::string text = mutate(original, random);
         const Result<GraphDesc> result = parse_text(text);

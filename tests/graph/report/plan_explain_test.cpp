@@ -30,7 +30,8 @@ TEST(ExplainRandom, CulledIsWhoDoesNotRun) {
             const Result<std::string> answer = explain_culled(plan, plan.graph.passes[pass].name);
             ASSERT_TRUE(answer.ok());
             EXPECT_EQ(has(*answer, " is not culled"), plan.live.live_passes[pass] != 0) << *answer;
-            // A live pass either has a side effect or writes the output, or another pass needs it.
+            // For a live pass, the answer must give one of three reasons: another pass needs its result,
+            // the pass writes the output, or the pass has a side effect.
             EXPECT_TRUE(!plan.live.live_passes[pass] || has(*answer, "needs its result") ||
                         has(*answer, "the output") || has(*answer, "side effect"))
                 << *answer;

@@ -6,8 +6,8 @@
 namespace weft::test {
 namespace {
 
-// Returns a graph with two chains: make → shade → the output, and ao → blur. No pass reads the output of
-// blur.
+// Returns a graph with two chains: make → shade → the output, and make → ao → blur. No pass reads the output
+// of blur.
 ResolvedGraph frame() {
     GraphBuilder b;
     const ResourceId gbuffer = b.image("gbuffer"), ssao = b.image("ssao"), blurred = b.image("blurred");

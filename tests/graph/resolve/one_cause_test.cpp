@@ -14,8 +14,8 @@ class OneCause : public ResolveTest {
         shaders["show.frag"] = fragment({"backbuffer"}, {sampled("src")});
     }
 
-    // Returns a graph whose passes filter the mip levels of an image downwards and then upwards. The first
-    // downward pass reads `source`.
+    // Returns a graph whose passes filter the mip levels of the image "bloom" downwards and then upwards.
+    // The repeated pass "down" reads the mip levels of `source`: "bloom", or a version such as "bloom@down".
     static std::string chain(const std::string& source) {
         return R"j("imports": {"backbuffer": "output"}, "resources": {"hdr": "rgba16f", "bloom": {"format": "rgba16f", "mips": 5}},
           "passes": {

@@ -146,8 +146,8 @@ TEST_F(ResolveConditions, APinOfADroppedPassFollowsItsOwnPin) {
 "pinned": {"type": "readback", "in": ["x@fog"]}})j";
     };
     EXPECT_EQ(seen(good(body(R"j(["x@maker"])j")), "pinned", "x"), "maker");
-    // The input of `fog` has several writers and no pin. So resolve() cannot know which version replaces the
-    // output of the removed pass `fog`.
+    // Several passes write "x", and the input of the removed pass `fog` has no pin such as "x@maker". So
+    // resolve() cannot know which version of "x" replaces the output of `fog`.
     const Diagnostic d = bad(body(R"j(["x"])j"));
     EXPECT_EQ(d.code, "W123");
     EXPECT_EQ(d.line, 5u);

@@ -1,5 +1,5 @@
-// Tests expressions in every place of a graph that allows a number, formats that are common to all tiers, and
-// the work that a change of a parameter causes.
+// Tests expressions in the places of a graph that allow a number, for example in pipeline states and clear
+// values. Also tests ParamCost: the work that a change of a parameter causes.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {

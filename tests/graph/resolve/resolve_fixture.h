@@ -37,7 +37,8 @@ inline ImportCatalog fake_imports() {
     return catalog;
 }
 
-// Returns the profile of an imaginary device that supports all pipeline state and every usage of each format.
+// Returns the profile of an imaginary device that supports all pipeline state and the usual features of each
+// format. For example, sRGB formats have no storage, and integer formats have no blending.
 inline DeviceProfile fake_profile() {
     namespace ff = format_feature;
     DeviceProfile profile;
@@ -128,8 +129,8 @@ class ResolveTest : public ::testing::Test {
         return none;
     }
 
-    // Returns the names of the passes that wrote the content that the port reads, in the order of the ranges,
-    // such as "a b". Content from before the frame appears as "before".
+    // Returns the names of the passes that wrote the content that the port reads, such as "a b": one name for
+    // each subresource range in the port's sources. Content from before the frame appears as "before".
     static std::string seen(const ResolvedGraph& graph, const char* pass, const char* port) {
         std::string text;
         for (const VersionSource& s : use(graph, pass, port).sources) {

@@ -130,8 +130,8 @@ TEST_F(ResolveRepeat, ConditionsMaySpeakOfTheIndex) {
     EXPECT_EQ(names(g), (std::vector<std::string>{"p#1", "p#3"}));
 }
 
-// Returns a graph with an image of six layers. Repeated pass "p" writes one layer per frame (`perFrame`).
-// `keys` are further members of the image.
+// Returns a graph with an image of six layers and the repeated pass "p" with `perFrame`: frame 0 runs
+// all iterations, and each later frame runs one iteration. `keys` are further members of the image.
 std::string slices(const std::string& keys, const std::string& repeat = R"j("repeat": {"i": "0..5"}, )j") {
     return R"j("resources": {"x": {"format": "rgba16f", "layers": 6)j" + keys + R"j(}}, "passes": {
       "p": {"type": "compute", "shader": "make.comp", )j" +

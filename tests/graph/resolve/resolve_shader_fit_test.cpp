@@ -140,8 +140,9 @@ TEST_F(ResolveShaderFit, ViewportsLieWhereTheDeviceHasSome) {
     EXPECT_FALSE(viewport("[0, 4096, 1, 4096]"));
 }
 
-// A fullscreen pass may leave some texels undrawn. Then the attachment must be cleared, so that it does not
-// show data of the resource that used the memory before.
+// With some pipeline states, for example a scissor, a fullscreen pass leaves texels undrawn. Then the
+// attachment must be cleared. Otherwise these texels would show data of the resource that used the memory
+// before.
 TEST_F(ResolveShaderFit, AFullscreenPassThatMayLeaveTexelsOutIsCleared) {
     shaders["s"] = fragment({"color"});
     shaders["s"].interface.writes_point_size = true;

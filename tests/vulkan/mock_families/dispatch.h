@@ -1,6 +1,6 @@
-// Purpose: state of the layer: the functions of the next layer for each instance and device, and the
-// simulated queues. The objects behind all handles of one instance or device begin with the same pointer (the
-// loader's dispatch table). This pointer is the key of the state.
+// Purpose: state of the Vulkan layer in layer.cpp: the functions of the next layer for each instance and
+// device, and the simulated queues. The objects behind all handles of one instance or device begin with the
+// same pointer (the loader's dispatch table). This pointer is the key of the state.
 #pragma once
 
 #include <vulkan/vulkan.h>

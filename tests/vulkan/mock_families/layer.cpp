@@ -1,8 +1,8 @@
 // Purpose: a Vulkan layer for tests on a driver with one queue family. The layer reports three families with
 // one queue each: family 0 supports graphics, compute and transfer; family 1 compute and transfer; family 2
-// only transfer. The driver below the layer uses only its own queue. The validation layer above checks
-// ownership transfers, sharing and the capabilities of each queue. tests/vulkan/queue_families_vk_test.cpp
-// loads the layer.
+// only transfer. The layer submits all work to the only queue of the driver. The validation layer is above
+// this layer and sees three families, so it checks ownership transfers, sharing and the capabilities of each
+// queue. tests/vulkan/queue_families_vk_test.cpp loads the layer.
 #include <vulkan/vk_layer.h>
 
 #include <algorithm>
@@ -44,7 +44,8 @@ template <class Link, VkStructureType Type>
 Link* find_link(const void* chain) {
     for (auto* at = static_cast<const VkBaseInStructure*>(chain); at != nullptr; at = at->pNext) {
         if (at->sType != Type) continue;
-        // The link is not constant, because every layer must advance the loader's chain to the next layer.
+        // The chain is const in Vulkan's functions. But every layer must change the loader's link, so that
+        // the link points to the next layer. So const_cast is necessary here.
         auto* link = const_cast<Link*>(reinterpret_cast<const Link*>(at));
         if (link->function == VK_LAYER_LINK_INFO) return link;
     }

@@ -8,12 +8,12 @@ namespace weft {
 namespace {
 
 constexpr int32_t kLineHeight_px = 6;
-// Maximum number of dummy nodes, at which edges bend. If a graph needs more, its longest edges are drawn as
-// straight lines, because nobody can follow so many lines by eye.
+// Maximum number of dummy nodes in a graph. If a graph needs more, its longest edges get none and are drawn
+// as straight lines, because nobody can follow so many lines by eye.
 constexpr size_t kMostDummyNodes = 6000;
 
-// Assigns a layer to each box: the length of the longest path to it. A box without incoming edges goes
-// directly before its first reader.
+// Assigns a layer to each box: the length of the longest path to it. Exception: a box without incoming edges
+// gets the layer directly before the first layer to which one of its edges leads.
 std::vector<uint32_t> find_layers(size_t boxes, const std::vector<LayoutEdge>& edges) {
     std::vector<uint32_t> layer(boxes, 0), before(boxes, 0);
     std::vector<std::vector<uint32_t>> after(boxes);
@@ -38,8 +38,8 @@ std::vector<uint32_t> find_layers(size_t boxes, const std::vector<LayoutEdge>& e
     return layer;
 }
 
-// Returns the largest number of layers that an edge may cross and still get dummy nodes. Longer edges are
-// drawn as straight lines.
+// Returns the largest span of an edge that still gets dummy nodes. The span is the layer of `to` minus the
+// layer of `from`. Edges with a larger span are drawn as straight lines.
 uint32_t longest_span(const std::vector<uint32_t>& layer, const std::vector<LayoutEdge>& edges) {
     std::map<uint32_t, size_t> by_span;
     for (const LayoutEdge& e : edges) ++by_span[layer[e.to] - layer[e.from]];
@@ -58,8 +58,8 @@ void connect(LayeredGraph& graph, uint32_t a, uint32_t b) {
     graph.nodes[b].before.push_back(a);
 }
 
-// Creates dummy nodes: an edge that crosses a layer bends at a dummy node there. All edges from one box share
-// the dummy node of each layer and separate only where they arrive.
+// Creates the dummy nodes of an edge, one in each layer between its two boxes. All edges from one box share
+// the dummy node in a layer. So they run together, and each one leaves only directly before its target box.
 class DummyNodes {
  public:
     explicit DummyNodes(LayeredGraph& graph) : graph_(graph) {}
@@ -86,8 +86,8 @@ class DummyNodes {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> known_;
 };
 
-// Returns how many edges cross between `layer` and the next layer. This is the number of inversions in the
-// order of the edges' ends, counted with a Fenwick tree.
+// Returns how many pairs of edges between `layer` and the next layer cross each other. This is the number of
+// inversions in the order of the edges' ends, counted with a Fenwick tree.
 size_t crossings(const LayeredGraph& graph, const std::vector<uint32_t>& layer,
                  const std::vector<uint32_t>& place) {
     std::vector<uint32_t> ends;
@@ -123,8 +123,8 @@ size_t all_crossings(const LayeredGraph& graph) {
     return count;
 }
 
-// Sorts the nodes of a layer by the average position of their neighbours in the previous or next layers. A
-// node without such neighbours keeps its position as sort key.
+// Sorts the nodes of a layer by the average position of their neighbours in the previous layer (`by_before`)
+// or in the next layer. A node without such neighbours is sorted by its own current position.
 void sort_layer(LayeredGraph& graph, std::vector<uint32_t>& layer, bool by_before,
                 std::vector<uint32_t>& place) {
     std::vector<std::pair<double, uint32_t>> keyed;

@@ -19,7 +19,7 @@ struct LayerNode {
 struct LayeredGraph {
     std::vector<LayerNode> nodes;               // First all boxes, then the dummy nodes of edges.
     std::vector<std::vector<uint32_t>> layers;  // The nodes of each layer, from top to bottom.
-    // Index: edge. The dummy nodes on its path, at which it bends; empty if the edge is a straight line.
+    // Index: edge. The dummy nodes on the edge's path, in order; empty if the edge is a straight line.
     std::vector<std::vector<uint32_t>> ways;
 };
 

@@ -22,8 +22,9 @@ struct Block {
     [[nodiscard]] double mean() const { return sum / weight; }
 };
 
-// Returns the ascending positions with the smallest weighted squared distance to the wanted positions
-// (isotonic regression). The caller has already subtracted the minimum distances between nodes.
+// Returns ascending positions that are as close as possible to the wanted positions: the weighted sum of the
+// squared distances is minimal (isotonic regression). Equal positions are allowed, because the caller
+// subtracts the minimum distances between the nodes before the call and adds them again after it.
 std::vector<double> settle(const std::vector<double>& wanted, const std::vector<double>& weights) {
     std::vector<Block> blocks;
     for (size_t i = 0; i < wanted.size(); ++i) {

@@ -26,9 +26,9 @@ class Occupied {
           rows_(drawing.y / kSquare_px + 1),
           owners_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), kFree) {}
 
-    // Marks the squares of an area as occupied by `path`. All paths with the same name use one number. If
-    // `path` is kNoId, the area belongs to a box or to the text of a name, so no other name may be written
-    // there. A square that paths of two names occupy gets kNoId too.
+    // Marks the squares of an area as occupied by `path`. This is the index of the first path with the same
+    // name, so paths with equal names use one number. Box areas and the areas of placed names use kNoId
+    // instead: no name may be written there. A square that two different numbers occupy gets kNoId too.
     void take(const AreaPx& area, uint32_t path) {
         for_squares(area, [&](size_t square) {
             const uint32_t owner = owners_[square];
@@ -137,7 +137,8 @@ std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                        const std::vector<AreaPx>& boxes, PointPx drawing) {
     Occupied occupied(drawing);
     for (const AreaPx& box : boxes) occupied.take(box, kNoId);
-    // The index of the first path with each name. Paths with equal names may touch the placed name.
+    // Value: index of the first path with this name. Paths with equal names share this number as their owner,
+    // so that the name may be placed where these paths run.
     std::map<NameChoices, uint32_t> by_name;
     std::vector<uint32_t> owner;
     for (uint32_t i = 0; i < paths.size(); ++i) {

@@ -41,8 +41,8 @@ struct EdgeName {
 using NameChoices = std::vector<std::string>;
 
 // Returns the name of each edge with its place. Earlier edges choose their place first. A name lies on its
-// own path and touches no box, no path with another name, and no other name. If several paths with the same
-// name pass through the placed name, only the first path gets it.
+// own path and touches no box, no path with another name, and no other name. A path gets no name if it passes
+// through the placed name of an earlier path and both names are equal.
 [[nodiscard]] std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                                      const std::vector<NameChoices>& names,
                                                      const std::vector<AreaPx>& boxes, PointPx drawing);

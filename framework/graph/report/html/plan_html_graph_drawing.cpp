@@ -110,7 +110,7 @@ class GraphDrawing {
     }
 
     // Creates the paths of all links: first reads within the frame, then reads of earlier frames, then all
-    // other links.
+    // other links. Reads come first because earlier paths choose the place of their name first.
     void find_ways() {
         for (const auto& [history, raw] : {std::pair{false, true}, {true, true}, {false, false}}) {
             int32_t lane = 0;

@@ -108,8 +108,8 @@ class LifetimeDrawing {
                             {"y", y_px + 2},
                             {"width", right_px - left_px},
                             {"height", kRow_px - 4}});
-        // A resource that no pass reads gets a border around its whole row. A normal bar would be hidden if
-        // only one pass uses the resource.
+        // If no pass reads the resource, its bar is nearly as high as the row and looks like a border. A
+        // normal, thinner bar would be hidden behind the cell if only one pass uses the resource.
         const int32_t bar_px = row.unread ? kRow_px - 4 : 8, over_px = row.unread && !frame ? 3 : 0;
         out_.empty("rect", {{"class", "bar"},
                             {"x", left_px - over_px},

@@ -10,8 +10,9 @@
 namespace weft {
 namespace {
 
-// Returns the passes for which a barrier waits: the pass that the barrier names, or else all passes whose
-// uses of the barrier's memory are in its source stages.
+// Returns the passes for which a barrier waits. This is the pass `from` of the barrier if `from` is set.
+// Otherwise it is every live pass that uses the barrier's memory in one of the barrier's source stages; but
+// it is no pass if the barrier is in the prologue or has the reason `acquire_import`.
 std::vector<PassId> waited_for(const PlanPage& page, const BarrierItem& item) {
     const BarrierDecl& barrier = *item.barrier;
     if (barrier.from != kNoId) return {barrier.from};

@@ -32,8 +32,8 @@ auto edge_order(const EdgeItem& e) {
 }
 
 // Finds, for each cell of a resource, the passes whose writes can still be there at the end of a frame. A
-// later writer replaces earlier ones. Exception: of the frame slices of a `perFrame` repeat, each may have
-// been the last one that ran, so all are kept.
+// later writer replaces earlier ones. Exception: a frame may skip a pass of a `perFrame` repeat, so such a
+// pass replaces no earlier writer and is only added to the list.
 class LastWriters {
  public:
     LastWriters(const FramePlan& plan, ResourceId resource, const std::vector<SubresourceRange>& read)
@@ -81,7 +81,8 @@ struct PastRead {
 // Adds an edge for each read of content from an earlier frame: from the pass that wrote the content last to
 // the pass that reads it.
 void add_history(const FramePlan& plan, std::vector<EdgeItem>& edges) {
-    // Key: the ring's resource of age 0. Value: all reads of content that the ring kept from earlier frames.
+    // The copies of a persistent resource form a ring, see ResourceDecl::ring. Key: the ring's resource of
+    // age 0. Value: all reads of content that the ring kept from earlier frames.
     std::map<ResourceId, std::vector<PastRead>> reads;
     for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)
         for (const UseDecl& use : plan.graph.passes[pass].uses) {

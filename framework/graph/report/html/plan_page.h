@@ -22,7 +22,7 @@ struct BarrierItem {
 };
 
 // All dependencies of one kind between two passes, shown as one edge: `to` must run after `from`. `resources`
-// are the resources that are the reason.
+// lists the resources that cause these dependencies.
 struct EdgeItem {
     PassId from = kNoId;
     PassId to = kNoId;
@@ -67,7 +67,8 @@ struct PageColumns {
 struct PlanPage {
     const FramePlan* plan = nullptr;
     PlanPageInfo info;
-    // All barriers: the prologue's, then by position, then the epilogue's.
+    // All barriers: first those of the prologue, then those of the passes in schedule order, then those of
+    // the epilogue.
     std::vector<BarrierItem> barriers;
     std::vector<EdgeItem> edges;      // All edges, sorted by history, from, to and kind.
     std::vector<RepeatItem> repeats;  // Repeats with many iterations.
@@ -100,8 +101,8 @@ struct PlanPage {
 // Returns true if live passes write the resource but none reads it, in this frame or a later one. Returns
 // false for an import, because the program outside the graph may read it.
 [[nodiscard]] bool has_no_reader(const PlanPage& page, ResourceId resource);
-// Returns the barriers at a place, as indices into PlanPage::barriers. With `before_pass` or `after_pass`,
-// they belong to the pass at `position`.
+// Returns the barriers at a place, as indices into PlanPage::barriers. For `before_pass` and `after_pass`,
+// `position` is the schedule position of the pass. For `prologue` and `epilogue`, `position` is kNoId.
 [[nodiscard]] std::vector<size_t> barriers_at(const PlanPage& page, BarrierPlace place, Position position);
 [[nodiscard]] const std::string& pass_at(const FramePlan& plan, Position position);
 

@@ -14,8 +14,9 @@ constexpr int32_t kLeastHeight_px = 96;
 constexpr int32_t kLeastBlock_px = 6;
 constexpr int32_t kLeastTick_px = 24;  // Minimum distance between two ticks.
 
-// Returns the height of a heap's drawing. It is large enough to show the smallest block with kLeastBlock_px,
-// unless this exceeds kMostHeight_px; then it is kHeight_px.
+// Returns the height of a heap's drawing: at least kHeight_px, and large enough that the smallest block is
+// kLeastBlock_px high. If this needs more than kMostHeight_px, returns kHeight_px; then place_blocks()
+// enlarges the small blocks.
 int32_t scale_height_px(const MemoryPlan& memory, uint32_t heap) {
     const uint64_t heap_bytes = memory.heaps[heap].size_bytes;
     uint64_t least_bytes = heap_bytes;
@@ -40,8 +41,8 @@ bool alive_together(const FramePlan& plan, const BlockPlace& a, const BlockPlace
 }
 
 // Moves enlarged blocks apart, so that blocks alive at the same time do not overlap. First each block moves
-// below the blocks above it; then blocks beyond the end of the heap move up again. `blocks` are sorted by
-// offset.
+// down, below the blocks with a smaller offset. Then blocks beyond the end of the heap move up again, and so
+// do the blocks above them. `blocks` holds only enlarged blocks, sorted by offset.
 void separate(const FramePlan& plan, const ByteScale& scale, std::vector<BlockPlace>& blocks) {
     for (size_t i = 0; i < blocks.size(); ++i)
         for (size_t above = 0; above < i; ++above)

@@ -30,8 +30,8 @@ struct BlockPlace {
     bool enlarged = false;  // True if the block is drawn larger than to scale.
 };
 
-// Returns the scale of each heap. All heaps use the scale of the largest heap; a heap that would be too low
-// gets the minimum height.
+// Returns the scale of each heap. All heaps use the pixels per byte of the largest heap. Exception: a small
+// heap is drawn with a minimum height.
 [[nodiscard]] std::vector<ByteScale> make_byte_scales(const MemoryPlan& memory,
                                                       const std::vector<uint32_t>& heaps);
 // Returns the ticks of a heap's axis: from 0 in steps of a power of two, and one at the end of the heap.

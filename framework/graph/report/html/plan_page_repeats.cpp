@@ -27,8 +27,8 @@ bool on_one_queue(const FramePlan& plan, const std::vector<PassId>& passes) {
                        [&](PassId pass) { return queue_of(pass) == queue_of(passes[0]); });
 }
 
-// Returns true if the graph has no cycle. It removes nodes without incoming links until none is left; nodes
-// that remain are part of a cycle.
+// Returns true if the links within a frame form no cycle. Repeatedly removes the nodes without incoming
+// links. If nodes remain, there is a cycle.
 bool is_acyclic(const NodeGraph& graph) {
     std::vector<uint32_t> arriving(graph.nodes.size(), 0), ready;
     std::vector<std::vector<uint32_t>> next(graph.nodes.size());

@@ -30,8 +30,9 @@ struct NodeGraph {
     std::vector<GraphLink> links;  // First links within a frame, then links to the next frame.
 };
 
-// Returns the repeats with many iterations. A repeat is left out if it would be part of a cycle as one box,
-// because another pass runs between its iterations and depends on them.
+// Returns the repeats with many iterations that can be drawn as one box. Leaves out a repeat whose iterations
+// run on several queues. Also leaves out a repeat whose box would be part of a cycle. Example: another pass
+// depends on the first iteration, and the second iteration depends on that pass.
 [[nodiscard]] std::vector<RepeatItem> find_long_repeats(const PlanPage& page);
 // Builds the graph. If `folded` is true, each entry of PlanPage::repeats is one node; otherwise every pass is
 // a node.

@@ -24,7 +24,7 @@ inline constexpr size_t kLeastNameCharacters = 4;  // If fewer characters fit, a
 
 // Returns the width of a name in the page's monospaced font, with a margin.
 [[nodiscard]] int32_t name_width_px(const std::string& name);
-// Returns the width of a name that is rotated by 45°, which is also its height.
+// Returns the width of a name after a rotation by 45°. The rotated name has the same height.
 [[nodiscard]] int32_t rotated_label_px(const std::string& name);
 // Returns the number of characters in the page's monospaced font that fit into the width.
 [[nodiscard]] size_t characters_in(int32_t width_px);

@@ -88,7 +88,8 @@ TEST(LayeredLayout, CrossingsThatNeedNotBeAreNot) {
     EXPECT_EQ(layout.boxes[0].y < layout.boxes[1].y, layout.boxes[3].y < layout.boxes[2].y);
 }
 
-// The drawing contains a box between two others, and an edge that passes beside that box.
+// Box 1 is between the boxes 0 and 2, and the edge 0 -> 2 passes beside box 1. The drawing must be only a
+// little higher than one box and one edge.
 TEST(LayeredLayout, IsNoLargerThanWhatItShows) {
     const LayeredLayout layout = layered_layout({{50, 40}, {50, 40}, {50, 40}}, {{0, 1}, {1, 2}, {0, 2}}, 60);
     EXPECT_LE(layout.height_px, 40 + 20 + 6 + 10) << "and a little for leaning";

@@ -38,7 +38,8 @@ std::set<std::string> ids(const ReadPage& page, const std::string& tag) {
     return found;
 }
 
-// Returns the names of all items of the page that have the given CSS class.
+// Returns the keys of all links of the page that have the CSS class `style`. The key is the first word of the
+// attribute data-k; for example, pass_key() makes the key of a pass.
 std::multiset<std::string> items(const ReadPage& page, const std::string& style) {
     std::multiset<std::string> found;
     for (const ReadElement& e : page.elements)

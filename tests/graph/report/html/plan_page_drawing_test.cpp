@@ -37,7 +37,8 @@ FramePlan uneven_plan() {
     return compiled(b);
 }
 
-// Calls `visit` for every memory block of every heap, together with the byte scale of the heap's drawing.
+// Calls `visit` for every memory block of every heap that is not persistent, together with the byte scale of
+// the heap's drawing.
 template <class Visit>
 void for_blocks(const FramePlan& plan, const Visit& visit) {
     std::vector<uint32_t> heaps;
@@ -146,7 +147,7 @@ TEST(PlanPageDrawing, NamesOnEdgesTouchNoBoxAndNoOtherName) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const ReadPage page = read_markup(plan_to_html(random_plan(seed, 40), {}));
         ASSERT_EQ(page.fault, "");
-        // Number of drawings seen so far; the first drawing is the graph.
+        // Number of drawings seen so far. Only the first drawing, which shows the graph, is tested.
         size_t drawings = 0;
         std::vector<Area> boxes, names;
         for (const ReadElement& e : page.elements) {
@@ -195,7 +196,8 @@ TEST(PlanPageDrawing, ANameLiesOnItsWayAndOnNoOther) {
 }
 
 // Returns a plan with a repeated pass whose iterations copy between two layers of a kept image. The first
-// iteration reads the result of the previous frame.
+// iteration reads the result of the previous frame. With `other_between`, the pass "other" runs between the
+// first and the second iteration.
 FramePlan rounds_plan(int rounds, bool other_between = false) {
     GraphBuilder b;
     const ResourceId cells = b.image("cells", Format::r32u, 16, 1, 2), side = b.image("side");
