@@ -25,8 +25,8 @@ enum class NodeKind : uint8_t {
     signal,         // A semaphore signal at the end of a batch.
     wait,           // A semaphore wait at the beginning of a batch.
     import_enter,   // The program passes an import to the frame.
-    import_access,  // An access of the import's owner before the frame, in one stage of the entry state.
-    import_leave,   // An access of the import's owner after the frame, in one stage of the exit state.
+    import_access,  // The program accesses an import before the frame, in one stage of the entry state.
+    import_leave,   // The program accesses an import after the frame, in one stage of the exit state.
 };
 
 struct Node {
@@ -55,8 +55,8 @@ struct PassInstance {
 struct Timeline {
     std::vector<Node> nodes;      // All nodes, in the order in which their commands are recorded.
     std::vector<NodeSet> before;  // Index: node. Its direct and indirect predecessors.
-    // Index: node. Predecessors that are ordered only by the owner of an import. The owner is not part of the
-    // plan, so no other node may rely on this order.
+    // Index: node. Predecessors that only the program orders before the node, because it owns an import. The
+    // plan does not contain this order, so no other node may rely on it.
     std::vector<std::vector<uint32_t>> outside_before;
     std::vector<PassInstance> instances;
 };

@@ -1,7 +1,7 @@
-// Purpose: a scene on the GPU in the form that graphs use. The draw lists "opaque", "masked" and
-// "anisotropic" are sorted by material. The list "transparent" is sorted by distance in every frame. Each
-// list also has a buffer of draw commands. Descriptor sets: 0 (frame), 2 (material) and 3 (draw). They are
-// declared in frame_set.glsl, material_set.glsl and surface_vertex.glsl in shaders/include/.
+// Purpose: a scene on the GPU in the form that graphs use. It has four draw lists. "opaque", "masked" and
+// "anisotropic" are sorted by material; "transparent" is sorted by distance in every frame. Each list also has
+// a buffer of draw commands. The shaders use descriptor sets 0 (frame), 2 (material) and 3 (draw); see
+// frame_set.glsl, material_set.glsl and surface_vertex.glsl in shaders/include/.
 #pragma once
 
 #include <map>

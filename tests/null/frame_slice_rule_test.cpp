@@ -114,8 +114,8 @@ void set_slices(const SliceGraph& made, ResolvedGraph& graph) {
     }
 }
 
-// Searches for a wrong read by following the definition: frame 0 runs all frame slices, and each of the next
-// two frames runs any set of them.
+// Simulates three frames and searches for a pass that reads a wrong version. Frame 0 runs all frame slices.
+// For frames 1 and 2, the search tries every subset of the slices.
 class BruteForce {
  public:
     explicit BruteForce(const ResolvedGraph& graph) : graph_(graph) {

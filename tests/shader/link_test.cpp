@@ -108,6 +108,7 @@ void main() { color = texture(port, vec3(0)); }
 
 TEST_F(Link, an_input_that_nothing_writes_is_refused_with_its_place) {
     write("graph/n/n.vert", kOneOutput);
+    // The error must point at the declaration of uv in line 4, not at the comments with "uv" above it.
     write("graph/n/n.frag", R"(#version 460  // uv;
 /* reads uv; */
 layout(location = 0) in vec3 normal;

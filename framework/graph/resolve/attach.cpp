@@ -174,8 +174,9 @@ class PassAttacher : PassStage<Attachments> {
         if (uses.empty()) {
             if (suspects_.passes[pass_]) return;
             error(draft_.decl.loc, "W181",
-                  "pass " + quote(draft_.decl.name) + " has no attachment to draw to",
-                  "add an output of the fragment shader to \"out\", or add \"depth\"");
+                  "pass " + quote(draft_.decl.name) + " has no attachment to draw to: its fragment shader has no \"out\" variable "
+                  "that is named in \"out\" of the pass, and the pass has no \"depth\"",
+                  "declare an \"out\" variable in the fragment shader and name it in \"out\", or add \"depth\"");
             return;
         }
         const UseDecl& first = bound_.uses[uses.front()];

@@ -85,7 +85,10 @@ std::optional<double> Evaluator::number(const Expr& expression, const std::strin
     if (found->is_size) return refuse("W106", " is a size, not a number", "use .x or .y of the size");
     const bool fits = found->x >= least && found->x <= most && (!whole || found->x == std::floor(found->x));
     if (fits) return found->x;
-    return refuse("W109", " is " + number_text(found->x),
+    std::string fault = ", but must be a whole number";
+    if (found->x < least) fault = ", but the smallest possible value is " + number_text(least);
+    if (found->x > most) fault = ", but the largest possible value is " + number_text(most);
+    return refuse("W109", " is " + number_text(found->x) + fault,
                   (whole ? "write a whole number from " : "write a number from ") + number_text(least) +
                       " to " + number_text(most));
 }

@@ -9,8 +9,8 @@
 
 namespace weft {
 
-// Returns the clock of each position within one frame. Entries of `dependencies` from the previous frame are
-// ignored.
+// Returns the vector clock of each schedule position. It tells which positions of the same frame surely run
+// before. Dependencies on the previous frame are ignored.
 [[nodiscard]] ClockTable frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
                                       const std::vector<QueueDependency>& dependencies);
 

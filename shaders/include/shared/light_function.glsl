@@ -7,7 +7,9 @@
 
 struct LightFunction {
     vec4 curve;             // Factor over distance: 4 Bézier ordinates from distance 0 to reach_m.
-    vec4 doors;             // Limits of the light towards −width, +width, −up, +up; kNoDoor: no limit.
+    // Positions of the four barn doors: left, right, bottom, top. Each is the distance from the light's direction to the
+    // edge of the door, along the axis `width` or `up` of the light. Light beyond the edge is blocked. kNoDoor: no door.
+    vec4 doors;
     vec2 picture_scale;     // 1 / (half the size of the picture).
     float reach_m;
     float softness;         // Width of the soft edge of a door; pictures are blurred by this width, too.

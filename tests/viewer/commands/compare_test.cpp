@@ -161,7 +161,9 @@ TEST_F(Compare, ReadsRawPicturesOfAllKinds) {
     EXPECT_EQ(compare("grey.pfm", "white.pfm", {"--metric", "max"}).out, "0\n");
 }
 
-// The content of a file determines its picture format; the file name does not.
+// Each other picture has the same colours as a.png: two store them as linear values, so `weft compare` must
+// encode these values as sRGB first. The third is a PNG file whose name ends with ".exr": the content of a file
+// determines its format.
 TEST_F(Compare, EncodesRawPicturesToCompareThemWithDisplayValues) {
     write_raw("linear.exr", map_values(noise(1), to_linear));
     write_raw("linear.pfm", map_values(noise(1), to_linear));

@@ -137,16 +137,16 @@ std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                        const std::vector<AreaPx>& boxes, PointPx drawing) {
     Occupied occupied(drawing);
     for (const AreaPx& box : boxes) occupied.take(box, kNoId);
-    // Value: index of the first path with this name. Paths with equal names share this number as their owner,
-    // so that the name may be placed where these paths run.
-    std::map<NameChoices, uint32_t> by_name;
-    std::vector<uint32_t> owner;
+    // Paths with equal names have the same owner: the index of the first of them. A name may cover the paths of
+    // its own owner, but no others.
+    std::map<NameChoices, uint32_t> by_name;  // Key: the names of a path. Value: its owner.
+    std::vector<uint32_t> owner;              // Index: path.
     for (uint32_t i = 0; i < paths.size(); ++i) {
         owner.push_back(by_name.try_emplace(names[i], i).first->second);
         for (const PointPx& p : paths[i].points()) occupied.take({p.x - 1, p.y - 1, 2, 2}, owner[i]);
     }
     std::vector<EdgeName> placed(paths.size());
-    // Index: owner (the first path with the same name). Areas where the name is placed.
+    // Index: owner. The areas in which the owner's name has been placed.
     std::vector<std::vector<AreaPx>> areas(paths.size());
     for (uint32_t i = 0; i < paths.size(); ++i) {
         if (passes_through(paths[i], areas[owner[i]])) continue;

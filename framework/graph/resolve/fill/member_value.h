@@ -1,5 +1,6 @@
-// Purpose: finds the value that the author of a graph gives to a member of the block `Params`: in "params" of
-// the pass, or by a name of the graph.
+// Purpose: finds the value that the author of a graph gives to a member of a shader's block `Params`. The key
+// "params" of the pass may give it. Otherwise a parameter, a constant, an index of the pass's repeat or a
+// number of draws gives it, if it has the same name as the member.
 #pragma once
 
 #include <optional>

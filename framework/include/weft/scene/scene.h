@@ -123,7 +123,8 @@ struct LightFunction {
 
     std::string name;
     bool parallel = false;  // True for directional lights, whose rays are parallel.
-    // Limits of the light towards −width, +width, −up and +up of the lamp; kNoDoor: no limit.
+    // Positions of the four barn doors: left, right, bottom, top. Each is measured from the direction of the
+    // lamp to the edge of the door. Light beyond the edge is blocked. kNoDoor: no door.
     glm::vec4 doors{kNoDoor};
     // Width of the transition from light to dark at the edge of a door. The picture is blurred by the same
     // width.
