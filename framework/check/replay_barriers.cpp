@@ -120,27 +120,32 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
 
 // Applies the barriers of one call to the access records. Barriers order only earlier work of their own
 // queue. Only records on the barriers' memory are updated here; all other records apply the log later, when
-// they are checked.
+// they are checked. A barrier that is recorded only in frames in which its pass runs counts only for the
+// resource that it names. So no other resource relies on it, and the proof holds for any set of resting units.
 void Replay::carry(const std::vector<BarrierDecl>& batch) {
     StageChain all;
     on_resource_.clear();
     for (size_t i = 0; i < batch.size(); ++i) {
-        all.add(scopes_[i]);
+        if (!batch[i].if_pass_runs) all.add(scopes_[i]);
         on_resource_.emplace_back(batch[i].resource, i);
         for (const ResourceId from : batch[i].aliased_from)
             if (from != batch[i].resource) on_resource_.emplace_back(from, i);
     }
     std::sort(on_resource_.begin(), on_resource_.end());
+    StageChain chain;
     const auto pass_through = [&](AccessRecord& record) {
         if (record.actor().queue != clock_.queue()) return;
         follow(record);
-        record.pass_barriers(all, on_memory_);
+        record.pass_barriers(chain, on_memory_);
     };
     ++barrier_batches_;
     for (size_t first = 0, last = 0; first < on_resource_.size(); first = last) {
         const ResourceId resource = on_resource_[first].first;
         while (last < on_resource_.size() && on_resource_[last].first == resource) ++last;
         const std::span same(on_resource_.begin() + first, on_resource_.begin() + last);
+        chain = all;
+        for (const auto& [id, i] : same)
+            if (batch[i].if_pass_runs) chain.add(scopes_[i]);
         const auto pass_cell = [&](Cell& cell) {
             if (std::exchange(cell.last_batch, barrier_batches_) == barrier_batches_) return;
             on_memory_.clear();

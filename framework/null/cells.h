@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "null/null_executor.h"
 #include "weft/declaration.h"
 
 namespace weft::null {
@@ -57,6 +58,13 @@ inline bool sees_content(const UseDecl& use) {
 // it.
 inline bool defined_before_frame(const ResourceDecl& resource) {
     return resource.lifetime != ResourceLifetime::transient;
+}
+
+// Returns true if the pass belongs to a rest unit that rests in this frame.
+[[nodiscard]] inline bool rests(const RestChoice& resting, const PassDecl& pass, uint32_t frame) {
+    if (pass.rest_unit == kNoId || frame >= resting.size() || pass.rest_unit >= resting[frame].size())
+        return false;
+    return resting[frame][pass.rest_unit] != 0;
 }
 
 }  // namespace weft::null

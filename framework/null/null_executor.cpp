@@ -195,7 +195,7 @@ class Execution {
 }  // namespace null
 
 NullRun run_null(const FramePlan& plan, const NullOptions& options) {
-    const null::Timeline timeline = null::unroll(plan, options.frames, options.seed);
+    const null::Timeline timeline = null::unroll(plan, options.frames, options.seed, options.resting);
     return null::Execution(plan, timeline, options).run();
 }
 

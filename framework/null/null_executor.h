@@ -24,11 +24,16 @@ enum class NullOrder : uint8_t {
     shuffled,  // Commands run in a pseudo-random order, made from the seed.
 };
 
+// Index: frame, then rest unit. 1: the unit rests in this frame; 0: it runs. A unit runs in each frame that
+// the list does not contain.
+using RestChoice = std::vector<std::vector<uint8_t>>;
+
 struct NullOptions {
     uint32_t frames = 3;
     // Selects the order. For a write that may happen in several stages, it also selects the stage.
     uint64_t seed = 0;
     NullOrder order = NullOrder::shuffled;
+    RestChoice resting = {};
 };
 
 // The content of a subresource or buffer. The value 0 means undefined content.
@@ -56,7 +61,8 @@ struct NullRun {
 // Computes the result that every correct plan of the graph has. It runs the passes one after another with
 // separate memory for every resource, so that every read sees the version given by the graph. It uses only
 // the declarations.
-[[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3);
+[[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3,
+                                    const RestChoice& resting = {});
 
 // Returns a text for each difference between two runs. The result is empty if `found` has all values that are
 // defined in `wanted`.

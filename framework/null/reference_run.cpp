@@ -50,14 +50,19 @@ struct Versions {
 
 class Reference {
  public:
-    Reference(const ResolvedGraph& graph, const LiveGraph& live)
+    Reference(const ResolvedGraph& graph, const LiveGraph& live, const RestChoice& resting)
         : graph_(graph),
           live_(live),
+          resting_(resting),
           used_(used_resources(graph, live)),
-          written_(graph.resources.size(), 0) {
+          written_(graph.resources.size(), 0),
+          rested_(graph.resources.size(), 0) {
         for (PassId id(0); id < graph.passes.size(); ++id)
-            for (const UseDecl& use : graph.passes[id].uses)
-                if (live.live_passes[id] && writes(use.access)) written_[use.resource] = 1;
+            for (const UseDecl& use : graph.passes[id].uses) {
+                if (!live.live_passes[id] || !writes(use.access)) continue;
+                written_[use.resource] = 1;
+                if (graph.passes[id].rest_unit != kNoId) rested_[use.resource] = 1;
+            }
         for (const ResourceDecl& decl : graph.resources) {
             cells_.emplace_back(cell_count(decl));
             for_each_cell(decl, [&](uint32_t cell, const SubresourceRange& range) {
@@ -72,8 +77,10 @@ class Reference {
         const std::vector<PassId> order = program_order(graph_, live_);
         for (frame_ = 0; frame_ < frames; ++frame_) {
             begin_frame();
-            for (const PassId pass : order)
-                runs_in_frame(graph_.passes[pass], frame_) ? execute(pass) : pass_on(pass);
+            for (const PassId pass : order) {
+                const PassDecl& decl = graph_.passes[pass];
+                runs_in_frame(decl, frame_) && !rests(resting_, decl, frame_) ? execute(pass) : pass_on(pass);
+            }
             for (ResourceId id(0); id < cells_.size(); ++id) {
                 const ResourceLifetime lifetime = graph_.resources[id].lifetime;
                 const bool last = frame_ + 1 == frames;
@@ -103,7 +110,7 @@ class Reference {
                 Versions& v = cells_[id][c];
                 v.before = from == kNoId || dropped ? kUndefinedValue : left[from][c];
                 v.written.clear();
-                if (decl.lifetime == ResourceLifetime::transient) v.before = kUndefinedValue;
+                if (decl.lifetime == ResourceLifetime::transient && !rested_[id]) v.before = kUndefinedValue;
             }
         }
     }
@@ -145,8 +152,8 @@ class Reference {
         }
     }
 
-    // Simulates a pass that does not run in this frame because another frame slice runs. Its outputs keep
-    // their content.
+    // Simulates a pass that does not run in this frame, because another frame slice runs or because it rests.
+    // Its outputs keep their content.
     void pass_on(PassId id) {
         for (const UseDecl& use : graph_.passes[id].uses) {
             if (!writes(use.access)) continue;
@@ -166,9 +173,10 @@ class Reference {
 
     const ResolvedGraph& graph_;
     const LiveGraph& live_;
+    const RestChoice& resting_;
     // Index: ResourceId. `used_`: 1 if a live pass uses a resource of the same ring. `written_`: 1 if a live
-    // pass writes this resource.
-    std::vector<uint8_t> used_, written_;
+    // pass writes this resource. `rested_`: 1 if a rest unit writes this resource.
+    std::vector<uint8_t> used_, written_, rested_;
     std::vector<std::vector<Versions>> cells_;  // Indexed by ResourceId, then by cell.
     uint32_t frame_ = 0;
     NullRun run_;
@@ -177,8 +185,9 @@ class Reference {
 }  // namespace
 }  // namespace null
 
-NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames) {
-    return null::Reference(graph, live).run(frames);
+NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames,
+                      const RestChoice& resting) {
+    return null::Reference(graph, live, resting).run(frames);
 }
 
 }  // namespace weft

@@ -61,9 +61,10 @@ struct QueueProgress {
 
 class Unroller {
  public:
-    Unroller(const FramePlan& plan, uint64_t choice)
+    Unroller(const FramePlan& plan, uint64_t choice, const RestChoice& resting)
         : plan_(plan),
           choice_(choice),
+          resting_(resting),
           queues_(plan.schedule.queues.size()),
           entered_(plan.graph.resources.size(), kNoNode),
           uses_of_import_(plan.graph.resources.size()) {
@@ -125,10 +126,14 @@ class Unroller {
 
     // Adds the nodes of one vkCmdPipelineBarrier2 call. The barriers of one call do not chain with each
     // other.
-    void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& batch) {
+    void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& all, bool pass_rests = false) {
         QueueProgress& queue = queues_[queue_index];
+        std::vector<const BarrierDecl*> batch;
+        for (const BarrierDecl& barrier : all)
+            if (!pass_rests || !barrier.if_pass_runs) batch.push_back(&barrier);
         std::vector<uint32_t> added;
-        for (const BarrierDecl& barrier : batch) {
+        for (const BarrierDecl* recorded : batch) {
+            const BarrierDecl& barrier = *recorded;
             NodeSet before;
             for_each_stage(source_scope(barrier.src.stages),
                            [&](size_t s) { before.merge(queue.reached[s]); });
@@ -140,7 +145,7 @@ class Unroller {
             touch_import(added.back(), barrier.resource);
         }
         for (size_t i = 0; i < batch.size(); ++i) {
-            for_each_stage(destination_scope(batch[i].dst.stages), [&](size_t s) {
+            for_each_stage(destination_scope(batch[i]->dst.stages), [&](size_t s) {
                 include(queue.required[s], added[i]);
                 include(queue.reached[s], added[i]);
             });
@@ -181,10 +186,12 @@ class Unroller {
         for (size_t i = 0; i < batch.positions.size(); ++i) {
             const PassStep& step = plan_.barriers.steps[batch.positions[i]];
             const bool last = i + 1 == batch.positions.size();
-            barriers(batch.queue, step.barriers);
-            pass(batch.queue, batch.positions[i],
-                 !last && plan_.barriers.steps[batch.positions[i + 1]].merges_render_pass);
-            barriers(batch.queue, step.after);
+            const bool pass_rests = rests(resting_, plan_.graph.passes[step.pass], frame_);
+            barriers(batch.queue, step.barriers, pass_rests);
+            if (!pass_rests)
+                pass(batch.queue, batch.positions[i],
+                     !last && plan_.barriers.steps[batch.positions[i + 1]].merges_render_pass);
+            barriers(batch.queue, step.after, pass_rests);
         }
         if (batch.epilogue) barriers(batch.queue, plan_.barriers.epilogue);
         Node node;
@@ -315,6 +322,7 @@ class Unroller {
 
     const FramePlan& plan_;
     uint64_t choice_;
+    const RestChoice& resting_;
     uint32_t frame_ = 0;
     uint32_t scope_ = 0;
     Drawing drawing_;
@@ -332,8 +340,8 @@ class Unroller {
 
 }  // namespace
 
-Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice) {
-    return Unroller(plan, choice).run(frames);
+Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice, const RestChoice& resting) {
+    return Unroller(plan, choice, resting).run(frames);
 }
 
 }  // namespace weft::null

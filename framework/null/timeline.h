@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "null/node_set.h"
+#include "null/null_executor.h"
 #include "weft/plan.h"
 
 namespace weft::null {
@@ -62,7 +63,8 @@ struct Timeline {
 };
 
 // Unrolls the plan. The result has pointers into `plan`. `choice` selects pseudo-randomly the stages of
-// writes and of imports' entry states.
-[[nodiscard]] Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice);
+// writes and of imports' entry states. Passes that rest have no nodes.
+[[nodiscard]] Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice,
+                              const RestChoice& resting);
 
 }  // namespace weft::null

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <random>
 
 #include "null/null_executor.h"
 #include "weft/check/check_plan.h"
@@ -11,21 +12,35 @@
 namespace weft::test {
 namespace {
 
-constexpr std::array<NullOptions, 4> kJudgedOrders{{{3, 0, NullOrder::delayed},
-                                                    {3, 1, NullOrder::recorded},
-                                                    {3, 2, NullOrder::shuffled},
-                                                    {3, 3, NullOrder::shuffled}}};
+const std::array<NullOptions, 4> kJudgedOrders{{{3, 0, NullOrder::delayed},
+                                                {3, 1, NullOrder::recorded},
+                                                {3, 2, NullOrder::shuffled},
+                                                {3, 3, NullOrder::shuffled}}};
+// Number of frames that a plan with rest units runs.
+constexpr uint32_t kRestFrames = 5;
 
 class Judge {
  public:
-    explicit Judge(const FramePlan& plan) : wanted_(run_reference(plan.graph, plan.live)) {}
+    explicit Judge(const FramePlan& plan) {
+        const uint32_t units = plan.graph.rest_unit_count;
+        std::mt19937 random(units);
+        for (NullOptions options : kJudgedOrders) {
+            // All units run in frame 0. In the other frames, a random half of them rests.
+            for (uint32_t frame = 0; units > 0 && frame < kRestFrames; ++frame) {
+                std::vector<uint8_t>& rests = options.resting.emplace_back(units);
+                for (uint8_t& unit : rests) unit = frame > 0 && random() % 2 == 0 ? 1 : 0;
+            }
+            if (units > 0) options.frames = kRestFrames;
+            runs_.push_back({options, run_reference(plan.graph, plan.live, options.frames, options.resting)});
+        }
+    }
 
     // Runs the plan and returns a text about the first difference from the expected result. Returns an empty
     // text if there is no difference.
     [[nodiscard]] std::string broken(const FramePlan& plan) const {
-        for (const NullOptions& options : kJudgedOrders) {
-            const NullRun found = run_null(plan, options);
-            const std::vector<std::string> different = differences(plan.graph, wanted_, found);
+        for (const JudgedRun& run : runs_) {
+            const NullRun found = run_null(plan, run.options);
+            const std::vector<std::string> different = differences(plan.graph, run.wanted, found);
             if (!different.empty())
                 return different.front() + "; " + (found.faults.empty() ? "" : found.faults.front());
         }
@@ -33,7 +48,11 @@ class Judge {
     }
 
  private:
-    NullRun wanted_;
+    struct JudgedRun {
+        NullOptions options;
+        NullRun wanted;
+    };
+    std::vector<JudgedRun> runs_;
 };
 
 }  // namespace
@@ -69,7 +88,7 @@ void print(const Tallies& tallies) {
     constexpr std::array<const char*, kMutantKinds> kNames{
         "barriers removed", "barriers weakened by a bit", "the prologue's barriers weakened by a bit",
         "waits removed",    "transfer halves removed",    "owners left out of an alias transition",
-        "scopes parted"};
+        "scopes parted", "barriers recorded in other frames"};
     for (size_t k = 0; k < tallies.size(); ++k) {
         const Tally& t = tallies[k];
         const auto percent = [](uint32_t part, uint32_t all) { return all == 0 ? 0.0 : 100.0 * part / all; };

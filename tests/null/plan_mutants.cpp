@@ -55,6 +55,10 @@ class Mutator {
             weaken(
                 list[i].dst.access, [](AccessMask m) { return access_text(m); }, "destination of " + what);
             drop_owners(list[i], what);
+            if (sound[i].reason == BarrierReason::prologue) continue;
+            list[i].if_pass_runs = !list[i].if_pass_runs;
+            show(MutantKind::other_frames, "recorded in other frames: " + what);
+            list[i].if_pass_runs = sound[i].if_pass_runs;
         }
     }
 

@@ -17,8 +17,9 @@ enum class MutantKind : uint8_t {
     removed_transfer,
     removed_owner,
     parted_scope,
+    other_frames,
 };
-inline constexpr int kMutantKinds = 7;
+inline constexpr int kMutantKinds = 8;
 
 struct Mutant {
     MutantKind kind = MutantKind::removed_barrier;
@@ -32,6 +33,8 @@ struct Mutant {
 // transfer, or one resource that an alias barrier waits for because it used the same memory earlier. One more
 // kind of mutant lets a pass begin its own rendering scope, although the plan merges the pass into the scope
 // of the pass before it. The new scope has no barrier before it.
+// The last kind of mutant records a barrier in all frames instead of only those in which its pass runs, or the
+// reverse.
 void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit);
 
 }  // namespace weft::test

@@ -16,7 +16,7 @@
 namespace weft::test {
 namespace {
 
-constexpr NullOptions kPlanOrders[] = {{3, 0, NullOrder::recorded},
+const NullOptions kPlanOrders[] = {{3, 0, NullOrder::recorded},
                                        {3, 1, NullOrder::delayed},
                                        {3, 2, NullOrder::shuffled},
                                        {4, 3, NullOrder::shuffled}};

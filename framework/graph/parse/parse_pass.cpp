@@ -121,6 +121,11 @@ void read_per_frame(ParseContext& context, const JsonNode& node, PassDesc& pass)
     read_switch(context, node, pass.per_frame);
 }
 
+void read_rest(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.rest_loc = node.loc;
+    read_bool(context, node, pass.rests);
+}
+
 void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.after, pass.after_locs);
 }
@@ -158,6 +163,7 @@ constexpr std::array kPassKeys{
     PassKey{"if", kAll, read_if},
     PassKey{"repeat", kAll, parse_repeat},
     PassKey{"perFrame", kAll & ~kReadback, read_per_frame},
+    PassKey{"rest", kShaded | kTransfer | kClear, read_rest},
     PassKey{"groups", kCompute, read_groups},
     PassKey{"threads", kCompute, read_threads},
     PassKey{"state", kDrawing, parse_state},

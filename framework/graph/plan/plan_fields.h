@@ -111,12 +111,12 @@ void visit_fields(V& v, const PassDecl& x) {
     v("state", x.state), v("drawLists", x.draw_lists), v("vertices", x.vertices), v("instances", x.instances),
         v("view", x.view), v("clear", x.clear), v("flops", x.flops);
     v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use), v("frameSlice", x.frame_slice),
-        v("frameSlices", x.frame_slices);
+        v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit);
 }
 template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {
     v("name", x.name), v("outputExtent", x.output_extent), v("resources", x.resources), v("passes", x.passes);
-    v("edges", x.edges), v("output", x.output), v("params", x.params);
+    v("edges", x.edges), v("output", x.output), v("params", x.params), v("restUnitCount", x.rest_unit_count);
 }
 template <class V>
 void visit_fields(V& v, const LiveGraph& x) {
@@ -180,6 +180,7 @@ void visit_fields(V& v, const BarrierDecl& x) {
         v("srcFamily", x.src_family);
     v("dstFamily", x.dst_family), v("reason", x.reason), v("from", x.from), v("to", x.to);
     v("fromPreviousFrame", x.from_previous_frame), v("aliasedFrom", x.aliased_from);
+    v("ifPassRuns", x.if_pass_runs);
 }
 template <class V>
 void visit_fields(V& v, const PassStep& x) {

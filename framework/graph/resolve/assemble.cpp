@@ -43,9 +43,11 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
     resolved.output = declared.shapes.output;
     resolved.params = declared.values.params;
     resolved.frames = declared.values.frames;
+    resolved.rest_unit_count = graph.rest_unit_count;
     for (PassId id(0); id < graph.passes.size(); ++id) {
         PassDecl& pass = resolved.passes.emplace_back(declared.expansion.passes[id].decl);
         add_bound(graph.passes[id], pass);
+        if (!graph.rest_units.empty()) pass.rest_unit = graph.rest_units[id];
         add_attachments(attachments.passes[id], pass);
         add_dispatch(dispatches.passes[id], pass);
         add_block(blocks.passes[id], pass);

@@ -29,12 +29,14 @@ VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects 
     VersionedGraph versioned{.resources = std::move(graph.resources),
                              .passes = std::move(graph.passes),
                              .edges = {},
+                             .rest_units = {},
                              .suspects = std::move(suspects)};
     find_in_place_writes(versioned.passes);
     std::vector<Cell> cells = make_cells(versioned, reporter);
     if (!order_writers(declared, versioned, cells, reporter)) return versioned;
     connect_versions(declared, cells, versioned, reporter);
     check_sliced_reads(declared, cells, versioned, reporter);
+    find_rest_units(declared, cells, versioned, reporter);
     return versioned;
 }
 

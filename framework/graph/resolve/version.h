@@ -1,6 +1,6 @@
 // Purpose: the stage of resolve() that finds, for each use, the version of the resource that the use sees:
 // the content after one particular write. From the versions follow the final access of each use and the edges
-// between passes. Errors: W104, W110, W111, W124, W150.
+// between passes. Errors: W104, W110, W111, W124, W150, W188.
 #pragma once
 
 #include <vector>
@@ -15,6 +15,9 @@ struct VersionedGraph {
     std::vector<BoundPass> passes;
     // The dependencies between passes, sorted by (to, from, kind, resource).
     std::vector<EdgeDecl> edges;
+    // Index: PassId. The rest unit of each pass, or kNoId. Empty if no pass has "rest".
+    std::vector<uint32_t> rest_units;
+    uint32_t rest_unit_count = 0;
     Suspects suspects;
 };
 // Finds the versions and adds them to the graph. `suspects` comes from the checks after choose_formats().

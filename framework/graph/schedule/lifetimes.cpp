@@ -14,6 +14,21 @@ void add_to_queue(LifetimeSpan& span, QueueIndex queue, Position position) {
         own->last = position;
 }
 
+// The memory of a transient that a rest unit writes is never shared. So its content is still there, for a
+// readback, in the frames in which the unit rests, and no other pass must wait for the unit.
+void extend_rested(const ResolvedGraph& graph, const Schedule& order, Lifetimes& result) {
+    LifetimeSpan whole{0, Position(order.order.size() - 1), {}};
+    if (order.queues.size() > 1)
+        for (Position position(0); position < order.order.size(); ++position)
+            add_to_queue(whole, order.queue[position], position);
+    for (const PassId pass : order.order) {
+        if (graph.passes[pass].rest_unit == kNoId) continue;
+        for (const UseDecl& use : graph.passes[pass].uses)
+            if (writes(use.access) && graph.resources[use.resource].lifetime == ResourceLifetime::transient)
+                result.spans[use.resource] = whole;
+    }
+}
+
 }  // namespace
 
 Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order) {
@@ -31,6 +46,7 @@ Lifetimes lifetimes(const ResolvedGraph& graph, const LiveGraph& live, const Sch
             if (several_queues) add_to_queue(span, order.queue[position], position);
         }
     }
+    if (graph.rest_unit_count > 0) extend_rested(graph, order, result);
     return result;
 }
 

@@ -134,6 +134,7 @@ BarrierDecl barrier_of(ResourceId resource, const TrackedBarrier& tracked) {
     barrier.reason = tracked.reason;
     barrier.from = tracked.from;
     barrier.from_previous_frame = tracked.from_previous_frame;
+    barrier.if_pass_runs = tracked.if_pass_runs;
     return barrier;
 }
 

@@ -21,6 +21,7 @@ struct TrackedBarrier {
     BarrierReason reason = BarrierReason::raw;
     PassId from = kNoId;
     bool from_previous_frame = false;
+    bool if_pass_runs = false;
 };
 
 struct PlacedBarrier {

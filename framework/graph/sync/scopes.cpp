@@ -6,8 +6,9 @@ namespace weft {
 namespace {
 
 bool draws(const PassDecl& pass) {
-    // A pass with frame slices does not run in every frame, so it cannot share a rendering scope.
-    return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0;
+    // A pass that does not run in every frame cannot share a rendering scope.
+    return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0 &&
+           pass.rest_unit == kNoId;
 }
 
 // Returns the colour attachments sorted by location, then the depth attachment.

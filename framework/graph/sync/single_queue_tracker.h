@@ -38,6 +38,8 @@ struct CellBarrier {
     BarrierReason reason = BarrierReason::raw;
     PassId from = kNoId;
     bool previous_frame = false;
+    // True: recorded only in frames in which the pass at `position` runs. See track_home.h.
+    bool if_pass_runs = false;
     uint32_t src_family = 0, dst_family = 0;
     // Only for an ownership transfer between queue families, which needs two barriers: a release and an
     // acquire. These are position and state of the other barrier of the two. Barriers of several cells are
@@ -50,8 +52,8 @@ struct CellBarrier {
 // for all their cells.
 [[nodiscard]] inline auto merge_key(const CellBarrier& b) {
     return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
-                           b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.src_family,
-                           b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
+                           b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.if_pass_runs,
+                           b.src_family, b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
 }
 
 // The barriers of one cell (a block of subresources with the same accesses) in one frame, and its

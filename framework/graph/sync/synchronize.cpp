@@ -7,6 +7,7 @@
 #include "graph/sync/accesses.h"
 #include "graph/sync/queue_clocks.h"
 #include "graph/sync/synchronize.h"
+#include "graph/sync/track_home.h"
 #include "graph/sync/track_whole.h"
 
 namespace weft {
@@ -38,6 +39,7 @@ void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
 void track_ring(std::span<const ResourceId> ring, const ResolvedGraph& graph, const Schedule& order,
                 const AccessTable& events, SyncTable& table) {
     HistoryInput input;
+    input.graph = &graph;
     input.order = &order;
     input.resource = ring.front();
     bool touched = false;
@@ -72,7 +74,8 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
             continue;
         }
         if (events[id].empty()) continue;
-        const WholeHistory* found = whole.track(id, resource, events[id]);
+        const bool has_home = graph.rest_unit_count > 0 && unit_writes(graph, events[id]);
+        const WholeHistory* found = has_home ? nullptr : whole.track(id, resource, events[id]);
         if (found == nullptr) {
             track_ring({&id, 1}, graph, order, events, table);
             continue;

@@ -8,6 +8,7 @@
 #include "graph/model/subresource_grid.h"
 #include "graph/sync/multi_queue_tracker.h"
 #include "graph/sync/queue_usage.h"
+#include "graph/sync/track_home.h"
 
 namespace weft {
 namespace {
@@ -83,9 +84,24 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
     return trace;
 }
 
+// Traces a cell that a rest unit writes. Such a cell is in its home state at the start of each frame.
+CellTrace trace_home(const HistoryInput& input, std::span<const AccessEvent> events) {
+    HomeTrace home = track_home(*input.roles.front().decl, input.resource, events);
+    CellTrace trace;
+    trace.sync.push_back(std::move(home.sync));
+    trace.entry.push_back(home.home);
+    trace.last_uses.emplace_back();
+    for (const AccessEvent& event : events)
+        trace.last_uses.front().push_back(
+            {event.queue, event.position, event.state.stages, access::kNone, event.pass});
+    return trace;
+}
+
 CellTrace trace_cell(const HistoryInput& input, const QueueUsage& usage, const QueueRules& rules,
                      const std::vector<CellAccesses>& roles, uint32_t cell) {
     const ResourceDecl& decl = *input.roles.front().decl;
+    if (input.graph->rest_unit_count > 0 && unit_writes(*input.graph, roles.front()[cell]))
+        return trace_home(input, roles.front()[cell]);
     const auto start = decl.lifetime == ResourceLifetime::persistent ? SingleQueueTracker::Start::known
                                                                      : SingleQueueTracker::Start::taken_over;
     if (usage.several_queues)
@@ -148,14 +164,19 @@ PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange&
              .dst_family = barrier.dst_family,
              .reason = barrier.reason,
              .from = barrier.from,
-             .from_previous_frame = barrier.previous_frame}};
+             .from_previous_frame = barrier.previous_frame,
+             .if_pass_runs = barrier.if_pass_runs}};
 }
 
 RingHistory track_resource(const HistoryInput& input) {
     const SubresourceGrid grid = grid_of(input);
     std::vector<CellAccesses> roles;
     for (const Role& role : input.roles) roles.push_back(events_by_cell(grid, role.events));
-    const QueueUsage usage = queue_usage(input, roles);
+    QueueUsage usage = queue_usage(input, roles);
+    // A transfer of ownership needs both passes in one frame, but a rest unit runs only in some frames.
+    const auto has_home = [&](const auto& events) { return unit_writes(*input.graph, events); };
+    if (input.graph->rest_unit_count > 0 && std::ranges::any_of(roles.front(), has_home))
+        usage.exclusive = false;
     const QueueRules rules{input.order->queues, input.resource,
                            input.roles.front().decl->kind == ResourceKind::image, usage.exclusive,
                            Position(input.order->order.size())};

@@ -24,6 +24,7 @@ struct HistoryInput {
     // The copies of a resource with history form a ring. Index: age, in frames (0: the copy that this frame
     // writes). A resource without history has one element.
     std::vector<Role> roles;
+    const ResolvedGraph* graph = nullptr;
     const Schedule* order = nullptr;
 };
 

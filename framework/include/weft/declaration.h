@@ -366,6 +366,9 @@ struct PassDecl {
     // runs in every frame.
     uint32_t frame_slice = 0;
     uint32_t frame_slices = 0;
+    // For a pass with `rest`: the number of its rest unit, less than ResolvedGraph::rest_unit_count. In each
+    // frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
+    uint32_t rest_unit = kNoId;
     // For graphs that a program makes in memory: passes are ordered by this key, then by name.
     uint32_t order_key = 0;
     SourceLoc loc;
@@ -384,6 +387,7 @@ struct ResolvedGraph {
     // The import of kind "output", to which the picture is written; kNoId if the graph has no output.
     ResourceId output = kNoId;
     std::vector<GraphParam> params;  // The graph's parameters with their values.
+    uint32_t rest_unit_count = 0;  // Number of rest units; see PassDecl::rest_unit.
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };

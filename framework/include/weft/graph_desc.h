@@ -201,6 +201,9 @@ struct PassDesc {
     // The key "perFrame": number of passes of the repeat that run in each frame; absent: all.
     Expr per_frame;
     SourceLoc per_frame_loc;
+    // The key "rest": the pass runs only in frames in which something has changed that its result depends on.
+    bool rests = false;
+    SourceLoc rest_loc;
     // A port that reads a buffer with the numbers of workgroups of an indirect dispatch, or, with `draws`,
     // with the draw commands of an indirect draw.
     std::optional<PortDesc> indirect;

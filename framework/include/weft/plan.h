@@ -180,6 +180,9 @@ struct BarrierDecl {
     PassId from = kNoId;  // The pass to wait for, if a single pass is the reason for the barrier; else kNoId.
     PassId to = kNoId;
     bool from_previous_frame = false;
+    // True: the barrier is recorded only in frames in which the pass of its step runs. The pass has a rest
+    // unit then.
+    bool if_pass_runs = false;
     std::vector<ResourceId> aliased_from;  // For alias transitions: the resources whose memory is taken over.
 };
 

@@ -24,5 +24,9 @@ void connect_versions(const Declared& declared, const std::vector<Cell>& cells, 
 // only in some frames. Errors: W124.
 void check_sliced_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                         Reporter& reporter);
+// Finds the sets of passes with "rest" that must run together, and fills in VersionedGraph::rest_units.
+// Checks that a result that is kept from an earlier frame is the right one. Errors: W188.
+void find_rest_units(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
+                     Reporter& reporter);
 
 }  // namespace weft

@@ -1,0 +1,114 @@
+// Tests plans with rest units. Any set of the units may rest in a frame. Whichever units rest, and in
+// whichever order the null executor runs the commands, the result must be that of the reference run, which
+// keeps every copy apart.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+
+#include "null/null_executor.h"
+#include "tests/graph/resolve/resolve_fixture.h"
+#include "tests/graph/samples/random_rest.h"
+#include "tests/null/mutant_judge.h"
+#include "tests/null/profile_plans.h"
+#include "weft/check/check_plan.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+constexpr uint32_t kMostUnits = 8;
+
+std::vector<uint8_t> as_list(uint32_t set, uint32_t units) {
+    std::vector<uint8_t> rests(units);
+    for (uint32_t unit = 0; unit < units; ++unit) rests[unit] = set >> unit & 1u;
+    return rests;
+}
+
+class RestUnits : public ResolveTest {
+ protected:
+    RestUnits() {
+        shaders = rest_shaders();
+        ResourceDecl& noise = imports.imports["noise"].resource;
+        noise.format = Format::rgba16f;
+        noise.import->entry = {stage::kComputeShader, access::kSampledRead, Layout::shader_read_only};
+        noise.import->exit = noise.import->entry;
+        noise.import->concurrent = true;
+    }
+
+    static FramePlan plan_of(const ResolvedGraph& graph, uint32_t queues) {
+        CompileOptions options;
+        options.queues = logical_queues({}, queues);
+        return compile(graph, content_needs(graph), options);
+    }
+
+    // Compares a run with the reference run. All units run in frame 0.
+    static void expect_reference(const FramePlan& plan, const RestChoice& resting, uint64_t seed, NullOrder order) {
+        const auto frames = static_cast<uint32_t>(resting.size());
+        const NullRun wanted = run_reference(plan.graph, plan.live, frames, resting);
+        const NullRun found = run_null(plan, {frames, seed, order, resting});
+        const std::vector<std::string> different = differences(plan.graph, wanted, found);
+        ASSERT_TRUE(different.empty()) << different.front() << "\n"
+                                       << (found.faults.empty() ? "" : found.faults.front());
+    }
+
+    void all_subsets(const FramePlan& plan, uint32_t seed) {
+        const uint32_t units = plan.graph.rest_unit_count;
+        std::mt19937 random(seed);
+        const auto any = [&] { return as_list(static_cast<uint32_t>(random()), units); };
+        for (uint32_t set = 0; set < 1u << units; ++set) {
+            const RestChoice resting{as_list(0, units), as_list(set, units), any(), as_list(set, units), any()};
+            const NullOrder order = set % 3 == 0 ? NullOrder::delayed : NullOrder::shuffled;
+            expect_reference(plan, resting, seed + set, order);
+            if (HasFatalFailure()) return;
+            ++runs_;
+        }
+    }
+
+    uint64_t runs_ = 0;
+};
+
+TEST_F(RestUnits, AnySubsetOfUnitsGivesWhatTheReferenceGives) {
+    const uint32_t seeds = extended() ? 700 : 60;
+    uint32_t graphs = 0, refused = 0, units = 0, most = 0;
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
+        const RandomRest made = random_rest(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + made.text);
+        observed = made.observed;
+        const Result<ResolvedGraph> graph = run(made.text);
+        if (!graph) {
+            ++refused;
+            for (const Diagnostic& d : graph.errors()) ASSERT_EQ(d.code, "W150") << to_text(d);
+            continue;
+        }
+        if (graph->rest_unit_count > kMostUnits) continue;
+        const FramePlan plan = plan_of(*graph, 1 + seed % 3);
+        const Diagnostics faults = check_plan(plan);
+        ASSERT_TRUE(faults.empty()) << to_text(faults);
+        all_subsets(plan, seed);
+        if (HasFatalFailure()) return;
+        ++graphs;
+        units += graph->rest_unit_count;
+        most = std::max(most, graph->rest_unit_count);
+    }
+    std::cout << "seeds 1.." << seeds << ": " << graphs << " graphs, " << units << " units, at most " << most
+              << " in one graph; " << runs_ << " runs; " << refused << " graphs refused\n";
+    EXPECT_GE(graphs * 10, seeds * 7);
+}
+
+TEST_F(RestUnits, WhatTheNullExecutorBreaksTheCheckerCatches) {
+    const uint32_t seeds = extended() ? 300 : 25;
+    Tallies tallies{};
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
+        const RandomRest made = random_rest(seed + 5000);
+        SCOPED_TRACE("seed " + std::to_string(seed + 5000) + "\n" + made.text);
+        observed = made.observed;
+        const Result<ResolvedGraph> graph = run(made.text);
+        if (graph) judge_mutants(plan_of(*graph, 1 + seed % 3), extended() ? 4 : 8, tallies);
+    }
+    print(tallies);
+}
+
+}  // namespace
+}  // namespace weft::test
