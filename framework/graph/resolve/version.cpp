@@ -29,7 +29,6 @@ VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects 
     VersionedGraph versioned{.resources = std::move(graph.resources),
                              .passes = std::move(graph.passes),
                              .edges = {},
-                             .rest_units = {},
                              .suspects = std::move(suspects)};
     find_in_place_writes(versioned.passes);
     std::vector<Cell> cells = make_cells(versioned, reporter);

@@ -15,10 +15,10 @@ struct VersionedGraph {
     std::vector<BoundPass> passes;
     // The dependencies between passes, sorted by (to, from, kind, resource).
     std::vector<EdgeDecl> edges;
-    // Index: PassId. The rest unit of each pass, or kNoId. Empty if no pass has "rest".
-    std::vector<uint32_t> rest_units;
-    uint32_t rest_unit_count = 0;
     Suspects suspects;
+    // Index: PassId. The rest unit of each pass, or kNoId. Empty if no pass has "rest".
+    std::vector<uint32_t> rest_units = {};
+    uint32_t rest_unit_count = 0;
 };
 // Finds the versions and adds them to the graph. `suspects` comes from the checks after choose_formats().
 [[nodiscard]] VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects suspects,

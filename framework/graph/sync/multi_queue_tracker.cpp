@@ -166,6 +166,7 @@ void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> eve
                              .dst = dst,
                              .reason = reason(event),
                              .from = past.pass});
+    moved_ = moved_ || layout_ != dst.layout;
     layout_ = dst.layout;
     unflushed_ = source_writes_ = access::kNone;
     visible_.fill(access::kNone);
@@ -251,6 +252,7 @@ void MultiQueueTracker::change(std::span<const AccessEvent> events, CellSync& sy
 void MultiQueueTracker::note_source(const AccessEvent& event, const AccessState& made_visible) {
     source_ = Past{event.position, event.queue, event.state.stages, event.pass, false};
     readers_.clear();
+    moved_ = moved_ || layout_ != made_visible.layout;
     layout_ = made_visible.layout;
     source_writes_ = event.writes ? event.state.access & access::kAllWrites : access::kNone;
     unflushed_ = source_writes_;
@@ -264,7 +266,9 @@ void MultiQueueTracker::note_source(const AccessEvent& event, const AccessState&
 
 void MultiQueueTracker::release(const AccessState& exit, CellSync& sync) {
     const bool overwritten_next = touched_ && (exit.access & access::kAllWrites) != 0;
-    if (!written_ && !overwritten_next && layout_ == exit.layout) return;
+    const bool here = source_ && source_->queue == kGraphicsQueue;
+    const bool seen = layout_ == exit.layout && (!moved_ || (here && visible(exit)));
+    if (!written_ && !overwritten_next && seen) return;
     AccessState src{stage::kNone, access::kNone, layout_};
     for (const Past& past : predecessors()) {
         if (past.queue == kGraphicsQueue)

@@ -71,6 +71,7 @@ class MultiQueueTracker {
     bool taken_over_ = false;
     bool entered_ = false;
     bool written_ = false;
+    bool moved_ = false;  // True if this frame changed the layout.
     bool touched_ = false;
     Layout layout_ = Layout::undefined;
     // The last write or layout transition. It determines the current content and layout.

@@ -83,8 +83,8 @@ class SingleQueueTracker {
     // reads that follow in the same layout before the next write, so those reads need no barrier.
     void advance(std::span<const AccessEvent> events, CellSync& sync);
     // Adds the barrier at the end of the frame that brings an import into its exit state. It is needed if the
-    // frame wrote the import, if the layout differs, or if the next user may overwrite data that this frame
-    // read.
+    // frame wrote the import, if the layout differs, if the frame changed the layout and back and the exit
+    // state does not see that, or if the next user may overwrite data that this frame read.
     void release(const AccessState& exit, CellSync& sync);
     // Starts the next frame: all accesses so far belong to the previous frame.
     void next_frame() { previous_frame_ = true; }
@@ -116,6 +116,7 @@ class SingleQueueTracker {
     PassId pass_ = kNoId;  // The pass of the pending accesses; kNoId if there are several.
     bool several_ = false;
     bool written_ = false;
+    bool moved_ = false;  // True if this frame changed the layout.
     bool touched_ = false;
     bool previous_frame_ = false;        // True if the last access was in the previous frame.
     QueueIndex queue_ = kGraphicsQueue;  // Queue of the last access to the subresource.
