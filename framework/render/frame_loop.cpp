@@ -9,6 +9,7 @@
 #include "weft/check/check_transition.h"
 #include "weft/compile.h"
 #include "weft/light_list.h"
+#include "weft/render/import_catalog.h"
 
 namespace weft::render {
 
@@ -55,6 +56,8 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     HostInputs host;
     host.set("lights", lights);
     frame.host = &host;
+    // The program never changes the draw commands of a scene.
+    for (const char* list : kDrawLists) frame.import_versions.emplace(commands_of(list), 0);
     return stage_.executor->run(frame);
 }
 

@@ -71,6 +71,19 @@ VkDescriptorSet GpuFrame::set(uint32_t slot, std::string_view view) const {
     return sets_.sets[slot * kViews + index_of(view)];
 }
 
+void GpuFrame::add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
+                         std::vector<std::byte>& bytes) const {
+    const std::span<const std::byte> memory =
+        std::as_const(constants_).mapped().subspan(slot * kSlotBytes, kSlotBytes);
+    for (const FrameRange& range : ranges) {
+        uint64_t block = 0;  // The frame constants.
+        if (range.binding == 1) block = kViewsOffsetBytes + index_of(view) * kViewBytes;
+        if (range.binding == 3) block = kSunOffsetBytes;
+        const auto part = memory.subspan(block + range.offset_bytes, range.size_bytes);
+        bytes.insert(bytes.end(), part.begin(), part.end());
+    }
+}
+
 void GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
                      const SunCascades& sun) {
     std::byte* memory = constants_.mapped().data() + slot * kSlotBytes;

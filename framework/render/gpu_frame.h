@@ -21,6 +21,9 @@ class GpuFrame {
     void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
                const SunCascades& sun);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
+    // Appends parts of the uniform blocks of a set; see DrawSource::add_frame_bytes().
+    void add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
+                   std::vector<std::byte>& bytes) const;
     // Returns descriptor set 0 for a view such as "camera" or "sun(1)"; see import_catalog.h.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
 

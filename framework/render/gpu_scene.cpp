@@ -129,6 +129,17 @@ VkDescriptorSet GpuScene::frame_set(uint32_t frame_slot, std::string_view view) 
     return frame_.set(frame_slot, view);
 }
 
+bool GpuScene::add_frame_bytes(uint32_t frame_slot, std::string_view view, std::span<const FrameRange> ranges,
+                               std::vector<std::byte>& bytes) const {
+    frame_.add_bytes(frame_slot, view, ranges, bytes);
+    return true;
+}
+
+std::optional<uint64_t> GpuScene::list_version(std::string_view list) const {
+    if (list == kSortedList) return std::nullopt;
+    return 0;
+}
+
 void GpuScene::record(const vk::DrawContext& context) const {
     const auto found = lists_.find(context.list);
     if (found == lists_.end()) return;

@@ -32,6 +32,11 @@ class GpuScene final : public vk::DrawSource {
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
+    [[nodiscard]] bool add_frame_bytes(uint32_t frame_slot, std::string_view view,
+                                       std::span<const FrameRange> ranges,
+                                       std::vector<std::byte>& bytes) const override;
+    // The objects of a scene do not move, so only the order of the transparent ones changes.
+    [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     void record(const vk::DrawContext& context) const override;
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
     // Returns the buffer of draw commands of a list of import_catalog.h. Graphs import it under the name

@@ -93,9 +93,20 @@ struct StageVariable {
     uint8_t components = 4;
 };
 
+// A part of a uniform block in descriptor set 0, which has the constants of the frame and of the view.
+struct FrameRange {
+    uint32_t binding = 0;
+    uint32_t offset_bytes = 0;
+    uint32_t size_bytes = 0;
+    bool operator==(const FrameRange&) const = default;
+};
+
 struct ShaderInterface {
     ShaderStageMask stages = 0;
     std::vector<ShaderBinding> bindings;  // Descriptors that the shader uses, sorted by set, then by binding.
+    // The parts of the uniform blocks in set 0 that the shader can read, sorted by binding and offset. They do
+    // not overlap.
+    std::vector<FrameRange> frame_ranges;
     bool has_params = false;
     ParamsBlock params;
     std::vector<SpecConstant> spec_constants;  // Specialisation constants, sorted by name.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "shader/reflect/reflect_stage.h"
+#include "shader/reflect/used_ranges.h"
 
 namespace weft::shader {
 
@@ -103,6 +104,7 @@ void take_variables(std::vector<StageVariable>& into, const std::vector<Reflecte
 
 void merge_stage(ShaderInterface& all, const StageReflection& stage, InterfaceFaults& faults) {
     all.stages |= stage_bit(stage.stage);
+    all.frame_ranges.insert(all.frame_ranges.end(), stage.frame_ranges.begin(), stage.frame_ranges.end());
     if (stage.push_constants) merge_params(all, *stage.push_constants, stage.stage, faults);
     for (const ReflectedBinding& reflected : stage.bindings) {
         const ShaderBinding& binding = reflected.binding;
@@ -136,6 +138,7 @@ ShaderInterface reflect_program(const std::vector<ShaderModule>& modules, Interf
     for (const ShaderModule& module : modules) {
         merge_stage(all, reflect_stage(module.stage, module.spirv, faults), faults);
     }
+    merge_ranges(all.frame_ranges);
     std::ranges::sort(all.bindings, {}, [](const ShaderBinding& b) { return std::pair(b.set, b.binding); });
     std::ranges::sort(all.spec_constants, {}, &SpecConstant::name);
     return all;

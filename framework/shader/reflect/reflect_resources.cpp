@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "shader/reflect/reflector.h"
+#include "shader/reflect/used_ranges.h"
 
 namespace weft::shader {
 
@@ -158,6 +159,8 @@ void Reflector::reflect_buffers() {
             reflected.binding.members = members_of(resource);
             reflected.binding.block_bytes = size_of(resource);
             if (kind == BindingKind::storage_buffer) describe_access(reflected.binding, resource.id, true);
+            if (kind == BindingKind::uniform_buffer && reflected.binding.set == 0 && reflected.used)
+                add_frame_ranges(reflected.binding, resource.id);
             reflected.is_params =
                 kind == BindingKind::uniform_buffer &&
                 std::string(spvc_compiler_get_name(compiler_, resource.base_type_id)) == kParamsBlock;
@@ -169,6 +172,13 @@ void Reflector::reflect_buffers() {
             }
             result_.bindings.push_back(std::move(reflected));
         }
+    }
+}
+
+void Reflector::add_frame_ranges(const ShaderBinding& block, spvc_variable_id id) {
+    for (FrameRange range : used_ranges(spirv_, id, block.members, block.block_bytes)) {
+        range.binding = block.binding;
+        result_.frame_ranges.push_back(range);
     }
 }
 

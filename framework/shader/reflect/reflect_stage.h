@@ -43,6 +43,7 @@ struct ReflectedVariable {
 struct StageReflection {
     ShaderStage stage = ShaderStage::compute;
     std::vector<ReflectedBinding> bindings;
+    std::vector<FrameRange> frame_ranges;  // As in ShaderInterface, for this stage.
     std::optional<ParamsBlock> push_constants;
     std::vector<SpecConstant> spec_constants;
     std::vector<ReflectedVariable> inputs;

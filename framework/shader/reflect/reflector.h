@@ -28,6 +28,7 @@ class Reflector {
     void refuse_foreign_kinds();
     void reflect_images();
     void reflect_buffers();
+    void add_frame_ranges(const ShaderBinding& block, spvc_variable_id id);
     void reflect_push_constants();
     void reflect_spec_constants();
     void reflect_variables(spvc_resource_type type, std::vector<ReflectedVariable>& variables);

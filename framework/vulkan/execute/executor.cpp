@@ -5,6 +5,7 @@
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
+#include "vulkan/execute/unit_input.h"
 #include "vulkan/record/barriers_vk.h"
 #include "vulkan/record/record.h"
 
@@ -130,6 +131,24 @@ Status ReplayExecutor::finish() {
     return Unit{};
 }
 
+// Chooses the rest units that run in this frame.
+void ReplayExecutor::choose_units(const FrameInput& frame, uint32_t slot) {
+    if (rest_.unit_count() == 0) return;
+    unit_inputs_.assign(rest_.unit_count(), UnitInput(std::in_place));
+    for (Position position(0); position < objects_->passes.size(); ++position) {
+        const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
+        if (pass.rest_unit == kNoId) continue;
+        add_unit_input({*objects_, frame, {objects_->resources, frames_run_}, slot}, position,
+                       unit_inputs_[pass.rest_unit]);
+    }
+    wakes_ = rest_.choose(unit_inputs_);
+}
+
+bool ReplayExecutor::rests(Position position) const {
+    const uint32_t unit = objects_->plan.graph.passes[objects_->plan.schedule.order[position]].rest_unit;
+    return unit != kNoId && wakes_[unit].reason == WakeReason::rests;
+}
+
 void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     const HostInputs none;
@@ -149,10 +168,11 @@ void ReplayExecutor::record_step(const RecordContext& context, Position position
     const std::string& name = plan.graph.passes[step.pass].name;
     device_.messages().set_current_pass(name);
     if (context.labels) begin_label(device_, context.commands, name);
+    const bool resting = rests(position);
     if (position != hooks_.drop_barriers_of_position)
-        record_barriers(device_, context.commands, step.barriers, plan, context.resources);
-    if (runs_in_frame(plan.graph.passes[step.pass], frames_run_)) record_pass(context, position);
-    record_barriers(device_, context.commands, step.after, plan, context.resources);
+        record_barriers(device_, context.commands, step.barriers, plan, context.resources, resting);
+    if (!resting && runs_in_frame(plan.graph.passes[step.pass], frames_run_)) record_pass(context, position);
+    record_barriers(device_, context.commands, step.after, plan, context.resources, resting);
     if (context.labels) end_label(device_, context.commands);
     objects_->timer.record_pass_end(context.commands, context.slot, position);
 }
@@ -192,6 +212,7 @@ Status ReplayExecutor::submit_frame(uint32_t slot) {
     if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
     if (result == VK_SUCCESS) {
         ++frames_run_;
+        rest_.commit(unit_inputs_, wakes_);
         return Unit{};
     }
     const Diagnostic failed = failed_call("V418", "submitting passes " + all_passes, result);
@@ -208,6 +229,7 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     InFlight& in_flight = in_flight_[slot];
     in_flight.frame_index = frame.frame_index;
     const Stopwatch record_watch;
+    choose_units(frame, slot);
     prepare_host_data(frame, slot);
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);

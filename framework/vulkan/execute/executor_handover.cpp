@@ -110,6 +110,7 @@ void ReplayExecutor::amend(std::unique_ptr<Amendment> amendment) {
     assert(keeps_structure(objects_->plan, now.graph));
     objects_->plan.graph = std::move(now.graph);
     if (now.passes.empty()) return;
+    wake_changed(now);
     objects_->pipeline_counts = now.counts;
     Retired& old = retired_.emplace_back();
     for (size_t position = 0; position < now.passes.size(); ++position)
@@ -117,6 +118,20 @@ void ReplayExecutor::amend(std::unique_ptr<Amendment> amendment) {
             std::exchange(objects_->passes[position].pipelines, std::move(now.passes[position])));
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot) old.in_flight[slot] = slots_->in_flight(slot);
     drop_retired();
+}
+
+// Lets the rest units run whose pipelines the amendment replaces.
+void ReplayExecutor::wake_changed(PlanAmendment& amendment) {
+    for (Position position(0); position < amendment.passes.size(); ++position) {
+        PreparedPass& prepared = objects_->passes[position];
+        prepared.frame_ranges = std::move(amendment.frame_ranges[position]);
+        const uint32_t unit = objects_->plan.graph.passes[objects_->plan.schedule.order[position]].rest_unit;
+        const bool same = std::ranges::equal(prepared.pipelines, amendment.passes[position],
+                                             [](const DrawPipeline& a, const DrawPipeline& b) {
+                                                 return a.pipeline.get() == b.pipeline.get();
+                                             });
+        if (unit != kNoId && !same) rest_.wake(unit);
+    }
 }
 
 // Destroys the retired pipelines that no frame in flight can use any more. A frame slot whose frame has

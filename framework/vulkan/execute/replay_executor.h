@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "graph/rest/rest_state.h"
 #include "vulkan/execute/frame_slots.h"
 #include "vulkan/record/plan_objects.h"
 #include "vulkan/record/record.h"
@@ -20,7 +21,8 @@ class ReplayExecutor final : public Executor {
         : device_(device),
           objects_(std::move(objects)),
           slots_(std::make_unique<FrameSlots>(std::move(slots))),
-          hooks_(hooks) {}
+          hooks_(hooks),
+          rest_(objects_->plan) {}
     ~ReplayExecutor() override;
 
     Result<uint32_t> begin_frame() override;
@@ -48,7 +50,10 @@ class ReplayExecutor final : public Executor {
     };
     [[nodiscard]] Status complete(uint32_t slot);
     void drop_retired();
+    void wake_changed(PlanAmendment& amendment);
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
+    void choose_units(const FrameInput& frame, uint32_t slot);
+    [[nodiscard]] bool rests(Position position) const;
     void prepare_host_data(const FrameInput& frame, uint32_t slot);
     void record_frame(const FrameInput& frame, uint32_t slot);
     void record_step(const RecordContext& context, Position position);
@@ -67,6 +72,11 @@ class ReplayExecutor final : public Executor {
     std::unique_ptr<PlanObjects> objects_;
     std::unique_ptr<FrameSlots> slots_;
     ExecutorHooks hooks_;
+    RestState rest_;
+    // The inputs of the rest units in the frame that is being recorded, and the units that run in it. Index:
+    // unit.
+    std::vector<UnitInput> unit_inputs_;
+    std::vector<Wake> wakes_;
     std::array<InFlight, kFramesInFlight> in_flight_;
     uint64_t frames_begun_ = 0;
     // Frame slot of the frame that has begun but not run yet; kNoId if there is none.

@@ -73,12 +73,12 @@ VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
 }  // namespace
 
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
-                     const FramePlan& plan, const FrameResources& resources) {
-    if (barriers.empty()) return;
+                     const FramePlan& plan, const FrameResources& resources, bool pass_rests) {
     std::vector<VkMemoryBarrier2> memory;
     std::vector<VkImageMemoryBarrier2> images;
     std::vector<VkBufferMemoryBarrier2> buffers;
     for (const BarrierDecl& barrier : barriers) {
+        if (pass_rests && barrier.if_pass_runs) continue;
         const ResourceDecl& decl = plan.graph.resources[barrier.resource];
         const bool is_image = decl.kind == ResourceKind::image;
         const Families families = families_of(device, barrier);
@@ -88,6 +88,7 @@ void record_barriers(const Device& device, VkCommandBuffer commands, std::span<c
         else if (barrier.aliased_from.empty())
             buffers.push_back(buffer_barrier(barrier, resources.buffer(barrier.resource), families));
     }
+    if (memory.empty() && images.empty() && buffers.empty()) return;
     VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     info.memoryBarrierCount = static_cast<uint32_t>(memory.size());
     info.pMemoryBarriers = memory.data();

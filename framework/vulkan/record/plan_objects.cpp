@@ -133,6 +133,7 @@ Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjec
     Result<PassLayout> layout = make_pass_layout(device, objects.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();
     prepared.layout = std::move(*layout);
+    prepared.frame_ranges = program.interface.frame_ranges;
     for (uint64_t frame = 0; frame < objects.resources.rings.period(pass); ++frame) {
         const Status ring_phase = prepare_ring_phase(device, objects, position, program.interface, frame);
         if (!ring_phase) return ring_phase;
@@ -216,8 +217,10 @@ Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, Execu
     auto amendment = std::make_unique<PlanAmendment>();
     for (const PassId id : input.plan.schedule.order) {
         std::vector<DrawPipeline>& place = amendment->passes.emplace_back();
+        std::vector<FrameRange>& ranges = amendment->frame_ranges.emplace_back();
         const PassDecl& pass = input.plan.graph.passes[id];
         if (!runs_shader(pass.kind)) continue;
+        ranges = input.shaders->find(pass.shader)->second.interface.frame_ranges;
         device.messages().set_current_pass(pass.name);
         Result<std::vector<DrawPipeline>> pipelines =
             make_new_pipelines(device, input, cache->get(), *amendment, pass);

@@ -23,6 +23,8 @@ struct PreparedPass {
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
     std::vector<DrawPipeline> pipelines;
+    // The constants of frame and view that the shader reads; see ShaderInterface.
+    std::vector<FrameRange> frame_ranges;
     // The program's callbacks for the pass; set only for custom passes.
     std::optional<PassType> type;
 
@@ -68,6 +70,8 @@ struct PlanAmendment final : Amendment {
     // The pipelines of each pass, indexed by the position of the pass in the execution order. Empty if the
     // old pipelines stay.
     std::vector<std::vector<DrawPipeline>> passes;
+    // PreparedPass::frame_ranges of each pass, as in `passes`.
+    std::vector<std::vector<FrameRange>> frame_ranges;
     PipelineCounts counts;
 
     PipelineCounts pipelines() const override { return counts; }

@@ -3,11 +3,15 @@
 // draws when it records commands.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "weft/imports.h"
+#include "weft/shader_interface.h"
 #include "weft/vulkan/device.h"
 
 namespace weft::vk {
@@ -41,6 +45,17 @@ class DrawSource {
     // The source binds sets 2 and 3 if the pipeline layout has them. It binds vertex buffers in the order of
     // the streams in the import's vertex format.
     virtual void record(const DrawContext& context) const = 0;
+    // Appends these parts of the uniform blocks of frame_set() to `bytes`. If all of them, and all versions,
+    // are the same as in an earlier frame, set 0 has the same content as in that frame. Returns false if the
+    // source does not know the content; then passes with "rest" that use set 0 run in every frame.
+    [[nodiscard]] virtual bool add_frame_bytes(uint32_t /*frame_slot*/, std::string_view /*view*/,
+                                               std::span<const FrameRange> /*ranges*/,
+                                               std::vector<std::byte>& /*bytes*/) const {
+        return false;
+    }
+    // Returns a number that changes whenever the draws of the list change: their number, order, meshes,
+    // transforms, materials or textures. Returns nullopt if they may change in every frame.
+    [[nodiscard]] virtual std::optional<uint64_t> list_version(std::string_view /*list*/) const { return {}; }
     // Returns the number of draws in the list, for messages about slow frames.
     [[nodiscard]] virtual uint64_t draw_count(std::string_view /*list*/) const { return 0; }
 };

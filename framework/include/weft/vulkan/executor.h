@@ -50,6 +50,9 @@ struct FrameInput {
     float pre_exposure = 1;
     float prev_pre_exposure = 1;
     const HostInputs* host = nullptr;
+    // Versions of the contents of imported buffers and images, by name. Give an import a new number whenever
+    // its content changes. A rest unit that reads an import without a version runs in every frame.
+    std::map<std::string, uint64_t, std::less<>> import_versions = {};
 };
 
 // Hooks for tests: they omit barriers, so that a test can check that the validation layer reports the missing
