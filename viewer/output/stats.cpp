@@ -33,14 +33,23 @@ Json passes_json(const StatsInput& input) {
     for (Position p(0); p < input.plan.schedule.order.size(); ++p) {
         const PassDecl& pass = graph.passes[input.plan.schedule.order[p]];
         std::vector<double> times;
+        uint32_t rested = 0;
+        Json woken = Json::object();
         for (const vk::FrameTiming& frame : input.timings)
-            for (const vk::PassTiming& timing : frame.passes)
-                if (timing.pass == pass.name) times.push_back(timing.gpu_ms);
+            for (const vk::PassTiming& timing : frame.passes) {
+                if (timing.pass != pass.name) continue;
+                if (!timing.rested) times.push_back(timing.gpu_ms);
+                rested += timing.rested ? 1 : 0;
+                if (!timing.woken_by.empty()) woken[timing.woken_by] = woken.value(timing.woken_by, 0u) + 1;
+            }
         passes.push_back({{"name", pass.name},
                           {"queue", uint32_t{input.plan.schedule.queue[p]}},
                           {"gpu_ms", distribution(std::move(times))},
                           {"bytes", port_bytes(graph, pass)},
                           {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)}});
+        if (pass.rest_unit == kNoId) continue;
+        passes.back()["rested_frames"] = rested;
+        passes.back()["woken_by"] = std::move(woken);
     }
     return passes;
 }

@@ -4,6 +4,23 @@
 
 namespace weft {
 
+std::string wake_text(const FramePlan& plan, const Wake& wake) {
+    switch (wake.reason) {
+        case WakeReason::rests:
+            return {};
+        case WakeReason::first_run:
+            return "the pass has not run with this plan and these shaders";
+        case WakeReason::changing:
+            return "an input may change in every frame";
+        case WakeReason::input:
+            return "a parameter, a constant of the frame or view, a draw list or an import has changed";
+        case WakeReason::unit:
+            break;
+    }
+    const auto pass = std::ranges::find(plan.graph.passes, wake.unit, &PassDecl::rest_unit);
+    return "pass \"" + pass->name + "\" ran";
+}
+
 RestState::RestState(const FramePlan& plan) : units_(plan.graph.rest_unit_count) {
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];

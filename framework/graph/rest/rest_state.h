@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "weft/plan.h"
@@ -29,6 +30,9 @@ struct Wake {
     WakeReason reason = WakeReason::rests;
     uint32_t unit = kNoId;  // For WakeReason::unit: the other unit.
 };
+
+// Returns the reason as text, such as `pass "table" ran`. Returns an empty text if the unit rests.
+[[nodiscard]] std::string wake_text(const FramePlan& plan, const Wake& wake);
 
 class RestState {
  public:

@@ -91,6 +91,17 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
     return diagnostic;
 }
 
+PassTiming ReplayExecutor::pass_timing(Position position, double gpu_ms,
+                                       const std::vector<Wake>& wakes) const {
+    const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
+    PassTiming timing{pass.name, gpu_ms, false, {}};
+    if (pass.rest_unit == kNoId || wakes.empty()) return timing;
+    const Wake& wake = wakes[pass.rest_unit];
+    timing.rested = wake.reason == WakeReason::rests;
+    timing.woken_by = wake_text(objects_->plan, wake);
+    return timing;
+}
+
 Status ReplayExecutor::complete(uint32_t slot) {
     if (!lost_.empty()) return lost_;
     if (!slots_->in_flight(slot)) return Unit{};
@@ -100,9 +111,8 @@ Status ReplayExecutor::complete(uint32_t slot) {
     drop_retired();
     InFlight& frame = in_flight_[slot];
     const std::vector<double> times = objects_->timer.read_ms(slot);
-    for (size_t position = 0; position < times.size(); ++position)
-        frame.timing.passes.push_back(
-            {objects_->plan.graph.passes[objects_->plan.schedule.order[position]].name, times[position]});
+    for (Position position(0); position < times.size(); ++position)
+        frame.timing.passes.push_back(pass_timing(position, times[position], frame.wakes));
     timings_.push_back(std::move(frame.timing));
     if (timings_.size() > kMostTimings) timings_.erase(timings_.begin());
     objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, readbacks_);
@@ -233,6 +243,7 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     prepare_host_data(frame, slot);
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);
+    in_flight.wakes = wakes_;
     in_flight.timing.record_ms = record_watch.ms();
     const Stopwatch submit_watch;
     Status submitted = submit_frame(slot);

@@ -40,6 +40,7 @@ class ReplayExecutor final : public Executor {
  private:
     struct InFlight {
         uint64_t frame_index = 0;
+        std::vector<Wake> wakes;  // Index: rest unit.
         FrameTiming timing;
     };
     // Pipelines that amend() replaced by new ones, and the frame slots whose frames in flight may still use
@@ -54,6 +55,8 @@ class ReplayExecutor final : public Executor {
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
     void choose_units(const FrameInput& frame, uint32_t slot);
     [[nodiscard]] bool rests(Position position) const;
+    [[nodiscard]] PassTiming pass_timing(Position position, double gpu_ms,
+                                         const std::vector<Wake>& wakes) const;
     void prepare_host_data(const FrameInput& frame, uint32_t slot);
     void record_frame(const FrameInput& frame, uint32_t slot);
     void record_step(const RecordContext& context, Position position);

@@ -13,7 +13,10 @@ namespace weft::vk {
 
 struct PassTiming {
     std::string pass;
-    double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if it was not measured.
+    double gpu_ms = 0;    // Time on the GPU in milliseconds; negative if it was not measured.
+    bool rested = false;  // True if the pass has `rest` and did not run in this frame.
+    // For a pass with `rest` that ran: the reason, such as `pass "table" ran`. Empty for all other passes.
+    std::string woken_by;
 };
 
 struct FrameTiming {
