@@ -115,6 +115,7 @@ class PlanText {
         waits(position);
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
             text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
+        if (decl.rest_unit != kNoId) text_ += "    rests with " + rest_unit(decl.rest_unit) + "\n";
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];
@@ -130,6 +131,14 @@ class PlanText {
         }
     }
 
+    // Returns the names of the live passes of a rest unit.
+    std::string rest_unit(uint32_t unit) const {
+        std::string names;
+        for (const PassId id : plan_.schedule.order)
+            if (plan_.graph.passes[id].rest_unit == unit) names += (names.empty() ? "" : ", ") + pass(id);
+        return "unit " + std::to_string(unit) + " (" + names + ")";
+    }
+
     void barrier(const BarrierDecl& b) {
         const bool image = plan_.graph.resources[b.resource].kind == ResourceKind::image;
         text_ += "    barrier " + part(b.resource, b.range) + ": " + state(b.src, image) + " -> " +
@@ -140,6 +149,7 @@ class PlanText {
         }
         if (b.from != kNoId) text_ += ", after " + pass(b.from);
         if (b.from_previous_frame) text_ += " of the previous frame";
+        if (b.if_pass_runs) text_ += "; only if the pass runs";
         if (b.src_family != b.dst_family)
             text_ += ", family " + std::to_string(b.src_family) + " to " + std::to_string(b.dst_family);
         text_ += "]\n";
