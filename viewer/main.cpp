@@ -39,7 +39,7 @@ std::string folder_of_scene(const std::string& scene) {
     return std::filesystem::is_directory(scene) ? scene : folder_of(scene);
 }
 
-// The declared commands, and the structs into which parsing the command line stores the options.
+// The commands of the program, and the structs that receive the parsed options.
 struct CommandLine {
     CLI::App app{"weft compiles a render graph written as JSON, checks the plan, and runs it on Vulkan.",
                  "weft"};
@@ -109,8 +109,8 @@ void CommandLine::finish(const Limits& limits) {
     }
 }
 
-// Enters the sandbox if the command has --sandbox. Returns nullopt if the command must continue in this
-// process, or otherwise the exit code of the process.
+// Enters the sandbox if the command has --sandbox. Returns nullopt if this process must run the command.
+// Otherwise, returns the exit code with which this process must end, because a child process ran the command.
 std::optional<ExitCode> CommandLine::enter_sandbox() {
     SandboxNeeds needs;
     if (render->parsed() && render_options.sandbox) {

@@ -1,8 +1,9 @@
-// Purpose: records all barriers of one queue and tells which stages wait for which. The log works on demand:
-// an AccessRecord (ordering.h) reads the new barriers only when the checker needs the record. So a new
-// barrier costs no time for the thousands of other records. A chain of barriers is stored as a map from each
-// stage to the set of stages that wait for it. Source: Vulkan 1.3 specification, "Execution Dependencies":
-// two barriers chain where the destination of the first intersects the source of the second.
+// Purpose: records all barriers of one queue and tells which stages wait for which other stages. A new
+// barrier updates only the AccessRecords (ordering.h) of its own memory. There may be thousands of records of
+// other memory: such a record reads the barrier from this log only when the checker needs the record. A chain
+// of barriers is stored as a map from each stage to the set of stages that wait for it. Source: Vulkan 1.3
+// specification, "Execution Dependencies": two barriers chain where the destination of the first intersects
+// the source of the second.
 #pragma once
 
 #include <array>
@@ -47,10 +48,10 @@ class BarrierLog {
     [[nodiscard]] const StageChain& since(uint32_t count) const;
 
  private:
-    // The combined chain of the batches from index `first` to the last one. All start indices from `first` up
-    // to the next Suffix give the same chain, so one Suffix stores it for all of them. A chain that starts
-    // earlier contains all dependencies of a chain that starts later, and at least one more. So the number of
-    // Suffixes is limited by the number of pairs of stages.
+    // The combined chain of the batches from index `first` to the last one. Every start index from `first`
+    // until just before `first` of the next Suffix gives the same chain, so one Suffix stores it for all of
+    // them. The chain of each Suffix contains all dependencies of the next Suffix, and at least one more. So
+    // the number of Suffixes is limited by the number of pairs of stages.
     struct Suffix {
         uint32_t first = 0;
         StageChain chain;

@@ -115,8 +115,8 @@ class SlicedResource {
 
     void check_read(PassId reader, const UseDecl& use, const VersionSource& source) {
         for_each_part(source.range, [&](const Part& part, const SubresourceRange& cell) {
-            // If every writer modifies the previous content, a reader sees the current content in every
-            // frame.
+            // A read can see a wrong version only if a writer is sliced and a writer (the same one or
+            // another) discards the previous content.
             if (!part.sliced || !part.overwritten) return;
             const bool before = source.producer == kNoId;
             const PassId named = before ? last_of(part) : source.producer;
@@ -165,8 +165,9 @@ class SlicedResource {
     std::vector<Part> parts_;
 };
 
-// Checks that no barrier of a pass with frame slices discards content. The barrier runs in every frame, but
-// in some frames the pass does not run, so nothing would write new content.
+// Checks that no barrier before a pass with frame slices discards the content of an image, unless the image
+// is transient. The barrier runs in every frame, but the pass does not, so in some frames nothing would write
+// new content.
 void check_dropped_content(const FramePlan& plan, FaultList& faults) {
     for (const PassStep& step : plan.barriers.steps) {
         const PassDecl& pass = plan.graph.passes[step.pass];

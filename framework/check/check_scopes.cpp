@@ -28,8 +28,8 @@ bool same_place(const Bound& a, const Bound& b) {
            a.use->state.layout == b.use->state.layout;
 }
 
-// Returns true if every attachment in `all` has an attachment in `others` with the same location, resource,
-// range and layout.
+// Returns true if `all` and `others` have the same size, and every attachment in `all` has an attachment in
+// `others` with the same location, resource, range and layout.
 bool same_places(const std::vector<Bound>& all, const std::vector<Bound>& others) {
     return all.size() == others.size() && std::all_of(all.begin(), all.end(), [&](const Bound& a) {
                return std::any_of(others.begin(), others.end(),
@@ -96,8 +96,8 @@ class ScopeRule {
             fault("the second pass does not load the content of " + name(bound));
     }
 
-    // Reports other uses of the attachments, such as sampling. Inside a rendering scope only attachment
-    // accesses are ordered.
+    // Reports other uses of the attachments, such as sampling, if a pass writes the attachment. Inside a
+    // rendering scope only attachment accesses are ordered.
     void check_other_uses(const PassDecl& pass, const std::vector<Bound>& before,
                           const std::vector<Bound>& after) {
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {

@@ -217,8 +217,8 @@ void check_stages(const FramePlan& plan, FaultList& faults) {
     }
 }
 
-// Checks that each ownership transfer has a release and an acquire with the same range. Vulkan pairs the two
-// halves by their parameters.
+// Checks that the barriers of ownership transfers come in pairs (release and acquire) with the same queue
+// families, layouts and range. Vulkan requires the same parameters in both halves.
 void check_transfers(const FramePlan& plan, FaultList& faults) {
     std::vector<const BarrierDecl*> halves;
     for (const PassStep& step : plan.barriers.steps)

@@ -13,9 +13,12 @@ namespace weft::check {
 // Describes an access or a layout transition: its pass, frame, queue and batch. It is used in checks and in
 // messages.
 struct Actor {
-    PassId pass = kNoId;  // The pass of the access; kNoId means the program outside the graph.
+    // The pass of the access or transition. kNoId: the prologue, the epilogue, or the program outside the
+    // graph.
+    PassId pass = kNoId;
     uint32_t frame = 0;
-    // True for a layout transition before the pass, false for the pass's own access.
+    // True for a layout transition or ownership transfer by a barrier before or after the pass; false for the
+    // pass's own access.
     bool transition = false;
     QueueIndex queue = kGraphicsQueue;
     // Number of batches of its queue, up to and including its own batch. 0 means before all frames.

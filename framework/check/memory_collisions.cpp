@@ -47,7 +47,7 @@ struct Tenancy {
     uint64_t begin_bytes, end_bytes;
 };
 
-// Returns the tenancies of all placements, sorted by the first position.
+// Returns the tenancies of all placements that are not empty, sorted by the first position.
 std::vector<Tenancy> tenancies(const FramePlan& plan) {
     std::vector<Tenancy> all;
     all.reserve(plan.memory.placements.size());
@@ -63,14 +63,15 @@ std::vector<Tenancy> tenancies(const FramePlan& plan) {
     return all;
 }
 
-// Returns false if no two tenancies share bytes at the same position. It goes through the positions in order,
-// so it is fast although the same bytes may have thousands of tenants one after another.
+// Returns true if two tenancies share bytes at the same position. The function goes through the tenancies in
+// the order of their first positions. So it is fast even if thousands of resources use the same bytes one
+// after another.
 bool any_collision(const FramePlan& plan) {
     struct Region {
         uint64_t end_bytes;
-        Position last;  // The last position at which the tenant of this region is alive.
+        Position last;  // The last position of the tenancy that uses this region.
     };
-    // The latest tenant of each region, without overlaps. Key: (heap, first byte).
+    // The regions that the latest tenancies use; they do not overlap. Key: (heap, first byte).
     std::map<std::pair<uint32_t, uint64_t>, Region> regions;
     for (const Tenancy& tenancy : tenancies(plan)) {
         auto region = regions.upper_bound({tenancy.heap, tenancy.begin_bytes});

@@ -21,7 +21,7 @@ class MemoryHolders {
     // list is valid until the next call.
     std::span<const ResourceId> take_over(ResourceId taker);
     // Records a use of `resource`. If the resource does not hold all of its memory, it becomes an additional
-    // holder. In a correct plan this happens only before the first write to its memory.
+    // holder. In a correct plan this happens only while no resource has written to this memory yet.
     void use(ResourceId resource);
     // Returns the other resources that `taker` must wait for before it writes to its memory: the holders of
     // this memory. If there are none, these are the resources from which `taker` took the memory over. It
@@ -52,9 +52,10 @@ class MemoryHolders {
     void for_each_placement(ResourceId resource, Visit visit) const;
 
     std::vector<Placement> placements_;  // All placements, sorted by resource.
-    std::vector<size_t> first_;          // Index: ResourceId. Its first element of `placements_`.
-    Regions regions_;                    // Regions without a holder are left out.
-    std::vector<uint8_t> holds_all_;     // Index: ResourceId. 1 if it is a holder of all its memory.
+    // The placements of resource r are the elements first_[r] to first_[r + 1] - 1 of `placements_`.
+    std::vector<size_t> first_;
+    Regions regions_;                 // Regions without a holder are left out.
+    std::vector<uint8_t> holds_all_;  // Index: ResourceId. 1 if it is a holder of all its memory.
     // Index: ResourceId. The resources from which it last took over memory.
     std::vector<std::vector<ResourceId>> taken_from_;
     std::vector<ResourceId> others_;  // The result of the last find_others().

@@ -54,6 +54,7 @@ class AccessRecord {
     }
     // Returns true if an earlier barrier made this write available before all of `stages`.
     [[nodiscard]] bool available_before(StageMask stages) const { return (stages & ~available_reach_) == 0; }
+    // Returns true if the barrier `scopes` itself makes this write available: its source contains the write.
     [[nodiscard]] bool flushed_by(const Scopes& scopes) const {
         return (stages_ & ~scopes.src_memory) == 0 &&
                (access_ & access::kAllWrites & ~scopes.src_access) == 0;
@@ -64,8 +65,8 @@ class AccessRecord {
     [[nodiscard]] AccessMask access() const { return access_; }
 
  private:
-    // A mask of stages or accesses in half the memory. For a plan with 10,000 passes, the checker stores about a
-    // million of them.
+    // A mask of stages or accesses with 16 instead of 32 bits, to save memory: for a plan with 10,000 passes,
+    // the checker stores about a million of these masks.
     using ShortMask = uint16_t;
     static_assert(stage::kCount <= 16 && access::kCount <= 16);
 
@@ -84,7 +85,7 @@ class AccessRecord {
     std::array<ShortMask, stage::kCount> reach_{};
     // Index: bit of a later stage. Accesses to which the write is visible.
     std::array<ShortMask, stage::kCount> visible_{};
-    StageMask transition_reach_ = 0;
+    StageMask transition_reach_ = 0;  // For a layout transition: later stages that are ordered after it.
 };
 
 }  // namespace weft::check

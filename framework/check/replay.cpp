@@ -7,6 +7,8 @@
 namespace weft::check {
 namespace {
 
+// Returns the rings of the persistent resources. A ring contains the copies of one resource; the copy of age
+// n has the content of n frames ago (see ResourceDecl::history). Index: [ring's resource of age 0][age].
 std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     std::vector<std::vector<ResourceId>> rings(graph.resources.size());
     for (ResourceId id(0); id < graph.resources.size(); ++id) {
@@ -22,7 +24,8 @@ std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     return rings;
 }
 
-// Returns for each resource of age 0 of a ring the parts of it that live passes write. Index: ResourceId.
+// Returns the parts that live passes write of each ring's resource of age 0. Index: ResourceId; the lists of
+// all other resources are empty.
 std::vector<std::vector<SubresourceRange>> written_parts(const FramePlan& plan) {
     std::vector<std::vector<SubresourceRange>> parts(plan.graph.resources.size());
     for (const PassId pass : plan.schedule.order)
@@ -212,9 +215,9 @@ void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state)
     });
 }
 
-// Adds a read to the cell. Only the two latest reads of each queue with the same stages are kept: a wait for
-// a later read also covers the earlier reads. Two are kept, not one, because a pass that reads and then
-// writes does not wait for its own read. It must wait for the read before.
+// Adds a read to the cell. Of the reads on one queue with the same stages and rendering scope, only the two
+// latest are kept: a wait for a later read also covers the earlier reads. Two are kept, not one, because a
+// pass that reads and then writes does not wait for its own read. It must wait for the read before.
 void Replay::note_read(Cell& cell, const AccessRecord& record) {
     const Actor& by = record.actor();
     const auto alike = [&](const AccessRecord& other) {

@@ -46,8 +46,9 @@ class Replay {
     static void note_read(Cell& cell, const AccessRecord& record);
     void write(const Actor& by, const UseDecl& use, const AccessState& state, bool kept);
 
-    // ordered(), flushed() and visible() check a record of an earlier access. If the access ran on another
-    // queue, a semaphore must order it before the current work; if it ran on the same queue, a barrier must.
+    // These functions check an earlier access. ordered(): the current work waits for it. flushed(): its write
+    // is available. visible(): its write is visible. For an access on another queue, a semaphore must ensure
+    // this; for an access on the same queue, a barrier must.
     [[nodiscard]] bool ordered(const AccessRecord& record, StageMask stages) const;
     [[nodiscard]] bool ordered(const AccessRecord& record, const Scopes& scopes) const;
     [[nodiscard]] bool flushed(const AccessRecord& record, const Scopes& scopes) const;
@@ -87,21 +88,22 @@ class Replay {
     FaultList& faults_;
     BatchClock clock_;
     std::vector<BarrierLog> logs_;  // Index: queue. All barriers recorded on the queue so far.
-    // Used by barriers() and carry() only: the scopes of each barrier of the call; the barriers of each
-    // resource, as indices into the call, sorted by resource; and the scopes of the barriers on one part of
-    // memory. They are members so that their memory is used again.
-    std::vector<Scopes> scopes_;
+    // The next three are temporary values of barriers() and carry(). They are members so that their memory is
+    // used again.
+    std::vector<Scopes> scopes_;  // Index: barrier in the current vkCmdPipelineBarrier2 call.
+    // Sorted pairs: a resource, and the index of a barrier in the call that affects this resource.
     std::vector<std::pair<ResourceId, size_t>> on_resource_;
-    std::vector<Scopes> on_memory_;
+    std::vector<Scopes> on_memory_;  // The scopes of the barriers that affect the current cell.
     uint64_t barrier_batches_ = 0;  // Number of vkCmdPipelineBarrier2 calls so far, on all queues.
     uint32_t frame_ = 0;
     // Number of the current rendering scope, counted over all frames.
     uint32_t scope_ = 0;
     std::vector<Cells> cells_;  // Index: ResourceId. The states of the resource's subresources.
     MemoryHolders holders_;
-    // Index: ResourceId of age 0 of a ring. The parts of the ring's resources that live passes write.
+    // Index: ResourceId. For the resource of age 0 of a ring: the parts of it that live passes write. For
+    // other resources: empty.
     std::vector<std::vector<SubresourceRange>> written_;
-    // Index: the ring's resource of age 0. All resources of the ring, ordered by age.
+    // Index: the ring's resource of age 0. All resources of the ring (ResourceDecl::ring), ordered by age.
     std::vector<std::vector<ResourceId>> rings_;
 };
 

@@ -28,7 +28,7 @@ void Replay::barriers(const std::vector<BarrierDecl>& batch, PassId before) {
     scopes_.clear();
     for (const BarrierDecl& barrier : batch) scopes_.push_back(scopes_of(barrier));
     // The barriers of one call wait only for work before the call. So first all layout transitions are
-    // checked, then all pending access records are updated, and then the transitions take effect.
+    // checked, then the records of earlier accesses are updated, and then the transitions take effect.
     for (size_t i = 0; i < batch.size(); ++i)
         if (moves(batch[i]) || changes_image(batch[i])) transition(batch[i], scopes_[i], before);
     carry(batch);
@@ -119,9 +119,10 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
 }
 
 // Applies the barriers of one call to the access records. Barriers order only earlier work of their own
-// queue. Only records on the barriers' memory are updated here; all other records apply the log later, when
-// they are checked. A barrier that is recorded only in frames in which its pass runs counts only for the
-// resource that it names. So no other resource relies on it, and the proof holds for any set of resting units.
+// queue. Only records of accesses to the memory of these barriers are updated here. All other records read
+// the barriers from the log later, when they are checked. If a barrier is recorded only in frames in which its
+// pass runs, it counts only for the resource that it names. So the proof relies on no barrier of a resting
+// unit, whichever units rest.
 void Replay::carry(const std::vector<BarrierDecl>& batch) {
     StageChain all;
     on_resource_.clear();

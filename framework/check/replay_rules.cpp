@@ -80,16 +80,16 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     }
 }
 
-// Returns true if any live pass writes a part of the range of `ring`, a resource of age 0.
+// Returns true if any live pass writes a part of `range` in the resource `ring`, which must have age 0.
 bool Replay::anybody_writes(ResourceId ring, const SubresourceRange& range) const {
     return std::ranges::any_of(written_[ring], [&](const SubresourceRange& r) { return overlaps(r, range); });
 }
 
-// Returns true if the cell has the content that the use wants. If `wanted` is a pass, this is the content
-// that the pass wrote in this frame. If `wanted` is kNoId, it is content from before the frame. For an
-// import, this is the content that the program wrote. For a persistent resource, it is the content of `age`
-// frames ago. If the plan has run fewer than `age` frames, or if no live pass writes the history, it is the
-// initial value of the resource (ResourceDecl::first_frame).
+// Returns true if the cell has the content that the use wants:
+// - If `wanted` is a pass: the content that this pass wrote in this frame.
+// - If `wanted` is kNoId, for an import: the content that the program wrote before the frame.
+// - If `wanted` is kNoId, for a persistent resource: its content of `age` frames ago. If fewer than `age`
+//   frames have run, or if no live pass writes the history: its initial value (ResourceDecl::first_frame).
 bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const {
     const Content& found = cell.content;
     if (wanted != kNoId)

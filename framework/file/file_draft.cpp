@@ -26,8 +26,8 @@ std::string random_name() {
     return text.data();
 }
 
-// Calls `make` with random names until `make` finds one that is not in use (no EEXIST), at most kMostNames
-// times. `make` returns a value of errno.
+// Calls `make` with random names, at most kMostNames times, until its result is not EEXIST (the name is
+// already in use). `make` returns 0 or a value of errno. Sets `name` to the name, or to "" after an error.
 template <class Make>
 int with_free_name(std::string& name, Make make) {
     int error = EEXIST;

@@ -1,10 +1,10 @@
-// Purpose: writes files and standard output without loss of data. A file is always complete: either the new
-// one, or the old one if writing fails. For this, data is written to a draft in the same folder and flushed
-// to the disk; then the draft replaces the old file in one step. If the file system supports it, the draft
-// has no name, so that nothing remains of it even after SIGKILL. Permissions of an old file are kept. A
-// symbolic link is followed: its target is replaced or created. Pipes, devices and descriptors (/dev/stdout,
-// /dev/fd/N) are written directly. Errors: X510 the file cannot be written, X512 standard output cannot be
-// written.
+// Purpose: writes files and standard output without loss of data. A regular file is always complete: either
+// the new one, or the old one if writing fails. For this, data is written to a draft in the same folder and,
+// with Durability::on_disk, flushed to the disk. Then the draft replaces the old file in one step. If the
+// file system supports it, the draft has no name, so that nothing remains of it even after SIGKILL.
+// Permissions of an old file are kept. A symbolic link is followed: its target is replaced or created. Pipes,
+// devices and descriptors (/dev/stdout, /dev/fd/N) are written directly, without a draft. Error X510: the
+// file cannot be written. Error X512: standard output cannot be written.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ enum class Durability : uint8_t {
 // folder. Call this before long work. A full disk is detected only when data is written.
 [[nodiscard]] Status check_writable(const std::string& path);
 
-// Writes a file. After an error, an old file at this path is unchanged.
+// Writes a file. After an error, an old regular file at this path is unchanged.
 [[nodiscard]] Status write_file(const std::string& path, std::string_view data,
                                 Durability durability = Durability::on_disk);
 

@@ -28,7 +28,8 @@ float largest_of(const glm::vec3& p, const glm::vec3& q) {
     return std::max({difference(p.r, q.r), difference(p.g, q.g), difference(p.b, q.b)});
 }
 
-// Returns the largest difference of the channels of a texel: of raw values if `raw`, else in 8-bit steps.
+// Returns the largest channel difference between texel `index` of `a` and of `b`. If `raw` is true, this is a
+// difference of stored values; else it is a difference of display values, in steps of 1/255.
 float difference_at(const Image& a, const Image& b, bool raw, size_t index) {
     return raw ? largest_of(a.texels[index], b.texels[index])
                : largest_of(step_texel(a, index), step_texel(b, index));

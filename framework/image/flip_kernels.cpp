@@ -14,12 +14,13 @@ constexpr double kPi = std::numbers::pi;
 struct Term {
     double a, b;
 };
+// Index: channel (Y, Cx, Cz), then term. A term with a = 0 is not used.
 constexpr std::array<std::array<Term, 2>, 3> kSensitivities{{
     {{{1, 0.0047}, {0, 1e-5}}},
     {{{1, 0.0053}, {0, 1e-5}}},
     {{{34.1, 0.04}, {13.5, 0.025}}},
 }};
-constexpr double kWidest = 0.04;
+constexpr double kWidest = 0.04;  // The largest b of all terms. Its blur kernel is the widest.
 
 // Width of the feature detectors (edges and points), in degrees of the field of view.
 constexpr double kFeatureWidth = 0.082;

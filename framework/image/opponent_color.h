@@ -1,6 +1,6 @@
 // Purpose: the colour spaces in which FLIP filters and compares. Units: linear RGB in [0, 1] with Rec.709
-// primaries; XYZ with Y = 1 for white; YCxCz and L*a*b* with Y and L* in [0, 100] (in YCxCz, black has Y =
-// -16). White is RGB (1, 1, 1), so that greys have no chroma. Sources: IEC 61966-2-1. B. Kolpatzik and C.
+// primaries; XYZ with Y = 1 for white; YCxCz with Y from -16 (black) to 100 (white); L*a*b* with L* from 0 to
+// 100. White is RGB (1, 1, 1), so that greys have no chroma. Sources: IEC 61966-2-1. B. Kolpatzik and C.
 // Bouman, "Optimized Error Diffusion for Image Display", 1992: YCxCz, which is L*a*b* without its cube root,
 // so that filtering is linear. R. Hunt, "Light and Dark Adaptation and the Perception of Color", 1952. S.
 // Abasi, M. Tehran, M. Fairchild, "Distance Metrics for Very Large Color Differences", 2019: HyAB.

@@ -7,8 +7,9 @@
 namespace weft {
 namespace {
 
-// Two changes in the same tick of the clock that the file system uses get the same time. So a stamp proves
-// nothing about a file that changed within this time before it was read. The longest tick of Linux is 10 ms.
+// The file system's clock advances in ticks, and two changes in one tick get the same time. So if a file
+// changed less than a tick before the reading began, a second change may leave its stamp the same. The
+// longest tick of Linux is 10 ms; this value has a margin.
 constexpr int64_t kTickNs = 50'000'000;
 
 int64_t nanoseconds(const timespec& time) {
@@ -41,7 +42,8 @@ void FileStamps::add(const std::filesystem::path& path) {
     if (stamp.exists) {
         sure_ = sure_ && std::max(stamp.modified_ns, stamp.changed_ns) < begun_ns_ - kTickNs;
     } else if (path.has_relative_path()) {
-        // The file may have existed while the files were read. Then its folder has changed since.
+        // The file may have existed while the files were read, and was removed before this stamp. Its removal
+        // changed the folder, so the stamp of the folder shows this.
         add(path.parent_path());
     }
 }

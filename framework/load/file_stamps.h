@@ -1,5 +1,5 @@
 // Purpose: tells whether files have changed since they were read, without reading them again. A stamp is what
-// the file system stores about a file: its number, size, and times of change.
+// the file system stores about a file: its device and inode numbers, its size, and its times of change.
 #pragma once
 
 #include <sys/stat.h>
@@ -28,7 +28,8 @@ class FileStamps {
         bool exists = false;
         uint64_t device = 0, inode = 0;
         int64_t size_bytes = 0;
-        int64_t modified_ns = 0, changed_ns = 0;  // Time since 1970.
+        // Times since 1970 of the last change of the content, and of the last change of content or metadata.
+        int64_t modified_ns = 0, changed_ns = 0;
         bool operator==(const Stamp&) const = default;
     };
 

@@ -53,8 +53,8 @@ bool raise(const GraphDesc& desc, const ResolvedGraph& graph, SkippedFormats& sk
     return changed;
 }
 
-// Resolves one tier without the formats in `skipped`. Then raises `skipped` to the formats that were chosen.
-// Returns whether a value changed.
+// Resolves one tier without the skipped formats. Then raises `skipped` to the indices of the formats that
+// were chosen. Returns whether a value changed.
 bool raise_for(const TierVariant& variant, const LoadInput& input, SkippedFormats& skipped) {
     Diagnostics ignored;
     const Result<ResolvedGraph> graph =

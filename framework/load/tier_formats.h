@@ -13,8 +13,8 @@ struct TierVariant {
     ShaderCatalog shaders;
 };
 
-// Chooses the formats for the tier of `input`. This tier is resolved with the parameters and observed
-// resources of the request; the other tiers are resolved without them.
+// Returns the formats to skip for the tier of `input`; `own` is this tier. It is resolved with the parameters
+// and observed resources of the request; the other tiers are resolved without them.
 [[nodiscard]] SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& own,
                                                  const LoadInput& input);
 

@@ -19,7 +19,8 @@ inline uint32_t cell_count(const ResourceDecl& resource) {
     return aspect_count(resource.aspects) * resource.layers * resource.mips;
 }
 
-// Calls visit(index, cell range) for every cell of `range`. A cell is one mip of one layer of one aspect.
+// Calls visit(index, subresource) for every cell of `range`. `index` counts all cells of the resource, also
+// those outside `range`. For a buffer: one call with index 0.
 template <class F>
 void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, F visit) {
     if (resource.kind == ResourceKind::buffer) return visit(0u, SubresourceRange{});

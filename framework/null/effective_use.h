@@ -16,11 +16,13 @@ struct EffectiveUse {
     bool loses_old = false;
     bool loses_written = false;  // True if the content is undefined after the pass: it is not stored.
 };
-[[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);  // Returns true if the use is an attachment.
+// Returns true if the use is an attachment. In these functions, `use` and `index` are indices into
+// PassDecl::uses.
+[[nodiscard]] bool draws_to(const PassDecl& pass, uint32_t use);
 [[nodiscard]] EffectiveUse effective_use(const PassDecl& pass, const PassStep& step, uint32_t use);
 
-// Picks one of `stages` pseudo-randomly from `choice`. It is used for a use with several stages, because only
-// one of them writes and it is not known which.
+// Returns one of `stages`, selected by the number `choice`; kNone if there are no stages. A use may have
+// several stages. The simulation lets one of them write, because the plan does not tell which stage writes.
 [[nodiscard]] StageMask drawn_stage(StageMask stages, uint64_t choice);
 [[nodiscard]] inline StageMask write_stage(const EffectiveUse& use, Position position, uint32_t index,
                                            uint64_t choice) {

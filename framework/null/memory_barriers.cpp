@@ -12,9 +12,10 @@ bool moves_family(const BarrierDecl& barrier) {
 
 }  // namespace
 
-// Applies a barrier to the last write of a cell. The barrier makes the write available if its source includes
-// the write's stage and access. Once available, the write becomes visible to the destination of this barrier
-// and of every later barrier.
+// Applies a barrier to the last write of a cell, if the barrier is ordered after this write. The barrier
+// makes the write available if both are on the same queue and the barrier's source includes the write's
+// stage and access. If the write is available, now or since an earlier barrier or semaphore signal, it
+// becomes visible to this barrier's destination.
 void Memory::carry(MemoryCell& cell, uint32_t node, const BarrierDecl& barrier) {
     WriteRecord& write = cell.write;
     if (write.node == kNoNode || !is_before(write.node, node)) return;
@@ -74,7 +75,7 @@ const char* Memory::why_not_moved(ResourceId object, const MemoryCell& cell, uin
 }
 
 // Simulates a layout transition or ownership transfer. It acts like a write to the cell, after the barrier's
-// source scope and before its destination scope.
+// source scope and before its destination scope. After a release, the write is not visible to any access.
 void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const BarrierDecl& barrier) {
     MemoryCell& cell = cells_[object][index];
     const QueueIndex queue = timeline_.nodes[node].queue;
@@ -100,7 +101,7 @@ void Memory::transition(ResourceId object, uint32_t index, uint32_t node, const 
     cell.readers.clear();
 }
 
-// Simulates a semaphore signal: all writes before it on this queue become available.
+// Simulates a semaphore signal: all writes that are ordered before it become available.
 void Memory::signal(uint32_t node) {
     for (std::vector<MemoryCell>& object : cells_)
         for (MemoryCell& cell : object)

@@ -67,7 +67,7 @@ bool Memory::available(const WriteRecord& write, uint32_t node) const {
 
 bool Memory::visible(const WriteRecord& write, const Accessor& accessor) const {
     if (write.node == kNoNode || drawn_in_scope_of(write, accessor.node)) return true;
-    // An accessor without a stage comes after a semaphore wait, which makes every write visible.
+    // An accessor without a stage comes after a semaphore wait, which makes every earlier write visible.
     if (accessor.stage == stage::kNone) return true;
     const QueueIndex queue = timeline_.nodes[accessor.node].queue;
     AccessMask seen = access::kNone;
@@ -107,8 +107,8 @@ const char* Memory::why_not_seen(const MemoryCell& cell, const Accessor& accesso
     return visible(cell.write, accessor) ? nullptr : "its last write is not visible there";
 }
 
-// Returns null if all users of the cell have completed, so that its memory may be reused. Otherwise returns
-// the reason.
+// Returns null if all accesses to the cell are ordered before the node and its last write is available, so
+// that the memory may be overwritten. Otherwise returns the reason.
 const char* Memory::why_not_overwritten(const MemoryCell& cell, uint32_t node) const {
     if (!is_before(cell.write.node, node)) return "a write to the same memory need not be over";
     if (!available(cell.write, node)) return "a write to the same memory is not available";

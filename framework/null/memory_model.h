@@ -1,8 +1,9 @@
 // Purpose: simulates the memory of a plan during execution: the content of every cell, the node that wrote
-// it, and the accesses to which it is visible. A node is one barrier, semaphore operation or part of a pass.
-// Every copy of a persistent resource is a separate memory object, named after the resource that used it in
-// frame 0. Resources whose placements overlap destroy each other's content. If an access is not ordered after
-// an earlier conflicting access, or does not see its result, the value becomes poison (a unique wrong value).
+// it, and the accesses to which it is visible. A node is a barrier, a semaphore operation or a part of a pass
+// (see NodeKind). Every copy in the ring of a persistent resource is a separate memory object. Its number is
+// the ResourceId of the ring's resource of age k, where k is the frame in which age 0 first uses this copy.
+// Resources whose placements overlap destroy each other's content. If an access is not ordered after an
+// earlier conflicting access, or does not see its result, the value becomes poison (a unique wrong value).
 // Source: Vulkan 1.3 specification, appendix "Memory Model" (availability, visibility, data races).
 #pragma once
 
@@ -29,7 +30,7 @@ struct WriteRecord {
     QueueIndex queue = kGraphicsQueue;
     StageMask stage = stage::kNone;
     AccessMask access = access::kNone;
-    std::vector<uint32_t> available_by;
+    std::vector<uint32_t> available_by;  // The nodes that made the write available.
     std::vector<Visibility> visible;
 };
 
@@ -56,8 +57,8 @@ struct MemoryCell {
 // Describes an access: the node that accesses a cell, with the stage, access type and layout.
 struct Accessor {
     uint32_t node = kNoNode;
-    // The stage of the access. kNone means that the access follows a semaphore wait and sees everything that
-    // is available.
+    // The stage of the access. kNone means that the access follows a semaphore wait, so that every earlier
+    // write is visible to it.
     StageMask stage = stage::kNone;
     AccessMask access = access::kNone;
     Layout layout = Layout::undefined;  // Layout that the image must have for the access.
@@ -118,7 +119,7 @@ class Memory {
     std::vector<std::vector<MemoryCell>> cells_;
     // Index: memory object. The objects that overlap it in memory.
     std::vector<std::vector<ResourceId>> neighbours_;
-    // Index: the ring's resource of age 0. All resources of the ring, ordered by age.
+    // Index: the ring's resource of age 0, then the age. The resource of this age in the ring.
     std::vector<std::vector<ResourceId>> ring_copies_;
     std::vector<std::string> faults_;
 };

@@ -30,7 +30,8 @@ using RestChoice = std::vector<std::vector<uint8_t>>;
 
 struct NullOptions {
     uint32_t frames = 3;
-    // Selects the order. For a write that may happen in several stages, it also selects the stage.
+    // Selects the order if `order` is `shuffled`. For a write that may happen in several stages, the seed
+    // also selects the stage.
     uint64_t seed = 0;
     NullOrder order = NullOrder::shuffled;
     RestChoice resting = {};
@@ -45,7 +46,7 @@ inline constexpr CellValue kUndefinedValue = 0;
 struct ObservedCell {
     uint32_t frame = 0;
     PassId pass = kNoId;
-    uint32_t use = 0;  // Index into PassDecl::uses of the observing pass.
+    uint32_t use = 0;  // Index into PassDecl::uses of the observing pass; 0 without a pass.
     ResourceId resource = kNoId;
     SubresourceRange range;  // The subresource: one mip of one layer of one aspect.
     CellValue value = kUndefinedValue;
@@ -64,8 +65,8 @@ struct NullRun {
 [[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3,
                                     const RestChoice& resting = {});
 
-// Returns a text for each difference between two runs. The result is empty if `found` has all values that are
-// defined in `wanted`.
+// Returns a text for each observed value of `wanted` that `found` lacks or has with another value. Undefined
+// values in `wanted`, and values that only `found` has, are not compared.
 [[nodiscard]] std::vector<std::string> differences(const ResolvedGraph& graph, const NullRun& wanted,
                                                    const NullRun& found);
 

@@ -1,5 +1,5 @@
 // Purpose: computes the values that passes write in the null executor. Every value is a hash of all inputs of
-// the pass.
+// the pass, the port that writes, and the cell.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +26,9 @@ class ValueHash {
 [[nodiscard]] CellValue import_value(const ResourceDecl& import, const SubresourceRange& cell);
 // Returns the initial value of every cell of a persistent resource.
 [[nodiscard]] CellValue first_frame_value(const ResourceDecl& resource);
-// Returns the hash of all inputs of a pass in one frame except the values it reads: its name, its parameters,
-// and the builtins of the frame. The builtin `valid` of a resource of age a is 1 from frame a on if a live
-// pass writes the ring.
+// Returns the hash of all inputs of a pass in one frame except the resource content it reads: its name,
+// parameters, specialisation values, clear value and builtins. The builtin `valid` of a resource of age a is
+// 1 from frame a on if a live pass writes the ring, otherwise 0. All other builtins have the frame number.
 [[nodiscard]] ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId pass,
                                     uint32_t frame);
 // Returns the value that the pass writes to one cell. The hash `inputs` must already include pass_values()

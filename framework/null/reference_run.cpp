@@ -94,8 +94,9 @@ class Reference {
     }
 
  private:
-    // Starts a frame. The resource of age a gets the last content of the resource of age a - 1. The resource
-    // of age 0 starts undefined.
+    // Starts a frame. Transients start undefined, and so do image imports whose entry layout is `undefined`.
+    // In a ring with history, from the second frame on, age a gets the last content of age a - 1; see role()
+    // for age 0. All other resources keep their last content.
     void begin_frame() {
         std::vector<std::vector<CellValue>> left(cells_.size());
         for (ResourceId id(0); id < cells_.size(); ++id)

@@ -56,7 +56,7 @@ struct QueueProgress {
     std::array<NodeSet, stage::kCount> required;
     // Index: bit of the stage. Nodes that a barrier with this source stage waits for.
     std::array<NodeSet, stage::kCount> reached;
-    NodeSet everything;
+    NodeSet everything;  // All nodes of the queue so far, and all nodes for which they have waited.
 };
 
 class Unroller {
@@ -270,8 +270,8 @@ class Unroller {
     }
 
     // Adds the accesses of the program that owns the imported resources. They happen between two frames on
-    // queue 0. A wait for the end of the previous frame includes them, and in the first frame all other
-    // queues wait for them.
+    // queue 0. A queue that waits for the last batch of the previous frame also waits for them. In the first
+    // frame, all other queues wait for them.
     void enter_imports() {
         Node node;
         node.kind = NodeKind::signal;

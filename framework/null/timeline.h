@@ -1,10 +1,10 @@
-// Purpose: unrolls a plan over several frames into nodes, the smallest units that can be delayed, with their
-// dependencies. A pass has one node per stage that reads and one per stage that writes. Barriers, semaphore
-// signals and waits are nodes too. Only barriers, semaphores and the rasteriser order nodes. A node in a
-// stage waits for earlier barriers whose destination includes that stage. A barrier waits for all earlier
-// work in its source stages and for the barriers with which it chains (Vulkan 1.3 specification, "Execution
-// Dependencies"). A draw waits for earlier draws in its rendering scope. The order of passes in the plan has
-// no other effect.
+// Purpose: unrolls a plan over several frames into nodes with dependencies. A node is the smallest unit that
+// can be delayed. A pass has one node per stage that reads and one per stage that writes. Barriers, semaphore
+// signals and waits are nodes too. A node in a stage waits for earlier semaphore waits on its queue, and for
+// earlier barriers whose destination includes that stage. A barrier waits for all earlier work in its source
+// stages and for the barriers with which it chains (Vulkan 1.3 specification, "Execution Dependencies"). A
+// draw waits for earlier draws in its rendering scope. The writes of a pass wait for its reads. An access to
+// an import waits for the owner of the import. The order of passes in the plan has no other effect.
 #pragma once
 
 #include <cstdint>
@@ -23,11 +23,12 @@ enum class NodeKind : uint8_t {
     pass_write,  // All writes of one pass in one stage.
     clear,       // The prologue's clear of a persistent resource.
     barrier,
-    signal,         // A semaphore signal at the end of a batch.
-    wait,           // A semaphore wait at the beginning of a batch.
+    signal,         // A semaphore signal, for example at the end of a batch.
+    wait,           // A semaphore wait, for example at the beginning of a batch.
     import_enter,   // The program passes an import to the frame.
     import_access,  // The program accesses an import before the frame, in one stage of the entry state.
-    import_leave,   // The program accesses an import after the frame, in one stage of the exit state.
+    // The program accesses an import after the frame, in one stage of the exit state (kNone if it has none).
+    import_leave,
 };
 
 struct Node {

@@ -24,7 +24,8 @@ struct DescriptorSets {
                                                        uint32_t count, const std::string& name);
 };
 
-// Writes the descriptors of consecutive bindings, all of type `type`, starting at binding `binding`.
+// These functions write the descriptors of consecutive bindings, starting at binding `binding`. All bindings
+// have the type `type`; for write_images() this is a combined image sampler.
 void write_buffers(vk::Device& device, VkDescriptorSet set, uint32_t binding, VkDescriptorType type,
                    std::span<const VkDescriptorBufferInfo> buffers);
 void write_images(vk::Device& device, VkDescriptorSet set, uint32_t binding,

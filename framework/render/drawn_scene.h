@@ -22,8 +22,8 @@ class DrawnScene {
     void set_time(double time_s);
     // Returns the lights at the time of the last set_time().
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
-    // Returns constants for shaders: the sky, the environment and the counts of lights. The caller adds time
-    // and exposure.
+    // Returns constants for shaders: the sky, the environment and the counts of lights. The caller adds the
+    // frame index, the time and the exposure.
     [[nodiscard]] shared::FrameConstants frame_constants() const;
     // Returns the sun's shadow maps. The result is empty if the scene has no directional light with
     // intensity, or if the graph draws no map of the sun. `aspect` is width / height of the picture.

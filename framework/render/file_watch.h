@@ -40,6 +40,7 @@ class FileWatch {
     [[nodiscard]] const std::set<std::filesystem::path>& unwatched() const { return unwatched_; }
 
  private:
+    // nothing: the time is over, or the event does not matter; change: a watched file changed; call: wake().
     enum class Stir : uint8_t { nothing, change, call };
     FileWatch(int events, int call, std::chrono::milliseconds quiet)
         : events_(events), call_(call), quiet_(quiet) {}
@@ -52,8 +53,8 @@ class FileWatch {
         std::filesystem::path path;
         std::set<std::string> names;
     };
-    int events_;
-    int call_;
+    int events_;  // Descriptor of the inotify instance.
+    int call_;    // Descriptor of the eventfd that wake() writes.
     std::chrono::milliseconds quiet_;
     // The watched folders by their inotify watch descriptor.
     std::map<int, Folder> folders_;

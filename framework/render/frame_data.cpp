@@ -182,8 +182,8 @@ shared::Material gpu_material(const scene::Material& m) {
 
 shared::Instance gpu_instance(const glm::mat4& transform) {
     const glm::mat3 linear(transform);
-    // The columns of the cofactor matrix transform normals. They are exact for any scale, even if the matrix
-    // is singular. The sign of the determinant keeps normals on the outside of mirrored objects.
+    // The cofactor matrix transforms normals. Unlike the inverse transpose, it also exists if the matrix is
+    // singular. The sign of the determinant keeps normals on the outside of mirrored objects.
     const float sign = glm::determinant(linear) < 0 ? -1.0f : 1.0f;
     glm::mat4 normal(0.0f);
     normal[0] = glm::vec4(glm::cross(linear[1], linear[2]) * sign, 0);

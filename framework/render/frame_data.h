@@ -33,18 +33,19 @@ namespace weft::render {
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
 // True if the light has neither an area nor a light function (doors, picture, falloff curve).
 [[nodiscard]] bool is_plain(const shared::Light& light);
-// Returns the lights that have an intensity, at most kMaxLights. The order is: plain directional lights (see
-// is_plain()), other directional lights, other plain lights, all others. Otherwise the scene's order is
-// kept. If the graph's light buffer is too small, the last lights are dropped. `functions` is the number of
-// light functions; a light with an index beyond it loses its function. The first directional light casts the
-// sun's shadows.
+// Returns the lights with an intensity above 0, at most kMaxLights. The order is: plain directional lights
+// (see is_plain()), other directional lights, other plain lights, all others. Within each of these groups the
+// scene's order is kept. If the graph's light buffer is too small, light_upload later drops the last lights.
+// `functions` is the number of light functions. A light whose function does not exist gets no function. The
+// first directional light casts the sun's shadows.
 [[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s,
                                                     size_t functions = 0);
 // Converts a light function, but leaves the index of its picture at 0 (no picture).
 [[nodiscard]] shared::LightFunction gpu_light_function(const scene::LightFunction& function);
 
 [[nodiscard]] shared::Material gpu_material(const scene::Material& material);
-// Converts the transform of an object, for a mesh without vertex colours and second uvs.
+// Converts the transform of an object. Both vertex stream offsets of the result are kNoStream: they are right
+// for a mesh that has neither vertex colours nor second uvs.
 [[nodiscard]] shared::Instance gpu_instance(const glm::mat4& transform);
 
 }  // namespace weft::render

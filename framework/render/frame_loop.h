@@ -12,8 +12,8 @@ namespace weft::render {
 
 class FrameLoop {
  public:
-    // `jitter_length` is the number of different sub-pixel camera offsets, as GraphDesc::jitter; 0 means no
-    // offsets.
+    // `jitter_length` is the number of frames after which the sub-pixel offsets of the camera repeat (see
+    // GraphDesc::jitter); 0 means no offsets. `size` is the size of the output in pixels.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
     [[nodiscard]] Status render(const FrameInput& input, DrawnScene& scene);
@@ -28,6 +28,7 @@ class FrameLoop {
     // checks the transition between the two plans; if it finds an error, nothing changes. Call set_graph()
     // afterwards.
     [[nodiscard]] Status take_over(RenderStage stage, bool check);
+    // Sets the output size and the jitter for the running plan, and finds the sun's shadow maps in the plan.
     void set_graph(Extent3D size, uint32_t jitter_length);
 
     [[nodiscard]] vk::Executor& executor() { return *stage_.executor; }

@@ -8,9 +8,9 @@
 namespace weft::render {
 namespace {
 
-// The memory of a frame slot contains the frame constants, then the sun, then the views: the camera's view,
-// and one view for each of the sun's cascades.
-// Alignment of each part: the largest minUniformBufferOffsetAlignment that Vulkan allows.
+// The memory of a frame slot contains the frame constants, then the sun's constants, then the views: the
+// camera's view, and one view for each of the sun's cascades. Each part starts at a multiple of 256 bytes,
+// the largest minUniformBufferOffsetAlignment that Vulkan allows.
 constexpr uint64_t kAlignmentBytes = 256;
 constexpr uint64_t kSunOffsetBytes = 256;
 constexpr uint64_t kViewsOffsetBytes = 768;
@@ -23,6 +23,7 @@ static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);
 static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kViewsOffsetBytes);
 static_assert(sizeof(shared::ViewConstants) <= kViewBytes);
 
+// Returns the index of a view in the memory of a slot: i + 1 for the sun's cascade i, 0 for all other names.
 uint32_t index_of(std::string_view view) {
     for (uint32_t i = 0; i + 1 < kViews; ++i)
         if (view == sun_view_name(i)) return i + 1;

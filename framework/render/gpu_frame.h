@@ -28,7 +28,7 @@ class GpuFrame {
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
 
  private:
-    // One set for each frame slot and view: slot * kViews + view.
+    // One set for each frame slot and view. Index: slot * kViews + index of the view.
     DescriptorSets sets_;
     vk::Buffer constants_;
     GpuEnvironment environment_;

@@ -48,9 +48,9 @@ std::array<uint16_t, 4> unorm16(const glm::vec4& v) {
     return out;
 }
 
-// Only some meshes are in a stream such as the vertex colours. For a mesh in the stream, a vertex index plus
-// the returned offset is the index in the stream. The mesh starts at `begins` in the stream and at
-// `vertex_offset` in the positions. Returns kNoStream if the mesh is not in the stream (`present` is false).
+// Returns the offset of a mesh for an optional stream: vertex colours or second uvs. gl_VertexIndex plus this
+// offset is the index in the stream. The mesh starts at `begins` in the stream and at `vertex_offset` in the
+// positions. Returns kNoStream if the mesh has no such data (`present` is false).
 int32_t stream_offset(bool present, size_t begins, int32_t vertex_offset) {
     return present ? static_cast<int32_t>(begins) - vertex_offset : shared::kNoStream;
 }

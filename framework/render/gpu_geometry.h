@@ -1,6 +1,7 @@
-// Purpose: a scene's meshes in GPU memory, in the vertex format of import_catalog.h. One buffer contains the
-// positions of all meshes, another one the attributes, and so on for indices and instances. Few meshes have
-// vertex colours or second uvs. So each of these two buffers contains only the meshes that have such data.
+// Purpose: a scene's meshes and instances in GPU memory, in the vertex format of import_catalog.cpp. One
+// buffer contains the positions of all meshes. There are such buffers for attributes and for indices, too.
+// Few meshes have vertex colours or second uvs. So the two buffers for these contain only the meshes that
+// have such data. One buffer contains the instances.
 // Errors: those of vk::Buffer::create() and upload_buffer().
 #pragma once
 
@@ -15,10 +16,10 @@ struct MeshRange {
     uint32_t first_index = 0;
     uint32_t index_count = 0;
     int32_t vertex_offset = 0;
-    // Vertex index + color_offset = index of the vertex colour, as in shared::Instance. kNoStream if the mesh
-    // has no vertex colours.
+    // gl_VertexIndex + color_offset = index of the vertex colour, as in shared::Instance. kNoStream if the
+    // mesh has no vertex colours.
     int32_t color_offset = 0;
-    int32_t second_uv_offset = 0;
+    int32_t second_uv_offset = 0;  // The same for the second uvs.
 
     friend bool operator==(const MeshRange&, const MeshRange&) = default;
 };

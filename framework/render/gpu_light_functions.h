@@ -1,6 +1,6 @@
 // Purpose: the light functions of a scene for descriptor set 0. A light function shapes the light of a lamp
 // with doors, a picture (gobo) and a falloff curve. There is a buffer of functions and an array of pictures.
-// If the scene has no light functions, each of the two contains one unused element.
+// If one of them would be empty, it gets one unused element.
 #pragma once
 
 #include "vulkan/device/handle.h"

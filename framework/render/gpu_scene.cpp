@@ -63,8 +63,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
                                         draw_variant(material, list), material.double_sided, mirrored,
                                         center});
     }
-    // Draws are sorted by material for few state changes. The sort is stable, so equal draws keep the scene's
-    // order and the picture is always the same.
+    // Draws are sorted by material for few state changes. The sort is stable: draws with the same material
+    // keep the scene's order, so the picture is always the same.
     for (auto& [name, draws] : lists_)
         std::stable_sort(draws.begin(), draws.end(),
                          [](const Draw& a, const Draw& b) { return a.material < b.material; });

@@ -1,6 +1,6 @@
 // Purpose: a scene on the GPU in the form that graphs use. It has four draw lists. "opaque", "masked" and
-// "anisotropic" are sorted by material; "transparent" is sorted by distance in every frame. Each list also has
-// a buffer of draw commands. The shaders use descriptor sets 0 (frame), 2 (material) and 3 (draw); see
+// "anisotropic" are sorted by material; "transparent" is sorted by distance in every frame. Each list also
+// has a buffer of draw commands. The shaders use descriptor sets 0 (frame), 2 (material) and 3 (draw); see
 // frame_set.glsl, material_set.glsl and surface_vertex.glsl in shaders/include/.
 #pragma once
 
@@ -39,8 +39,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     void record(const vk::DrawContext& context) const override;
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
-    // Returns the buffer of draw commands of a list of import_catalog.h. Graphs import it under the name
-    // commands_of(list).
+    // Returns the buffer with the draw commands of `list`, one of kDrawLists in import_catalog.h. Graphs
+    // import the buffer under the name commands_of(list).
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
 
  private:

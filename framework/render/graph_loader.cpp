@@ -63,8 +63,8 @@ Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const Parse
         last_->document = std::move(own->document);
         last_->graph_files = std::move(own->files);
     }
-    // If the caller parsed the document, the files may have changed since then. So `last_` only keeps a
-    // document that this function has read itself.
+    // If the caller parsed the document, the files may have changed since then. So `last_` keeps only a
+    // document that load() has read itself, in this call or in an earlier one.
     if (own || same_files) remember(request, std::move(found), *loaded);
     return LoadedVersion{work_.loads, std::move(*loaded), std::nullopt};
 }

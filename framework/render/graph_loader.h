@@ -2,7 +2,7 @@
 // Shaders that did not change since the last load are not compiled again. If no file changed, the graph files
 // are not read again, but the graph is resolved again if the request changed (for example its size). If only
 // values of parameters changed, only these values are computed again. load() may run on only one thread at a
-// time; the other functions may run on any thread.
+// time, and work() must not be called meanwhile. The other functions may run on any thread.
 #pragma once
 
 #include <filesystem>
@@ -27,9 +27,10 @@ struct LoadedVersion {
 
 // Counts the work that load() has done so far.
 struct LoadWork {
-    uint64_t loads = 0;     // Number of calls of load().
-    uint64_t read = 0;      // Number of times that the graph files were read.
-    uint64_t resolved = 0;  // Number of times that the shaders were looked up and the graph was resolved.
+    uint64_t loads = 0;  // Number of calls of load().
+    uint64_t read = 0;   // Number of times that the graph files were read.
+    // Number of times that the graph was resolved, with its shaders compiled or reused.
+    uint64_t resolved = 0;
     uint64_t changed_values = 0;  // Number of times that only values of parameters were changed.
 };
 
@@ -44,11 +45,11 @@ class GraphLoader {
           passes_(std::move(passes)),
           imports_(std::move(imports)) {}
 
-    // Loads the graph of `request`. Parses the graph file, unless `parsed` contains the result already. Adds
-    // to `files` the files that were searched. `known` is the number of the load whose result the caller has,
-    // or 0. If that was the last successful load, and the files and the request are still the same, the
-    // result has the same number and no graph. If only values of parameters differ, the result has `values`
-    // and no graph.
+    // Loads the graph of `request`. `parsed` is the parsed graph file; if it is null, load() reads the file
+    // if necessary. Adds to `files` the files that were searched. `known` is the number of the load whose
+    // result the caller has, or 0. If that was the last successful load, and the files and the request are
+    // still the same, the result has the same number and no graph. If only the request's values of parameters
+    // differ, the result has `values` and no graph.
     [[nodiscard]] Result<LoadedVersion> load(const GraphRequest& request, const ParsedGraph* parsed,
                                              uint64_t known, Diagnostics& warnings,
                                              std::set<std::filesystem::path>& files);
@@ -62,7 +63,7 @@ class GraphLoader {
     [[nodiscard]] const LoadWork& work() const { return work_; }
 
  private:
-    // The last successful load whose document load() has read itself (not one with `parsed` of the caller).
+    // The last successful load without the caller's `parsed`: load() read the document itself.
     struct Last {
         FileStamps stamps;
         GraphRequest request;
@@ -71,17 +72,19 @@ class GraphLoader {
         std::set<std::filesystem::path> files;
         Diagnostics warnings;
         uint64_t number = 0;
-        // A copy of the result; absent if the graph has no parameter that is only a value.
+        // A copy of the result; absent if every parameter of the graph has a higher cost than
+        // ParamCost::live.
         std::optional<LoadedGraph> loaded;
     };
 
-    // Returns true if the graph file of `request` is surely the one that the last load read.
+    // Returns true if `last_` has the document of `request` and its files have certainly not changed since.
     [[nodiscard]] bool has_document(const GraphRequest& request) const;
     [[nodiscard]] Result<LoadedGraph> resolve(const GraphRequest& request, const ParsedGraph* parsed,
                                               Diagnostics& warnings);
     // Stores a successful load of the document in `last_`.
     void remember(const GraphRequest& request, Diagnostics warnings, const LoadedGraph& loaded);
-    // Gives the graph of the last load the values of `request`. Returns nullopt if it must be loaded again.
+    // Gives the graph of the last load the parameter values of `request`. Returns nullopt if the request has
+    // not changed or if the graph must be resolved again.
     [[nodiscard]] std::optional<ResolvedGraph> change_values(const GraphRequest& request);
 
     const DeviceProfile& profile_;

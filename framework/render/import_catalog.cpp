@@ -10,8 +10,9 @@
 namespace weft::render {
 namespace {
 
-// Vertices have two streams: stream 0 has the position, which every pass reads; stream 1 has the attributes
-// that only shading needs.
+// Vertices have two streams, with strides of 16 and 24 bytes. Stream 0 has the position, which every draw
+// needs. Stream 1 has the attributes that only shading needs. Members of an attribute: name, format, stream,
+// offset in bytes.
 VertexFormat canonical_vertex_format() {
     return {{16, 24},
             {{"position", Format::rgba32f, 0, 0},
@@ -65,7 +66,7 @@ uint32_t count_draws(const scene::Scene* scene, std::string_view list) {
         }));
 }
 
-// Counts the directional lights that have an intensity.
+// Counts the directional lights with an intensity above 0. Returns 1 if `scene` is null.
 uint32_t count_directional_lights(const scene::Scene* scene) {
     if (scene == nullptr) return 1;
     return static_cast<uint32_t>(std::ranges::count_if(scene->lights, [](const scene::Light& light) {
@@ -73,7 +74,7 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
     }));
 }
 
-// True if the scene has an environment map with a scale above 0.
+// True if the scene has an environment map with a scale above 0, or if `scene` is null.
 bool has_environment_picture(const scene::Scene* scene) {
     return scene == nullptr || (!scene->environment.mips.empty() && scene->environment.scale > 0);
 }

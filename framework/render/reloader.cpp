@@ -101,7 +101,7 @@ void Reloader::run() {
     }
 }
 
-// Waits until files changed or a selection was made. Returns false if the thread must end.
+// Waits until files change, or select() or ask_again() is called. Returns false if the thread must end.
 bool Reloader::wait_for_work() {
     for (;;) {
         const bool changed = watch_->wait();

@@ -7,7 +7,8 @@
 namespace weft::render {
 namespace {
 
-// True if both have the same shader programs with the same descriptor bindings and Params blocks.
+// True if `a` and `b` have shader programs with the same names, and programs with the same name have the same
+// descriptor bindings and Params blocks. The code of the programs may differ.
 bool same_bindings(const StageFingerprint& a, const StageFingerprint& b) {
     return std::ranges::equal(a.programs, b.programs, [](const auto& left, const auto& right) {
         return left.first == right.first && left.second.bindings == right.second.bindings &&

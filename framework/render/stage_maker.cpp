@@ -15,8 +15,8 @@ uint32_t position_of(const FramePlan& plan, const std::string& pass) {
     return kNoId;
 }
 
-// Returns an error for each limit of the settings that the plan exceeds, and for memory that exceeds the
-// memory of the device.
+// Returns an error for each limit of the settings that the plan exceeds, and for each memory heap of the
+// device that is too small for the plan.
 Diagnostics find_excess(const vk::Device& device, const FramePlan& plan, const GraphLimits& limits,
                         const std::string& path) {
     Diagnostics faults = budget_faults(plan, limits, path);

@@ -13,7 +13,8 @@ static_assert(sizeof(shared::SunCascade) == 80 && sizeof(shared::SunConstants) =
 // 1 - kRatioShare. Zhang et al. use 0.5. A larger weight gives finer shadows near the eye. It is used here,
 // because rooms and courtyards are seen from close by.
 constexpr double kRatioShare = 0.6;
-// Maximum distance from the eye at which shadows are drawn, if the scene is larger than this.
+// Maximum distance from the eye at which shadows are drawn, in metres. It applies only if the diameter of the
+// scene is larger than this value.
 constexpr double kMostReach_m = 250;
 // Width in texels of the border between a cascade's sphere and the edge of its map. The border has room for
 // the radius of the filter, the offset along the normal, and half a texel for snapping to whole texels.
@@ -80,9 +81,9 @@ void set_row(glm::mat4& matrix, int row, const glm::vec3& factors, double offset
     matrix[3][row] = static_cast<float>(offset);
 }
 
-// The matrices of one cascade. The axes are rounded to float first and are the same in every frame. The
-// origin is a whole number of texels, which a float represents exactly. So if the camera moves, the map moves
-// by exactly whole texels, and static shadows do not flicker.
+// The matrices of one cascade. The axes are rounded to float first, and do not depend on the position and
+// direction of the camera. The origin is a whole number of texels, which a float represents exactly. So if
+// the camera moves, the map moves by exactly whole texels, and static shadows do not flicker.
 struct MapMatrices {
     glm::mat4 to_map{0}, to_clip{0};
     glm::dvec2 origin_texels{0};
@@ -164,7 +165,7 @@ class Parts {
     std::array<double, shared::kMostSunCascades> ends_m_{};
 };
 
-// Limits a number to 1e30, because shaders need not support a float infinity.
+// Limits a number to 1e30, because Vulkan does not require shaders to support infinite floats.
 float finite(double x) {
     return static_cast<float>(std::min(x, 1e30));
 }

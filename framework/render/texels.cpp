@@ -19,8 +19,8 @@ T load(const std::byte* bytes) {
     return value;
 }
 
-// How one channel of a texel is stored. Formats that pack several channels into one word are decoded by
-// packed_texel() instead.
+// How one channel of a texel is stored. `whole` is an integer, `half` and `single` are floats of 16 and 32
+// bits. Formats that pack several channels into one word are decoded by packed_texel() instead.
 enum class Channel : uint8_t { unorm, snorm, whole, half, single };
 
 template <class Unsigned, class Signed>

@@ -17,7 +17,8 @@ namespace weft {
 
 class ShaderMemory {
  public:
-    // Starts a load: clears the list of searched paths. The caller must call this before each load.
+    // Starts a load: clears the list of searched paths, and marks all programs as unused. The caller must
+    // call this before each load.
     void begin();
     // Removes all programs that the last load did not use. The caller calls this after a successful load.
     void forget_unused();

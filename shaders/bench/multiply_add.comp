@@ -1,5 +1,5 @@
-// Measures arithmetic for `weft bench frame`: 8,192 operations per invocation, in 8 chains of 512 multiplications and
-// additions. The chains are independent, so that their operations can overlap.
+// Measures arithmetic for `weft bench frame`: 8,192 operations per invocation. Each of the 8 components of `a` and `b`
+// is a chain of 512 multiplications and 512 additions. The chains are independent, so their operations can overlap.
 #version 460
 
 layout(local_size_x = 64) in;

@@ -1,7 +1,7 @@
 // Halves the size of the picture. A box of 2×2 taps gets less weight if it is bright. With full weight, a
-// single bright texel would flicker in all mips. Source: Karis 2013, "Tone Mapping". With `calm` = 0, all
-// boxes keep their full weight, and the total light does not change. With `calm` = 1, boxes brighter than
-// white get much less weight.
+// single bright texel would cause flicker in all mips. Source: Karis 2013, "Tone Mapping". With `calm` = 0,
+// all boxes keep their full weight, and the total light does not change. With `calm` = 1, boxes brighter than
+// white (luminance 1) keep less than half of their weight.
 #version 460
 #include "half_float.glsl"
 #include "thirteen_taps.glsl"

@@ -1,5 +1,5 @@
-// Adds the light that the lens scatters. The pass uses alpha blending: the share `strength` of the picture is replaced
-// by the blurred picture, and the share 1 − strength remains.
+// Mixes the light that the lens scatters into the picture. The pass uses alpha blending: the result is strength ×
+// blurred picture + (1 − strength) × picture.
 #version 460
 #include "tent.glsl"
 

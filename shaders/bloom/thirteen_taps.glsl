@@ -1,6 +1,6 @@
 // Reads a picture for halving its size: five overlapping boxes of 2×2 bilinear taps. The middle box has half of the
-// weight. Every source texel has the same total weight, so the brightness does not change. Source: Jimenez 2014, "Next
-// Generation Post Processing in Call of Duty: Advanced Warfare".
+// weight. Summed over all output pixels, every source texel has the same weight, so the brightness does not change.
+// Source: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare".
 
 struct Box {
     vec3 mean;

@@ -1,5 +1,5 @@
-// Debug view of an image whose format can be filtered (float, normalised, depth). Output: sRGB-encoded, [0, 1]. DECODE
-// selects how values become colours: it is an index into debug_decoders() in C++.
+// Debug view of an image that shaders sample as floats (float, normalised or depth format). Output: sRGB-encoded
+// colours in [0, 1]. DECODE selects how values become colours: it is an index into debug_decoders() in C++.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
@@ -15,10 +15,12 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform sampler2D shown;
-uniform sampler2D surface;  // Depth drawn with `shown`. Pixels with depth 0 (nothing drawn) are striped.
+uniform sampler2D surface;  // Depth attachment drawn with `shown`. Pixels with depth 0 (nothing drawn) get stripes.
 
 layout(push_constant) uniform Params {
-    float black, white;  // The values that are shown as black and as white.
+    // The values that are shown as black and as white. Exception: for depth (DECODE 5) they are values of
+    // log2(1 + distance in metres), and `black`, the nearer one, is shown as white.
+    float black, white;
 } params;
 
 float ranged(float x) { return (x - params.black) / (params.white - params.black); }

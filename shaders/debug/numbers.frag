@@ -1,5 +1,5 @@
-// Debug view of a buffer: shows each 32-bit word as a float, row by row from the top left. Output: sRGB-encoded, [0,
-// 1]. DECODE selects how values become colours: it is an index into debug_decoders() in C++.
+// Debug view of a buffer: shows each 32-bit word as a float, row by row from the top left. Output: sRGB-encoded
+// colours in [0, 1]. DECODE selects how values become colours: it is an index into debug_decoders() in C++.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

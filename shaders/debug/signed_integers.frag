@@ -1,4 +1,5 @@
-// Debug view of an image of signed integers. Output: sRGB-encoded, [0, 1]. DECODE indexes debug_decoders() (C++).
+// Debug view of an image of signed integers. Output: sRGB-encoded colours in [0, 1]. DECODE selects how values become
+// colours: it is an index into debug_decoders() in C++.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
@@ -12,7 +13,7 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform isampler2D shown;
-uniform sampler2D surface;  // Depth drawn with `shown`. Pixels with depth 0 (nothing drawn) are striped.
+uniform sampler2D surface;  // Depth attachment drawn with `shown`. Pixels with depth 0 (nothing drawn) get stripes.
 
 layout(push_constant) uniform Params {
     float black, white;  // The values that are shown as black and as white.

@@ -22,8 +22,8 @@ const float kPi = 3.14159265358979;
 // combine the light of the lamp with the radius of the sky's circles. Both would cause sparks around lamps.
 ivec2 inside(ivec2 at) { return clamp(at, ivec2(0), textureSize(circles, 0) - 1); }
 
-// Returns the share of a pixel's light that arrives at the given distance. The light is spread evenly over the circle,
-// whose edge is one pixel wide. The shares of all pixels add up to 1.
+// Returns the share of a pixel's light that another pixel at this distance receives. The light is spread evenly over
+// the circle, whose soft edge is one pixel wide. The shares that all pixels receive add up to about 1.
 float share(float radius, float distance_px) {
     const float wide = max(radius, 0.5);
     return clamp(wide - distance_px + 0.5, 0.0, 1.0) / (kPi * (wide * wide + 1.0 / 12.0));

@@ -11,5 +11,6 @@ float circle_radius(float depth, float focus_m, float aperture_m) {
     return clamp(0.25 * pixels_per_rad * diameter_rad, -kMostRadius, kMostRadius);
 }
 
-// Returns how much of a pixel with this circle comes from the blurred layers: 0 below 0.25 pixels, 1 above 0.85 pixels.
+// Returns the share of the blurred layers in the colour of a pixel. `radius`: in pixels of the half-size picture. The
+// share is 0 for radii below 0.25 and 1 for radii above 0.85.
 float blurred_share(float radius) { return smoothstep(0.25, 0.85, radius); }

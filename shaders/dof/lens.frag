@@ -1,6 +1,7 @@
 // Combines the blurred layers with the sharp picture. The pass blends premultiplied colours. The depth of a pixel
-// itself decides whether the pixel is blurred as background, so the edges of sharp surfaces stay sharp. Through a
-// blurred foreground, the estimated hidden colour is visible instead of the sharp pixel.
+// itself decides whether the pixel is blurred as background, so the edges of sharp surfaces stay sharp. If the pixel
+// itself shows a blurred surface in front of the focus, the estimated hidden colour replaces the sharp colour of the
+// pixel.
 #version 460
 #include "frame_set.glsl"
 #include "circle.glsl"
@@ -13,7 +14,8 @@ uniform sampler2D depth;
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
 
-// Reads a layer with bilinear interpolation, as a mean over two pixels. This hides the gaps between taps.
+// Returns the mean of four bilinear taps, half a texel left or right of the pixel and half a texel above or below it.
+// This smooths the half-size layer.
 vec4 smoothed(float layer) {
     const vec2 texel = 1.0 / vec2(textureSize(soft, 0).xy);
     vec4 sum = vec4(0.0);

@@ -1,10 +1,10 @@
 // Splits the picture into three half-size layers: surfaces behind the focus, surfaces in front of it, and surfaces that
-// the front layer may hide. Each colour is multiplied by its share of blur before averaging, so sharp surfaces have no
-// weight in the blurred layers. Source: Liu 2016, "Rendering 'Monster Hunter Online'".
+// the front layer may hide. For the first two layers, each colour is multiplied by its share of blur before averaging,
+// so sharp surfaces have no weight in these layers. Source: Liu 2016, "Rendering 'Monster Hunter Online'".
 //
-// Each pixel also stores one circle radius behind and one in front of the focus. The radius is the mean of four pixels,
-// weighted by their light. If a lamp and the sky share a pixel, nearly all light comes from the lamp. This light then
-// spreads over the small circle of the lamp, and not over the larger circle of the sky.
+// Each pixel also stores one circle radius behind and one in front of the focus. Each radius is a mean over four
+// full-size pixels, weighted by their light. If a lamp and the sky share a pixel, nearly all light comes from the lamp.
+// This light then spreads over the small circle of the lamp, and not over the larger circle of the sky.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -17,11 +17,11 @@ uniform sampler2D depth;
 layout(rgba16f) writeonly uniform image2D behind;
 layout(rgba16f) writeonly uniform image2D before;
 layout(rgba16f) writeonly uniform image2D hidden;
-layout(rg16f) writeonly uniform image2D circles;  // Radii in pixels, r: behind the focus, g: in front of it.
+layout(rg16f) writeonly uniform image2D circles;  // Radii in half-size pixels. r: behind the focus, g: before it.
 
 layout(push_constant) uniform Params { float focus; float aperture; } params;
 
-// Returns the weight of a pixel's radius in the mean: its brightness. Black pixels have a small weight, too.
+// Returns the weight of a pixel in the mean radius: the brightness of the pixel. Black pixels have a small weight, too.
 float weight(vec4 color) { return dot(color.rgb, vec3(0.25, 0.5, 0.25)) + 1e-4 * color.a; }
 
 void main() {

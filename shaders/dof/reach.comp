@@ -1,4 +1,5 @@
-// Finds, for each block of 8×8 pixels, the radius of the largest circle in front of the focus that may overlap it.
+// Finds, for each block of 8×8 half-size pixels, the radius of the largest circle in front of the focus that may
+// overlap the block.
 #version 460
 #include "frame_set.glsl"
 #include "circle.glsl"

@@ -1,7 +1,7 @@
 // Finds the lines of the picture. Output r: jumps of depth, where a surface ends; g: creases, where a surface bends.
-// Depth is near plane / distance. On any plane, this value is linear in screen space, so its second difference is 0.
-// The second difference differs from 0 where a surface ends or bends. Lines at jumps are drawn on the nearer side,
-// `lineWidth` pixels wide.
+// Jumps: depth is near plane / distance. On any plane, this value is linear in screen space, so its second difference
+// is 0. At a jump, the second difference is large. The line is on the nearer side, `lineWidth` pixels wide.
+// Creases: the normals of two pixels differ.
 #version 460
 #include "octahedral.glsl"
 
@@ -13,8 +13,8 @@ layout(rg8) writeonly uniform image2D lines;
 
 layout(push_constant) uniform Params {
     float lineWidth;  // Width of the lines, in pixels.
-    float jump;       // Smallest jump of depth that gives a line, relative to the distance.
-    float crease;     // Smallest angle between two normals that gives a line, in degrees.
+    float jump;       // Jump at which a line has half its strength: second difference / depth.
+    float crease;     // Angle between two normals at which a line has half its strength, in degrees.
 } params;
 
 ivec2 inside(ivec2 pixel) { return clamp(pixel, ivec2(0), textureSize(depth, 0) - 1); }

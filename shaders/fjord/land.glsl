@@ -31,8 +31,8 @@ float noise(vec2 p) {
 // Returns coordinates for the next octave: twice the frequency, rotated so that the lattices of octaves do not align.
 vec2 finer(vec2 p) { return mat2(1.6, 1.2, -1.2, 1.6) * p + 17.3; }
 
-// Adds octaves of noise, filtered for a footprint of this width (in units of the first lattice). Octaves that are finer
-// than the footprint are replaced by their mean, because they would flicker.
+// Adds octaves of noise, filtered for a pixel. `width` is the width of the area that the pixel covers, in the units of
+// `p`. Octaves that are finer than this area are replaced by their mean, because they would flicker.
 float soft_noise_within(vec2 p, int octaves, float width) {
     float sum = 0.0, share = 0.5;
     for (int i = 0; i < octaves; ++i, share *= 0.5, width *= 2.0, p = finer(p))

@@ -93,7 +93,8 @@ vec3 ground(vec3 p, float distance_km) {
     return albedo * (kSunLight * direct + kShade * (0.6 + 0.4 * n.y) + vec3(0.20, 0.11, 0.07) * max(0.0, 0.4 - 0.6 * n.z));
 }
 
-// Mixes the colour with fog along the ray. The fog is dense above the water, thin higher up, and bright around the sun.
+// Mixes the colour with fog along the ray. The fog is dense close to the water and thin higher up. It is bright
+// around the sun.
 vec3 through_air(vec3 color, vec3 from, vec3 ray, float distance_km) {
     const float fall = 4.5, k = fall * ray.y;
     const float column = exp(-fall * from.y) * (abs(k) > 1e-3 ? (1.0 - exp(-k * distance_km)) / k : distance_km);

@@ -12,7 +12,8 @@
 
 layout(constant_id = 0) const bool MASKED = false;
 layout(constant_id = 1) const bool BLENDED = false;
-// If true, rounds all inputs to the precision of the deferred G-buffer, so that both pipelines can be compared.
+// If true, rounds the surface properties to the precision of the G-buffer and computes the position from depth. Then
+// pictures of forward and deferred shading can be compared.
 layout(constant_id = 2) const bool QUANTIZED = false;
 // True if the pass draws the list "anisotropic". All other lists draw anisotropic surfaces as isotropic ones.
 layout(constant_id = 3) const bool ANISOTROPIC = false;

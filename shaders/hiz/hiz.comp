@@ -1,10 +1,10 @@
-// Computes the nearest and the farthest depth in squares of 2 to 128 pixels, in one dispatch. Each
-// workgroup processes one square of 128 pixels, so that no workgroup needs the results of another.
+// Computes the nearest and the farthest depth in squares of 2 × 2 to 128 × 128 pixels, in one dispatch. Each
+// workgroup processes one square of 128 × 128 pixels, so that no workgroup needs the results of another.
 // Input depth: reversed, 1 near; 0 is the sky, which is ignored.
 // Output mip0 to mip6: r is the largest depth value (nearest), g the smallest (farthest), both without
-// the sky. If all pixels of a square are sky, r = 0 and g = 1. Mip k has one texel for each square of
-// 2^(k+1) pixels, starting at pixel 0. The size of the images is rounded up to whole squares of 128
-// pixels.
+// the sky. If all pixels of a square are sky, r = 0 and g = 1. Mip k has one texel for each square whose
+// side is 2^(k+1) pixels, starting at pixel (0,0). The images cover the picture, rounded up to whole squares
+// of 128 × 128 pixels.
 #version 460
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -12,7 +12,7 @@ layout(local_size_x = 16, local_size_y = 16) in;
 uniform sampler2D depth;
 layout(rg32f) writeonly uniform image2D mip0, mip1, mip2, mip3, mip4, mip5, mip6;
 
-const int kSide1 = 32;  // Texels of mip 1 along a side of a 128-pixel square. Mip 0 already has half the size.
+const int kSide1 = 32;  // 128 / 4: texels of mip 1 along the side of a workgroup's square.
 const vec2 kSky = vec2(0.0, 1.0);
 
 // Depth ranges of the workgroup's square: all texels of mip 1, then all texels of mip 2, and so on to mip 5.
@@ -22,7 +22,8 @@ vec2 merged(vec2 a, vec2 b) { return vec2(max(a.x, b.x), min(a.y, b.y)); }
 
 vec2 range_of(float z) { return z > 0.0 ? vec2(z) : kSky; }
 
-// Returns the depth range of 2 × 2 pixels. At the border of the picture, the last row or column is read twice.
+// Returns the depth range of 2 × 2 pixels. If only one row or column is inside the picture, it is read
+// twice.
 vec2 quad_range(ivec2 first, ivec2 last) {
     if (any(greaterThan(first, last))) return kSky;
     const ivec2 second = min(first + 1, last);

@@ -1,9 +1,10 @@
 // Light of capsules and rectangles that emit uniformly. Vector irradiance means ∫ ω dω over the solid angle
 // of the light (sr), for unit radiance; its dot product with a normal is the irradiance divided by the
-// radiance. Rectangle: Lambert's formula (Lambert 1760; Baum, Rushmeier and Winget 1989), clipped at the
-// horizon. The fitted formula for an angle divided by its sine is from Heitz, Dupuy, Hill and Neubelt 2016,
-// "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines". Capsule: the same contour integral,
-// ½ ∮ r × dr, over its silhouette, which has two great-circle arcs and, at the ends, two small-circle arcs.
+// radiance. Vector irradiance is ½ ∮ r × dr along the outline of the light, where r is a direction (Lambert
+// 1760; Baum, Rushmeier and Winget 1989). Outline of a rectangle: great-circle arcs, clipped at the horizon (the plane
+// of the surface). Outline of a capsule: two great-circle arcs and, at the ends, two small-circle arcs. The
+// fitted formula for an angle divided by its sine is from Heitz, Dupuy, Hill and Neubelt 2016, "Real-Time
+// Polygonal-Light Shading with Linearly Transformed Cosines".
 // Highlights: representative points, Karis 2013, "Real Shading in Unreal Engine 4".
 #ifndef WEFT_AREA_LIGHTS
 #define WEFT_AREA_LIGHTS
@@ -12,12 +13,12 @@
 
 struct AreaIncident {
     float irradiance;   // Irradiance on the surface, for unit radiance of the light.
-    vec3 whole;         // Vector irradiance, which points towards the light.
+    vec3 whole;         // Vector irradiance; of a rectangle, only its part above the horizon.
     float window;       // Factor of the range limit of the light: 1 near the light, 0 beyond its range.
-    vec3 center;        // Direction from the surface to the middle of the visible part of the light.
+    vec3 center;        // Direction of `whole`: from the surface to the middle of the light.
     vec3 mirrored;      // Direction from the surface to the point of the light used for the highlight.
     float aspect;       // Ratio of length to width of the light, as seen from the surface.
-    vec3 along;         // Axis along the length of the light.
+    vec3 along;         // Length axis of the light, made perpendicular to the line of sight; not normalised.
 };
 
 // Returns atan(y, x) with an error of 2e-7. The error of the built-in function can be 2e-4. This would be visible: when
@@ -45,7 +46,8 @@ vec3 edge_integral(vec3 a, vec3 b) {
     return cross(a, b - a) * (scale * arc_over_sine);
 }
 
-// Returns the integral over the part of edge a–b above the horizon. Stores where the edge crosses it, down or up.
+// Returns edge_integral() of the part of the edge from a to b that is above the horizon. If the edge crosses the
+// horizon, stores the crossing in `down` or in `up`, depending on the direction of the edge.
 vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
     const float height_a = dot(n, a), height_b = dot(n, b);
     if (height_a <= 0.0 && height_b <= 0.0) return vec3(0.0);
@@ -56,7 +58,7 @@ vec3 edge_above(vec3 n, vec3 a, vec3 b, inout vec3 down, inout vec3 up) {
 }
 
 // Returns the vector irradiance of the part of a rectangle above the horizon. Arguments: its middle, and vectors of
-// half its width and height. Corners are counter-clockwise, seen from the surface. Compilers inline every
+// half its width and height; the vector x × y must point away from the surface. Compilers inline every
 // call, so this file uses loops to keep the compiled code short. Without the loops, this file was two thirds
 // of the code of shaders with area lights.
 vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
@@ -70,7 +72,8 @@ vec3 rectangle_above(vec3 n, vec3 middle, vec3 x, vec3 y) {
     return 0.5 * (sum + edge_integral(down, up));
 }
 
-// Returns the point of the rectangle nearest to where the mirrored ray meets its plane, in the frame of the light.
+// Returns the point of the rectangle nearest to where the mirrored ray meets its plane. All vectors are in the frame of
+// the light: width, height, direction. `at` is the start of the ray.
 vec2 rectangle_target(vec3 at, vec3 ray, vec2 half_size) {
     const float steps = ray.z < -1e-4 * at.z ? -at.z / ray.z : 1e4;
     return clamp(at.xy + ray.xy * steps, -half_size, half_size);
@@ -156,8 +159,8 @@ vec3 capsule_whole(Silhouette s) {
     return 0.5 * (s.axis * plane.x + s.away * plane.y);
 }
 
-// Returns the integral of n · (r × dr) over the part above the horizon of the arc r(φ) = c + u cos φ + w sin φ, for φ
-// within ±half_arc. u and w have the same length and are perpendicular to c.
+// Returns the integral of n · (r × dr) over an arc, without its parts below the horizon. The arc is
+// r(φ) = c + u cos φ + w sin φ, for φ within ±half_arc. u and w have the same length and are perpendicular to c.
 float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     const float cos2 = dot(c, c), sin2 = dot(u, u);
     const float height = dot(n, c), x = dot(n, u), y = dot(n, w), swing = max(length(vec2(x, y)), 1e-20);
@@ -172,7 +175,8 @@ float arc_above(vec3 n, vec3 c, vec3 u, vec3 w, float half_arc) {
     return sum;
 }
 
-// The part of the horizon that the light covers: all azimuths between the crossings of the light's outline.
+// The part of the horizon that the light covers. `first` is the first crossing of the light's outline and the horizon
+// that was found. `azimuths` are the smallest and largest angle from `first` to the other crossings, in radians.
 struct Horizon {
     vec3 first;
     vec2 azimuths;
@@ -268,13 +272,13 @@ AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
     return incident;
 }
 
-// Returns the highlight of an area light. This is the highlight of its representative point, divided by a factor
+// Returns the highlight of an area light. This is the highlight of its representative point, divided by 1 + `added`,
 // because the light widens the highlight. On the sphere of half vectors, GGX is 1 / (π α²) at its centre, and its
-// integral along a line from the centre is 1 / (4 α). A light with sides 2a and 2b adds to the integral a term for its
-// area, 4ab / (π α²), and a term for its outline, (a + b) / α (Steiner's formula). The sides a and b are angles of half
-// vectors. In the plane of incidence, an angle between half vectors is half of the angle between the light directions.
-// Perpendicular to this plane, it is half of that angle divided by v·h. For a perfect mirror, the result is the radiance
-// of the light.
+// integral along a line from the centre is 1 / (4 α). For a light with sides 2a and 2b, `added` is a term for its area,
+// 4ab / (π α²), plus a term for its outline, (a + b) / α (Steiner's formula). a and b are angles between half vectors.
+// In the plane of incidence, an angle between half vectors is half of the angle between the light directions.
+// Perpendicular to this plane, it is half of that angle divided by v·h. For a perfect mirror, the result is the
+// radiance of the light.
 vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     const float covered = max(length(incident.whole), 1e-20);
     const float v_h = max(dot(v, normalize(v + incident.mirrored)), 0.05);

@@ -20,7 +20,7 @@ struct Surface {
     vec2 alphas;      // α along the tangent and along the bitangent.
 };
 
-// Smallest α. With a smaller α, the highlight of a point light is smaller than a pixel and overflows half floats.
+// Smallest α. With a smaller α, the highlight of a point light could be smaller than a pixel and overflow half floats.
 const float kMinAlpha = 0.002;
 
 Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughness, vec3 dielectric_f0, float specular) {

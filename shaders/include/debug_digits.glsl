@@ -1,4 +1,4 @@
-// Draws numbers into pictures. A digit has 3 × 5 pixels; the distance between digits is 4 pixels.
+// Draws numbers into pictures. A digit has 3 × 5 pixels and starts 4 pixels to the right of the previous digit.
 #ifndef WEFT_DEBUG_DIGITS
 #define WEFT_DEBUG_DIGITS
 
@@ -30,7 +30,8 @@ struct Decimal {
     int places;
 };
 
-// Rounds to at most three significant digits, and leaves out zeros at the end.
+// Rounds to three significant digits or to an integer, whichever keeps more digits. Uses fewer decimal places if
+// the error is at most 0.05 % (0.5 has one place), and at most six.
 Decimal decimal_of(float number) {
     float scaled = abs(number);
     int places = 0;

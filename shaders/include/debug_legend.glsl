@@ -46,7 +46,8 @@ vec3 bar_legend(ivec2 at, uint decode, float black, float white) {
     return inside ? bar_color(float(on_bar.x) / float(kBar.x - 1), decode) : vec3(0.0);
 }
 
-// Returns the legend of vectors: a wheel with the colour of each direction, and the length of full brightness below.
+// Returns the legend of vectors: a wheel with the colour of each direction. The number below the wheel is the vector
+// length that has full brightness.
 vec3 wheel_legend(ivec2 at, float white) {
     const vec2 v = vec2(at - ivec2(kWheelRadius + 4)) / float(kWheelRadius);
     if (dot(v, v) <= 1.0) return vector_color(v);

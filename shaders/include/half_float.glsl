@@ -1,5 +1,5 @@
 // Rounds each component to the nearest half float. When drivers store a float in a half-float image, some round and
-// some truncate. A value that already is a half float is stored unchanged by all drivers, so pictures become equal.
+// some truncate. A value that already is a half float is stored unchanged by all drivers, so the difference disappears.
 // Magnitudes must be below 65504.
 #ifndef WEFT_HALF_FLOAT
 #define WEFT_HALF_FLOAT

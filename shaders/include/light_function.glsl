@@ -32,7 +32,8 @@ float between_doors(LightFunction f, vec2 at) {
     return open.x * open.y * open.z * open.w;
 }
 
-// Returns the texel of the light's picture. `footprint`: width of a screen pixel as a share of the picture's width.
+// Returns the colour of the light's picture at `uv`. `footprint`: width of the area to average, as a share of the side
+// of the picture. The area is a screen pixel, enlarged by the softness.
 vec3 light_picture(LightFunction f, vec2 uv, float footprint) {
     const float size_px = float(textureSize(light_pictures, 0).x);
     const float lod = log2(max(footprint * size_px, 1.0));

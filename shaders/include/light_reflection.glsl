@@ -20,9 +20,9 @@ const bool LIGHT_FUNCTIONS = true;
 #include "area_lights.glsl"
 #include "light_function.glsl"
 
-// Returns the reflection of a light that has no area and no light function. In the list, the first
-// frame.plain_count lights are such lights. A separate loop for them saves time on devices that execute both
-// sides of a branch (llvmpipe).
+// Returns the reflection of a light without area, and ignores its light function. The first frame.plain_count
+// lights of the buffer have neither an area nor a light function. A separate loop for them saves time on
+// devices that execute both sides of a branch (llvmpipe).
 vec3 plain_reflection(Surface s, vec3 v, vec3 position, Light light) {
     const Incident incident = light_at(light, position);
     return reflect_light(s, v, incident.direction) * incident.irradiance;

@@ -8,7 +8,8 @@ float cone_edge(Light light) { return -light.cone_offset / light.cone_scale; }
 
 // Returns centre and radius of the sphere. The light must have a position and a range. A spot gets the
 // smallest sphere around its cone. If the edge of the cone is at most 45° from the axis, this sphere passes
-// through the tip and the rim. If the cone is wider, the rim is the equator of the sphere.
+// through the tip and the rim. From 45° to 90°, the rim is the equator of the sphere. From 90° on, the sphere
+// is that of a point light.
 vec4 light_sphere(Light light) {
     const float range_m = light.range_m;
     if (light.type == kLightCapsule) return vec4(light.position, light.half_size_m.x + range_m);

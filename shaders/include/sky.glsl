@@ -64,8 +64,8 @@ vec3 mirrored_radiance(vec3 direction, vec3 n, float roughness) {
     return mix(environment_radiance(direction, 2.0 * alpha), environment_irradiance_over_pi(n), alpha);
 }
 
-// Returns scale and bias of F0 for the directional albedo of GGX, as a fitted formula. Source: Lazarov 2013, "Getting
-// More Physical in Call of Duty: Black Ops II". A lookup table could replace the formula.
+// Returns the factors of F0 (x) and F90 (y) whose sum is the directional albedo of GGX, from a fitted formula. Source:
+// Lazarov 2013, "Getting More Physical in Call of Duty: Black Ops II".
 vec2 ambient_dfg(float roughness, float nv) {
     const vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     const float a004 = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;

@@ -10,10 +10,11 @@
 layout(constant_id = 20) const bool HAS_sunShadow = false;
 uniform sampler2DArrayShadow sunShadow;
 
-// Largest slope of a surface that the comparison of depths follows. Functions below get the geometric normal, because
-// normal maps do not move a surface.
+// Largest slope of a surface that the comparison of depths follows. The slope is the tangent of the angle between the
+// normal and the direction to the sun.
 const float kSunMostSlope = 2.0;
-// Radius of the filter, and distance from a common corner to the centres of its four texels. Units: texels.
+// kSunReach: half the diagonal of the filter's 4 × 4 texels. kSunQuadReach: distance from the corner that 2 × 2 texels
+// share to their centres. Units: texels.
 const float kSunReach = 2.8284, kSunQuadReach = 0.7071;
 // Offset along the light, in texels, for rounding errors and for normals that differ from the real surface.
 const float kSunBiasTexels = 1.0;
@@ -25,9 +26,9 @@ struct SunPlace {
     vec2 size;     // Width and height of the map, in texels.
 };
 
-// Finds the place of a point in map i. On a plane tilted by θ, depth changes by tan θ per texel, and an offset d along
-// the normal raises the depth by d / cos θ. The slope is clamped for steep planes. The offset is so large that no texel
-// of the filter is above the surface despite the clamping.
+// Finds the place of a point in map i. On a plane tilted by θ against the map, depth changes by tan θ per texel, and an
+// offset d along the normal raises the depth by d / cos θ. The slope is clamped for steep planes. The offset makes up
+// for the clamping, so that a plane does not shadow itself.
 SunPlace place_in_map(uint i, vec3 position, vec3 normal) {
     const SunCascade cascade = sun.cascades[i];
     const vec2 size = vec2(textureSize(sunShadow, 0).xy);
@@ -57,8 +58,8 @@ float filtered(SunPlace place) {
     for (int y = 0; y < 2; ++y) {
         for (int x = 0; x < 2; ++x) {
             const vec2 corner = second + vec2(2 * x, 2 * y);  // The corner that the four texels share.
-            // Clamp the depth: a point farther from the sun than the range of the map is compared at the end of the
-            // range, so that it is not in shadow.
+            // A point may be farther from the sun than the far end of the map's range (depth 0). It is compared at
+            // this end, so that empty texels, whose depth is 0, do not shadow it.
             const float z = clamp(place.at.z + dot(place.slope, corner - place.at.xy), 0.0, 1.0);
             const vec4 lit = textureGather(sunShadow, vec3(corner / place.size, float(place.cascade)), z);
             sum += dot(lit, vec4(wx[x].x * wy[y].y, wx[x].y * wy[y].y, wx[x].y * wy[y].x, wx[x].x * wy[y].x));

@@ -1,9 +1,10 @@
 // Computes data about tiles for debug views, with one workgroup per tile. The code is not optimised for
 // speed.
 // Input: depth, hiz (mip with one texel per tile), lights, tileLights.
-// Output tileFacts: r is the number of lights in the tile's list, g is how many of these reach no pixel of
-// the tile. b is the number of depth slices of the tile that contain a pixel, plus 0.5 if the pixel is in a
-// slice with an odd number. a is how much the surface faces the eye: 0 for the sky.
+// Output tileFacts, for each pixel: r is the number of lights in the list of its tile, g is how many of these
+// reach no surface in the tile. b is the number of depth slices of the tile that contain a surface, plus 0.5
+// if this pixel is in a slice with an odd index. a is the cosine of the angle between the surface normal and
+// the direction to the eye, at least 0.02; 0 for the sky.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"
@@ -55,7 +56,8 @@ vec3 place_of(ivec2 pixel) {
     return world_position((vec2(pixel) + 0.5) * view.inverse_viewport, max(z, 1e-6));
 }
 
-// Returns how much the surface faces the eye. Debug views draw edges from it, so that the scene can be recognised.
+// Returns the cosine of the angle between the surface normal and the direction to the eye, at least 0.02. Debug views
+// draw edges where it changes, so that the scene can be recognised.
 float facing_eye(ivec2 pixel, ivec2 last, vec3 place) {
     const ivec2 beside = pixel + ivec2(pixel.x < last.x ? 1 : -1, 0), below = pixel + ivec2(0, pixel.y < last.y ? 1 : -1);
     const vec3 normal = cross(place_of(beside) - place, place_of(below) - place);

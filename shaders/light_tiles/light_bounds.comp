@@ -1,6 +1,6 @@
 // Computes, once per frame, the region in view space that each light reaches, so that tiles need not compute it again.
 // Input: lights.
-// Output: lightBounds, described in light_bounds.glsl. Directional lights have no entry.
+// Output: lightBounds, described in light_bounds.glsl. The texels of directional lights are not written.
 #version 460
 #include "frame_set.glsl"
 #include "pixel_box.glsl"
@@ -41,8 +41,8 @@ Reach reach_of(Light light) {
     return r;
 }
 
-// Returns a sphere around the region that the light reaches. The sphere of a cone of up to 45° passes through its tip
-// and rim. The sphere of a wider cone has the rim as its equator.
+// Returns a sphere around the region that the light reaches. If the edge of a cone is less than 45° from the axis, the
+// sphere passes through the tip and the rim. From 45° to 90°, the rim is the equator of the sphere.
 vec4 sphere_around(Reach r) {
     const float core_m = length(r.first) + length(r.second) + r.slack_m;
     if (r.cos_spread <= 0.0 || r.range_m >= kEndless) return vec4(r.center, core_m + r.range_m);

@@ -5,13 +5,13 @@
 // points, by a part of a ball: the whole ball (point, capsule), the half in front (rectangle), or the part inside a
 // cone (spot). A formula gives how far such a body extends in any direction. If a box begins beyond this extent in some
 // direction, body and box are separate (separating axis theorem; Gottschalk, Lin and Manocha, OBBTree, 1996). Two
-// directions are tested: from the core to the box, which is exact for balls, and the normal of the cone's side towards
-// the box.
+// directions are tested. The first is from the core to the box; this test is exact for a ball around a point. The
+// second is the normal of the cone's side that faces the box.
 
 struct Reach {
     vec3 center;
     float range_m;
-    vec3 first;        // Half of a segment, or of a side of a rectangle; `second` is half of the other side.
+    vec3 first;        // Vector: half of the segment or of one side of the rectangle; `second`: half of the other side.
     float cos_spread;  // Cosine of half the cone's opening angle; −1: a whole ball.
     vec3 second;
     float sin_spread;
@@ -38,7 +38,7 @@ vec3 nearest_on_core(Reach r, vec3 place) {
 
 // Returns true if the box is beyond the extent of the light in the direction from the core to the box.
 bool beyond_range(Reach r, Box box) {
-    // Use a pair of near points. They need not be the nearest ones: any direction can prove that the two are separate.
+    // `core` and `place` need not be the nearest points: any direction can prove that light and box are separate.
     const vec3 core = nearest_on_core(r, clamp(r.center, box.low, box.high));
     const vec3 place = clamp(core, box.low, box.high);
     const vec3 gap = place - core;
@@ -49,7 +49,7 @@ bool beyond_range(Reach r, Box box) {
 // Returns true if the box is beside the cone. The test direction is the normal of the cone's side that faces the
 // box.
 bool beside_cone(Reach r, Box box) {
-    if (r.cos_spread < 0.0) return false;  // A ball has no cone.
+    if (r.cos_spread < 0.0) return false;  // A ball, or a cone whose edge is 90° or more from its axis.
     const vec3 low = box.low - r.center, high = box.high - r.center;
     const vec3 aside = cross(cross(r.direction, low + high), r.direction);
     const vec3 across = aside * inversesqrt(max(dot(aside, aside), 1e-30));

@@ -1,5 +1,5 @@
-// Debug view: shows for each tile how many of its listed lights reach no pixel, over the edges of the picture. Reads
-// the image tileFacts of facts.comp.
+// Debug view: shows for each tile how many of its listed lights reach no surface. Darker lines are the edges of
+// surfaces. Reads the image tileFacts of facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

@@ -1,4 +1,5 @@
-// Debug view: shows how many lights each tile lists, over the edges of the picture. Reads the image of facts.comp.
+// Debug view: shows how many lights each tile lists. Darker lines are the edges of surfaces. Reads the image tileFacts
+// of facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

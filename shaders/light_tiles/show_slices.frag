@@ -1,5 +1,5 @@
-// Debug view: shows the depth slices of tiles as stripes. The colour shows how many of the 32 slices of the tile contain a
-// pixel: dark means few slices. Reads the image tileFacts of facts.comp.
+// Debug view: shows the depth slices of tiles as stripes. The colour shows how many of the 32 slices of the tile
+// contain a surface: dark means few slices. Reads the image tileFacts of facts.comp.
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"

@@ -25,7 +25,7 @@ void begin_rounds() {
     if (gl_LocalInvocationIndex == 0u) entering_one[0] = 0u;
 }
 
-// Does one round. Thread t tests the entries 4 t to 4 t + 3, and `bits` marks the entries to add. Returns the
+// Does one round. Thread t tests the entries 4 t to 4 t + 3; bit i of `bits` adds the entry 4 t + i. Returns the
 // index in `entering` of the set that this round used; the functions below take this index as `slot`. The set
 // is cleared two rounds later.
 uint enter_some(uint bits) {
@@ -55,7 +55,8 @@ uint bit_after(uint word, uint before) {
     return at;
 }
 
-// Returns the added entry of the round that has `before` added entries below it; without such an entry, any entry.
+// Returns the index, in this round, of the added entry that has `before` added entries below it. If no entry has so
+// many below it, the result is any index in the round.
 uint entered_after(uint slot, uint before) {
     uint word = 0u, first = 0u, seen = 0u, seen_before = 0u;
     for (uint i = 0u; i < kWords; ++i) {
@@ -70,7 +71,8 @@ uint entered_after(uint slot, uint before) {
     return first + bit_after(word, before - seen_before);
 }
 
-// Does a round with at most one entry per thread. Returns the entry's position, and in `count` how many were added.
+// Does a round with at most one entry per thread. Returns the position of the thread's entry among the added entries.
+// `count` receives the number of entries that all threads added.
 uint enter_one(bool enters, out uint count) {
     const uint slot = round_of_ones % 3u, own = 1u << gl_LocalInvocationIndex;
     if (enters) atomicOr(entering_one[slot], own);

@@ -1,5 +1,5 @@
 // Lists the lights that may reach a super-tile, a square of 128 × 128 pixels. One workgroup per super-tile
-// tests all lights, so that each tile needs to test only few. If the bounding sphere of a light meets the
+// tests all lights, so that each tile needs to test only a few. If the bounding sphere of a light meets the
 // super-tile, the exact shape of the light is tested against the side planes of all columns and rows of
 // tiles.
 // Input hiz: nearest and farthest depth of each super-tile (hiz/hiz.comp). Input glassHiz, optional: the

@@ -1,15 +1,15 @@
-// Finds the depth slices of a tile that contain a pixel, and the rows and columns of these pixels. For workgroups of 32
-// threads, one per tile; each thread processes 4 × 2 pixels. Requires pixel_box.glsl, reach.glsl, sorted_list.glsl,
-// super_list.glsl and the images `depth`, `hiz` and `glassDepth`.
+// Finds the depth slices of a tile that contain a pixel, and the rows and columns of these pixels. There is one
+// workgroup of 32 threads per tile; each thread processes 4 × 2 pixels. Requires pixel_box.glsl, reach.glsl,
+// sorted_list.glsl, super_list.glsl and the images `depth`, `hiz` and `glassDepth`.
 
 const int kSlices = 32;
 
 shared uint slice_pixels[kSlices];  // Pixels of each slice: bits of columns (low 16), of rows (high 16).
-shared uint slice_edges[kSlices];   // Of these pixels: first column, first row, last column, last row.
+shared uint slice_edges[kSlices];   // Of these pixels: first column, first row, last column, last row, 8 bits each.
 shared uint occupied;               // One bit for each slice that contains a pixel.
 shared uint nearest_z, farthest_z;  // Bits of depth values; non-negative floats sort like their bits.
 
-float first_m, slice_m, last_m;     // In metres: start of the first slice, thickness, end of the last.
+float first_m, slice_m, last_m;     // In metres: start of the first slice, thickness of a slice, end of the last slice.
 
 struct TileBounds {
     vec3 axis;     // Direction through the middle of the tile; length 1 along the view axis.
@@ -71,7 +71,8 @@ uint enter_opaque(ivec2 square) {
     }
 }
 
-// For each pixel, adds all slices from the glass to the opaque surface or the last slice. Returns the slices as bits.
+// Adds each pixel with glass to all slices from the glass to the opaque surface, or to the last slice if there is none.
+// Returns the slices as bits.
 uint enter_translucent_square(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square), glass = gather_depth(glassDepth, tile_origin() + square);
     uint entered = 0u;
@@ -90,7 +91,8 @@ uint enter_translucent(ivec2 square) {
     return enter_translucent_square(square) | enter_translucent_square(square + ivec2(2, 0));
 }
 
-// Returns the depth range of the pixels with glass: from the nearest glass to the farthest opaque surface behind glass.
+// Returns the depth range of the pixels with glass. The nearest depth is that of the nearest glass. The farthest depth
+// is that of an opaque surface behind glass, or of the glass itself if there is only sky behind it.
 vec2 translucent_range() {
     for (int s = 0; s < 2; ++s) {
         const ivec2 square = tile_origin() + squares_in_tile() + ivec2(2 * s, 0);
@@ -105,7 +107,8 @@ vec2 translucent_range() {
     return vec2(uintBitsToFloat(nearest_z), uintBitsToFloat(farthest_z));
 }
 
-// Sorts the tile's pixels into slices. All threads return false if the tile has no lit surface. Ends with a barrier.
+// Sorts the tile's pixels into slices. All threads return false if the tile has no surface (TRANSLUCENT: no glass).
+// Ends with a barrier.
 bool find_slices() {
     slice_pixels[gl_LocalInvocationIndex] = 0u;
     if (gl_LocalInvocationIndex == 0u) {

@@ -3,8 +3,8 @@
 
 const float kMost = 128.0;  // Upper end of the colour scale, which is logarithmic.
 
-// Returns the colour of a number: grey for 0, otherwise a heat colour. Darker lines show where the surface bends: they
-// follow from how much the surface faces the eye (alpha of the image).
+// Returns the colour of a number: grey for 0, otherwise a heat colour. Pixels of the sky are black. Darker lines show
+// where surfaces bend or end: there, the alpha of the image (how much the surface faces the eye) changes.
 vec3 number_color(float number, ivec2 pixel) {
     const ivec2 last = textureSize(shown, 0) - 1;
     const float facing = texelFetch(shown, pixel, 0).a;

@@ -1,6 +1,6 @@
 // Lists the lights that may reach a tile of 16 × 16 pixels, with one workgroup per tile. The depth range
-// of the tile's pixels is divided into 32 slices of equal depth. Each slice has a box, as wide as the
-// pixels in it. A light of the super-tile is listed if it reaches one of these boxes. Harada's 2.5D
+// of the tile's pixels is divided into 32 slices of equal thickness. Each slice has a box around the pixels
+// in it. A light of the super-tile is listed if it reaches one of these boxes. Harada's 2.5D
 // culling (SIGGRAPH Asia 2012) is similar, but has a bit instead of a box for each slice. Cheap tests come
 // first: columns, rows and a sphere around the light (super_list.glsl). Only the remaining lights are
 // tested exactly, and they are distributed so that all threads have work.
@@ -9,9 +9,9 @@
 // glassDepth, with TRANSLUCENT: the nearest transparent surface. A pixel then covers the range from this
 // surface to the opaque surface, or to infinity if there is none.
 // Output tileLights: for each tile, row by row, the number of its lights and their indices, ascending.
-// Output tileOverflow: how many lights did not fit into lists, in how many lists, and the length of the
-// longest list. Output tileMask, optional: the same sets of lights without a limit, with one bit per
-// light.
+// Output tileOverflow: number of lights that did not fit into their lists; number of lists that were too
+// short; the length that the longest of these lists would need. Output tileMask, optional: the same sets of
+// lights without a limit, with one bit per light.
 #version 460
 #include "frame_set.glsl"
 #include "light_bounds.glsl"

@@ -1,6 +1,7 @@
 // Draws a light volume for each light: one instance of a convex solid around the region that the light
 // reaches. The solid of a point light is an icosahedron, of a spot a pyramid with ten sides, of a capsule or
-// rectangle a box. Lights without a range cover the whole picture.
+// rectangle a box. A spot whose cone edge is 60° or more from its axis gets an icosahedron, too. Lights
+// without a range cover the whole picture.
 //
 // Each volume is drawn twice in one draw; primitives are rasterised in order. First, its back faces set the
 // stencil where the surface is in front of them. Then its front faces shade the pixels with a set stencil
@@ -22,8 +23,8 @@ const int kTriangles = 20;
 const float kMargin = 1.01;
 const float kPi = 3.14159265358979;
 const int kSides = 10;
-const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // Outer / inner radius of the rim.
-const float kAroundSphere = kMargin * 1.258408572;               // Outer / inner radius of the icosahedron.
+const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // Margin × outer / inner radius of the rim.
+const float kAroundSphere = kMargin * 1.258408572;               // Margin × outer / inner radius of the icosahedron.
 
 const float kGolden = 1.618033988750;
 const vec3 kIcosahedron[12] = vec3[](

@@ -1,4 +1,5 @@
-// Determines the class of each tile, from its visible surfaces and from the lights in its list (tile_class.glsl).
+// Determines the class of each tile (see tile_class.glsl) from three inputs: whether the tile has a surface, the lights
+// in its list, and the directional lights, which are in no list.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -6,7 +7,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "shared/light.glsl"
 #include "tile_class.glsl"
 
-uniform sampler2D hiz;  // Mip with one texel per tile; r is 0 if the tile has no surface.
+uniform sampler2D hiz;  // The mip that has one texel per tile; r is 0 if the tile has no surface.
 layout(std430) readonly buffer Lights { Light items[]; } lights;
 layout(r32ui) writeonly uniform uimage2D tileClass;
 

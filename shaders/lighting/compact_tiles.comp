@@ -14,7 +14,7 @@ layout(std430) writeonly buffer DirectionalTiles { uint items[]; } directionalTi
 layout(std430) writeonly buffer PunctualTiles { uint items[]; } punctualTiles;
 layout(std430) writeonly buffer AnyTiles { uint items[]; } anyTiles;
 
-shared uvec4 counts[gl_WorkGroupSize.x];
+shared uvec4 counts[gl_WorkGroupSize.x];  // Index: invocation. Components: sky, directional, punctual, any.
 
 uint class_at(uint tile, uint columns) { return texelFetch(tileClass, ivec2(tile % columns, tile / columns), 0).r; }
 
@@ -38,7 +38,8 @@ void write_sizes(uvec4 tiles) {
     }
 }
 
-// Replaces each count by the sum of all counts up to it. Source: Hillis and Steele 1986, "Data Parallel Algorithms".
+// Replaces the counts of each invocation by the sums over this invocation and all earlier ones. Source: Hillis and
+// Steele 1986, "Data Parallel Algorithms".
 void sum_counts(uint me) {
     for (uint reach = 1u; reach < gl_WorkGroupSize.x; reach *= 2u) {
         barrier();

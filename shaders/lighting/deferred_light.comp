@@ -1,4 +1,4 @@
-// Deferred lighting: every pixel executes the same code, with all lights.
+// Deferred lighting without classes of tiles: every pixel executes the same code, which supports all types of lights.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,11 +1,12 @@
 // Culls lights and shades pixels in one dispatch. A workgroup is a tile of 16 × 16 pixels. It finds the
 // nearest and farthest depth of its surfaces, and tests the bounding sphere of each light against the four
-// side planes of the tile and this depth range. Lights that pass both tests are called "passed lights". Then
-// the workgroup adds the light of the passed lights and of the sky to each pixel. Sources: Andersson 2009,
-// "Parallel Graphics in Frostbite"; White and Barré-Brisebois 2011, "More Performance!". Passed lights are
-// bits in shared memory, and are processed in ascending order. So the order of additions is always the same,
-// and no list can overflow. Output hdr: scene-linear Rec.709, cd/m² × preExposure, added to the emission.
-// Output listed: number of passed lights per tile.
+// side planes of the tile and this depth range. Lights that pass both tests are called "passed lights". A light
+// with unlimited range always passes. Then the workgroup adds to each pixel the light of the passed lights, of
+// the directional lights (which are not tested) and of the sky. Sources: Andersson 2009, "Parallel Graphics in
+// Frostbite"; White and Barré-Brisebois 2011, "More Performance!". Passed lights are bits in shared memory, and
+// are processed in ascending order. So the order of additions is always the same, and no list can overflow.
+// Output hdr: scene-linear Rec.709, cd/m² × preExposure, added to the emission. Output listed: number of passed
+// lights per tile.
 #version 460
 layout(local_size_x = 16, local_size_y = 16) in;
 
@@ -17,9 +18,11 @@ layout(r32f) writeonly uniform image2D listed;
 const uint kThreads = 256u;
 const uint kMaxWords = 2048u;  // 32 lights per word, for the largest number of lights in a graph.
 
-shared uint nearest_bits;   // Bits of depth values; non-negative floats sort like their bits.
+// Bits of the largest depth value of the tile (reversed depth, so this is the nearest) and of the smallest. Atomic
+// operations on the bits work, because non-negative floats sort like their bits.
+shared uint nearest_bits;
 shared uint farthest_bits;
-shared uint reaching[kMaxWords];
+shared uint reaching[kMaxWords];  // One bit per tested light: 1 if it may reach the tile.
 
 // Bounds of the surfaces of a tile in view space: normals of four planes through the eye, pointing inwards, and the
 // range of distances along the view axis.
@@ -31,7 +34,7 @@ struct Tile {
 Tile make_tile(uvec2 at, vec2 size_px) {
     const vec2 low = vec2(at * 16u) / size_px * 2.0 - 1.0;
     const vec2 high = vec2(at * 16u + 16u) / size_px * 2.0 - 1.0;
-    const mat4 p = view.projection;  // The third column contains the offset of the picture by the jitter.
+    const mat4 p = view.projection;  // Its third column contains the jitter, which moves the picture.
     Tile tile;
     tile.left = normalize(vec3(p[0][0], 0.0, p[2][0] + low.x));
     tile.right = -normalize(vec3(p[0][0], 0.0, p[2][0] + high.x));
@@ -65,7 +68,7 @@ void find_depths(float z) {
     barrier();
 }
 
-// Tests the lights from index `first` on. Stores one bit per light in `reaching`: 1 if the light may reach the tile.
+// Tests the lights from index `first` to `count` − 1. Light first + i has bit i mod 32 of the word reaching[i / 32].
 void cull(uint first, uint count, vec2 size_px) {
     const uint words = (count - first + 31u) / 32u;
     for (uint word = gl_LocalInvocationIndex; word < words; word += kThreads) reaching[word] = 0u;

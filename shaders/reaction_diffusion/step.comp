@@ -2,8 +2,8 @@
 // three v. Both diffuse, and v decays.
 //   u' = Δu·Du − u·v² + feed·(1 − u)      v' = Δv·Dv + u·v² − (feed + kill)·v
 // Source: Pearson 1993, "Complex Patterns in a Simple System". Du = 1, Dv = ½ and the nine-point Laplacian (sides 0.2,
-// corners 0.05) are from Sims, for time steps of 1. Feed and kill vary across the dish, so that several patterns
-// appear.
+// corners 0.05) are from Karl Sims, "Reaction-Diffusion Tutorial", for time steps of 1. Feed and kill vary across the
+// dish, so that several patterns appear.
 #version 460
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -17,7 +17,7 @@ layout(push_constant) uniform Params {
     uint seed;
     float feed;
     float kill;
-    float drift;
+    float drift;  // Changes `feed` by −drift in the middle of the dish, by +drift at its left and right edges.
 } params;
 
 uint mixed_bits(uint x) {
@@ -31,7 +31,7 @@ float random(ivec2 cell, uint salt) {
     return float(bits >> 8) / 16777216.0;
 }
 
-// Returns the first state of a cell: food everywhere, and a drop of v in about two of five squares of a grid.
+// Returns the first state (u, v) of a cell: (1, 0), except in drops of v. About two of five squares of a grid have one.
 vec2 first_cell(ivec2 cell) {
     const int kGrid = 30;
     const ivec2 square = cell / kGrid;
@@ -64,8 +64,8 @@ ivec2 around(ivec2 cell, ivec2 size) {
 void main() {
     const ivec2 first = ivec2(gl_GlobalInvocationID.xy) * 2, size = imageSize(after);
     if (any(greaterThanEqual(first, size))) return;
-    // A loop replaces an `if`: devices that run many cells at once execute both sides of an `if`, but they skip a loop
-    // that no cell enters.
+    // A loop replaces an `if`: some devices execute the body of every `if`, even if no cell needs it, but they skip a
+    // loop that no cell enters.
     const bool begins = params.frameIndex == 0u && params.i == 1;
     for (int k = begins ? 0 : 4; k < 4; ++k) {
         const ivec2 cell = first + ivec2(k & 1, k >> 1);

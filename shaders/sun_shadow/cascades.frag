@@ -1,7 +1,7 @@
-// Debug view of the sun's shadow maps. Positions are computed from the resource `depth`. The colour shows
-// which map each point uses (orange for the nearest map, then green, blue, violet). The chequered pattern
-// shows the size of the map's texels. Where two maps are blended, the colours are blended, too. Surfaces that
-// face away from the sun are dark.
+// Debug view of the sun's shadow maps. The image `shown` is the resource `depth`; positions are computed from
+// it. The colour shows which map each point uses: orange is the nearest map to the eye, then green, blue,
+// violet. The chequered pattern shows the size of the map's texels. Where two maps are blended, the colours
+// are blended, too. Surfaces that face away from the sun are dark.
 #version 460
 #include "frame_set.glsl"
 

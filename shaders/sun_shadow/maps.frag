@@ -1,5 +1,5 @@
 // Debug view of the image `sunShadow`: shows all shadow maps side by side. A point is brighter if it is nearer to the
-// sun. Blue means that no surface casts a shadow there.
+// sun. Blue means that the map contains no surface there.
 #version 460
 
 layout(location = 0) in vec2 uv;

@@ -1,5 +1,6 @@
 // Converts colours to YCoCg and compresses them to a range below 1, so that a highlight does not dominate the dark
-// colours around it. Sources: Malvar and Sullivan 2003, "YCoCg-R: A Color Space with RGB Reversibility"; Karis 2014.
+// colours around it. Sources: Malvar and Sullivan 2003, "YCoCg-R: A Color Space with RGB Reversibility"; Karis 2014,
+// "High-Quality Temporal Supersampling".
 
 vec3 compressed(vec3 color) {
     const float y = dot(color, vec3(0.25, 0.5, 0.25));

@@ -1,5 +1,5 @@
 // Temporal anti-aliasing: blends this frame, whose sample positions are jittered, with the history of the same
-// surfaces. Output: scene-linear × preExposure; alpha is the number of blended frames.
+// surfaces. Output: scene-linear × preExposure; alpha is the number of blended frames, at most 256.
 //
 // Sources: Karis 2014, "High-Quality Temporal Supersampling", for the velocity of the nearest neighbour, blending of
 // compressed colours, and YCoCg. Salvi 2016, "An Excursion in Temporal Supersampling", for clipping the history to a
@@ -19,9 +19,9 @@ uniform sampler2D depth;
 layout(rgba16f) writeonly uniform image2D resolved;
 
 layout(push_constant) uniform Params {
-    float beforeValid;
-    float newest;  // Smallest weight of this frame, 0 to 1.
-    float trust;   // Size of the clipping box, in standard deviations.
+    float beforeValid;  // 1 if a frame has written `before`, otherwise 0.
+    float newest;       // Smallest weight of this frame, 0 to 1.
+    float trust;        // Distance from the middle of the clipping box to its sides, in standard deviations.
 } params;
 
 // The clipping box of a still pixel is larger by this factor, so that a thin wire that only some frames hit is kept.
@@ -61,7 +61,8 @@ vec2 moved(Neighbours n, vec2 uv) {
     return uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
 }
 
-// Moves a colour outside the box to the point where the line from the colour to the middle enters the box.
+// Moves a colour outside the box to the point where the line from the colour to the middle enters the box. The box
+// extends from middle − reach to middle + reach.
 vec3 clipped(vec3 color, vec3 middle, vec3 reach) {
     const vec3 away = color - middle;
     const vec3 beyond = abs(away) / max(reach, vec3(1e-5));

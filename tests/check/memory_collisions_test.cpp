@@ -1,4 +1,5 @@
-// Compares the search for collisions in memory with a comparison of all pairs.
+// Compares memory_collisions() with a simple search over all pairs. Two resources collide if they share bytes
+// while both are alive.
 #include "check/memory_collisions.h"
 
 #include <gtest/gtest.h>
@@ -41,8 +42,8 @@ TEST(MemoryCollisions, AreThoseOfAllPairs) {
     EXPECT_GT(without, 50u);
 }
 
-// The same bytes have many tenants one after another. None of them collide, until the last two overlap by one
-// position.
+// Fifty resources share bytes, but use them one after another, so they do not collide. Then the test extends
+// the lifetime of resource 48, so that it overlaps the lifetime of resource 49 by one position.
 TEST(MemoryCollisions, OneSharedPositionIsFound) {
     FramePlan plan = random_placements(1, 50, 200, 20, 8);
     for (ResourceId id(0); id < 50; ++id) {

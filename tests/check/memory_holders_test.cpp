@@ -55,8 +55,8 @@ std::vector<ResourceId> copy(std::span<const ResourceId> list) {
     return {list.begin(), list.end()};
 }
 
-// Takes memory over and uses it, in a random order, and compares each answer with the model. `uses` of 10
-// steps are uses.
+// In each step, a random resource either uses its memory or takes it over, and all answers are compared with
+// the model. On average, `uses` of 10 steps are calls of use(); the others are calls of take_over().
 void compare(uint32_t seed, uint32_t most_bytes, uint32_t uses) {
     const FramePlan plan = random_placements(seed, 40, 60, most_bytes, 10);
     MemoryHolders holders(plan);

@@ -172,7 +172,7 @@ TEST(Ordering, FollowingALogIsPassingItsBatchesOneByOne) {
             for (size_t i = 0; i <= random() % 3; ++i)
                 batch.add(
                     last = scopes(few_stages(), access::kStorageWrite, few_stages(), access::kSampledRead));
-            // In half of the iterations, a barrier also affects the memory of one record.
+            // In about half of the batches, the last barrier also affects the memory of one record.
             const size_t touched =
                 random() % 2 == 0 && !by_log.empty() ? random() % by_log.size() : by_log.size();
             for (size_t i = 0; i < by_log.size(); ++i) {

@@ -1,5 +1,5 @@
-// Each test breaks a correct plan in one way. The checker must report an error that names both passes and the
-// resource.
+// Each test breaks a correct plan in one way. The checker must report an error. In most tests, the error must
+// name the passes and the resource that the fault concerns.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,9 @@
 namespace weft::test {
 namespace {
 
-// The passes make → blur → sharpen → shade → show form a chain, in which later images reuse the memory of
-// earlier ones. The graph also has a mip chain, and a depth buffer that two passes test against.
+// The passes make → blur → sharpen → down0 → down1 → down2 → shade → tint → show form a chain, in which later
+// images reuse the memory of earlier ones. The passes down0 to down2 write the mips of the image "chain". The
+// passes "geometry" and "overlay" test against the same depth buffer.
 const char* const kGraph = R"j(
  "imports": {"backbuffer": "output", "opaque": "drawlist"},
  "resources": {"a": "rgba16f", "b": "rgba16f", "c": "rgba16f", "d": "rgba16f", "chain": {"format": "rgba16f", "mips": 3},
@@ -135,7 +136,8 @@ TEST_F(PlantedFault, LivePlacementsOverlap) {
     expect_fault({"a", "b", "make", "blur"});
 }
 
-// Removes the first alias barrier between two different resources within one frame.
+// Finds the first barrier that hands memory from one resource to another within a frame. Changes the barrier
+// so that it waits for no pass, and removes the transitions to the second resource from the memory plan.
 TEST_F(PlantedFault, AliasTransitionDropped) {
     for (PassStep& s : plan.barriers.steps) {
         for (size_t i = 0; i < s.barriers.size(); ++i) {
@@ -176,7 +178,7 @@ TEST_F(PlantedFault, WrapAroundAliasTransitionDropped) {
     FAIL() << "this graph hands no memory over from frame to frame";
 }
 
-// Pass "tint" overwrites x, which pass "peek" reads before. The test removes the reader's stage from the
+// Pass "tint" overwrites x after pass "peek" has read x. The test removes the reader's stage from the
 // barrier, so "tint" no longer waits for "peek".
 TEST_F(PlantedFault, WarEdgeDropped) {
     const char* const war = R"j(

@@ -1,5 +1,5 @@
-// Tests ownership transfers of an image between two queue families whose release and acquire barriers do not
-// match.
+// Tests queue family ownership transfers of an image: the checker must accept those of the compiler, and must
+// report an acquire barrier that matches no release barrier.
 #include <gtest/gtest.h>
 
 #include <algorithm>

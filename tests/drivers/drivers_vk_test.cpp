@@ -34,8 +34,8 @@ void PrintTo(const Driver& driver, std::ostream* out) {
     *out << driver.name;
 }
 
-// A deliberate fault: in `file` of graph `graph`, the text `text` is replaced by `faulty`, which makes a
-// factor 3 % too large.
+// A deliberate fault in a shader of the graph `graph`: in the file `file` (relative to the shader folder),
+// the text `text` is replaced by `faulty`. This makes one factor 3 % too large.
 struct Fault {
     const char *graph, *file, *text, *faulty;
 };

@@ -18,8 +18,8 @@ struct DriverDifference {
     // The largest difference of texels that are not near an edge, in steps of 1/255. A texel is near an edge
     // if the 5×5 texels around it differ by more than twice kSameSteps in a channel of either picture.
     float off_edges_steps = 0;
-    // The fraction of texels that differ by more than kSameSteps from the range of the 3×3 texels around the
-    // same place in the reference picture.
+    // The fraction of the test picture's texels that are outside the range of the 3×3 texels around the same
+    // place in the reference picture, by more than kSameSteps in a channel.
     double edge_share = 0;
     double mean_flip = 0;
 };

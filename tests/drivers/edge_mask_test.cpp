@@ -1,5 +1,6 @@
-// Tests the comparison of pictures from two drivers. It must tolerate an edge that moves by one texel, and
-// nothing more.
+// Tests the comparison of pictures from two drivers. `edge_share` must tolerate an edge that moves by one
+// texel, but not by two. `off_edges_steps` must ignore texels near edges. `mean_flip` counts every
+// difference.
 #include "tests/drivers/edge_mask.h"
 
 #include <gtest/gtest.h>

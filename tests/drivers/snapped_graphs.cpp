@@ -9,6 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// GLSL code for vertex shaders. It moves `gl_Position` to the nearest point of a grid of 1/16 px.
 constexpr const char* kOnGrid = R"(
     beyond_picture = 0.0;
     const vec4 unsnapped = gl_Position;
@@ -19,8 +20,9 @@ constexpr const char* kOnGrid = R"(
     }
 )";
 
-// GLSL code for vertex shaders. It sets `beyond_picture` if the vertex is outside the picture or in front of
-// the near plane. Interpolation then makes the value positive in all fragments of the triangle.
+// GLSL code for vertex shaders, inserted after kOnGrid. It sets `beyond_picture` to 1 if the vertex is
+// outside the picture, or nearer to the eye than the near plane. Interpolation then makes the value positive
+// in all fragments of the triangle.
 constexpr const char* kMarkBeyond = R"(
     if (any(greaterThan(abs(unsnapped.xy), vec2(unsnapped.w))) || unsnapped.z > unsnapped.w) beyond_picture = 1.0;
 )";
@@ -60,7 +62,8 @@ std::string read(const fs::path& file) {
     return text.str();
 }
 
-// Inserts a text before the first occurrence of `what`. Returns false if `what` is not in the text.
+// Inserts `inserted` into `text` before the first occurrence of `what`. Returns false if `text` does not
+// contain `what`.
 bool insert_before(std::string& text, const std::string& what, const std::string& inserted) {
     const size_t found = text.find(what);
     if (found != std::string::npos) text.insert(found, inserted);

@@ -7,7 +7,7 @@
 //   and the new vertices would not lie on the grid.
 // - Shaders filter material textures themselves, in single precision and at a fixed level. Vulkan does not
 //   specify how precisely a driver filters and selects a level; lavapipe filters 8-bit textures in 8 bits.
-//   The pass `edges` filters its own result, so the copy uses a float format instead of 8 bits for it.
+//   The graph `edges` filters its image `lines`, so in the copy this image has a float format, not 8 bits.
 // - sRGB is decoded from the nearest 8-bit code, because drivers decode it with different precision.
 #pragma once
 

@@ -5,7 +5,7 @@
 namespace weft::fuzz {
 namespace {
 
-// Generates pseudo-random numbers: each call of below() returns another number below `count`.
+// Generates pseudo-random numbers: each call of below() returns a number from 0 to `count` - 1.
 class Choices {
  public:
     explicit Choices(uint64_t seed) : state_(seed) {}

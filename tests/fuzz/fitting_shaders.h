@@ -1,5 +1,5 @@
-// Purpose: makes shader interfaces that match the passes of any graph. With such interfaces, the fuzzer
-// can test the stages after the matching of ports, although no shader is compiled.
+// Purpose: makes shader interfaces for the passes of any graph. Their bindings and outputs match the ports of
+// the passes. So the fuzzer can test the stages after the matching of ports, although no shader is compiled.
 #pragma once
 
 #include "weft/graph_desc.h"

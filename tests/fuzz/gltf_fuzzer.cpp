@@ -1,5 +1,5 @@
-// Loads the fuzzer's bytes as a .gltf or .glb file; the first four bytes decide which. The scene can read no
-// other file.
+// Loads the fuzzer's bytes as a .gltf or .glb file; the first four bytes decide which. The file is alone in
+// its folder, and the loader reads only files of this folder, so no other file is read.
 #include <cstdlib>
 
 #include "tests/fuzz/fuzzed_file.h"

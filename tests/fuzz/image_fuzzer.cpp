@@ -15,7 +15,8 @@ namespace {
 // Larger pictures are skipped, because most of the time would be spent on filling memory.
 constexpr uint64_t kMostTexels = 1 << 20;
 
-// Uses the picture as one that a light projects. light_pictures() resizes all projected pictures to one size.
+// Uses the picture as the projected picture of a light. light_pictures() resizes all projected pictures to
+// one size.
 void show_by_a_light(const weft::scene::DecodedImage& image) {
     constexpr uint64_t kMostForLights = 1 << 14;
     if (image.size.texels() > kMostForLights) return;
@@ -59,8 +60,8 @@ void read_as_picture(const std::filesystem::path& file) {
 
 }  // namespace
 
-// LeakSanitizer must ignore leaks of tinyexr. For a broken file, tinyexr does not free its header: about a
-// kilobyte, once, in a program that ends right after.
+// LeakSanitizer must ignore leaks of tinyexr. For a broken file, tinyexr does not free its header (about one
+// kilobyte). This does no harm, because `weft compare` ends right after it has failed to read a file.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libtinyexr";

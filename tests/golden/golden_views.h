@@ -1,4 +1,4 @@
-// Reads the views of tests/golden/views.txt, for all tests that render them.
+// Purpose: reads the views of tests/golden/views.txt, for all tests that render them.
 #pragma once
 
 #include <filesystem>

@@ -20,9 +20,11 @@ TEST(Psnr, IsInfiniteForTheSame) {
     EXPECT_EQ(psnr_db(picture, picture), std::numeric_limits<double>::infinity());
 }
 
-// Three cases by hand. Every channel differs by 1: 20 log10 255 = 48.1308 dB. One of three channels differs
-// by 16 in every fourth texel: the mean square is 256 / 12, and 10 log10(65025 · 12 / 256) = 34.8399 dB.
-// Black and white: 0 dB.
+// Three cases, one for each assertion:
+// - Every channel differs by 1: 20 log10 255 = 48.1308 dB.
+// - One of three channels differs by 16, in one of four texels. The mean square error is 16² / 12, and
+//   10 log10(255² · 12 / 16²) = 34.8399 dB.
+// - Black and white: 0 dB.
 TEST(Psnr, IsWhatAHandComputes) {
     EXPECT_NEAR(psnr_db(constant(8, 8, {9, 99, 199}), constant(8, 8, {10, 98, 200})), 48.1308, 0.01);
     Image changed = constant(4, 1, {50, 60, 70});
@@ -32,7 +34,7 @@ TEST(Psnr, IsWhatAHandComputes) {
 }
 
 // PSNR compares display values of 0 to 255. The linear value 0.2159 is the display value 128. The linear
-// value 2 is clamped to 255, like the linear value 1.
+// values 1 and 2 are both the display value 255, because linear values above 1 are clamped.
 TEST(Psnr, OfLinearPicturesIsOverDisplayValues) {
     EXPECT_EQ(psnr_db(raw({glm::vec3(2)}), raw({glm::vec3(1)})), std::numeric_limits<double>::infinity());
     EXPECT_NEAR(psnr_db(raw({glm::vec3(0.2159f)}), raw({glm::vec3(0)})), 20 * std::log10(255.0 / 128), 0.01);

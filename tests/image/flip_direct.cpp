@@ -93,8 +93,8 @@ double redistributed(double distance) {
     return 0.95 + 0.05 * (x - 0.4 * most) / (most - 0.4 * most);
 }
 
-// A filter: the weights weight(dx, dy) over a square of texels. Positive and negative weights are normalised
-// separately.
+// A filter: the weights weight(dx, dy) over a square of texels. They are normalised so that the sum of the
+// positive weights is 1 and the sum of the negative weights is −1 (or 0 if there are none).
 struct Square {
     int radius = 0;
     std::vector<double> weights;
@@ -111,8 +111,8 @@ struct Square {
         for (double& w : weights) w /= w > 0 ? positive : negative > 0 ? negative : 1;
     }
 
-    // Returns the filtered value at a texel; `value` returns the unfiltered value by index. Coordinates
-    // outside of the picture are clamped to its border.
+    // Returns the filtered value at texel (x, y). value(i) returns the unfiltered value of the texel with
+    // index i. Coordinates outside the picture are clamped to its border.
     [[nodiscard]] double at(const DirectImage& size, int x, int y,
                             const std::function<double(size_t)>& value) const {
         double sum = 0;

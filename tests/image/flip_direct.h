@@ -9,13 +9,15 @@
 
 namespace weft::image::test {
 
-using Rgb = std::array<double, 3>;  // A colour as three display-encoded channels, each from 0 to 1.
+// Three colour channels. In this header they are display-encoded, each from 0 to 1.
+using Rgb = std::array<double, 3>;
 
 struct DirectImage {
     int width_px = 0, height_px = 0;
     std::vector<Rgb> texels;
 };
 
+// Returns the FLIP error of each texel, row by row, from 0 to 1. The pictures must have the same size.
 [[nodiscard]] std::vector<double> flip_direct(const DirectImage& reference, const DirectImage& test,
                                               double pixels_per_degree);
 

@@ -49,8 +49,9 @@ TEST(Flip, OfAPictureAndItselfIsZeroEverywhere) {
     EXPECT_EQ(*std::max_element(map.values.begin(), map.values.end()), 0);
 }
 
-// Black and white differ only in lightness, by ΔL* = 100. FLIP maps d^0.7 to an error with two straight lines
-// that meet at 0.4 · 203.3^0.7, where 203.3 is the largest distance. 100^0.7 lies on the upper line.
+// Black and white differ only in lightness: the colour distance is d = ΔL* = 100. FLIP maps d^0.7 to an error
+// with two straight lines. They meet at 0.4 · 203.3^0.7, where 203.3 is the distance of green and blue, the
+// largest one. 100^0.7 lies on the upper line.
 TEST(Flip, OfBlackAndWhiteIsWhatThePaperNormalizesItTo) {
     const Plane map = flip_map(constant(16, 16, {0, 0, 0}), constant(16, 16, {255, 255, 255}));
     const double most = std::pow(203.3, 0.7), x = std::pow(100.0, 0.7);
@@ -88,8 +89,8 @@ TEST(Flip, OfNoiseIsWhatTheDirectSumsGive) {
     EXPECT_LT(worst_gap(noise(32, 32, 3), constant(32, 32, {127, 127, 127}), kPixelsPerDegree), kTolerance);
 }
 
-// The pictures have noise in one part and a constant colour in another. This tests features, smooth areas,
-// and filters that are wider than the picture.
+// Three pairs combine noise with a constant colour, to test features and smooth areas. The pictures of the
+// other two pairs are smaller than the filters.
 TEST(Flip, OfPartsIsWhatTheDirectSumsGive) {
     const Image a = noise(32, 32, 5), grey = constant(32, 32, {90, 120, 150});
     EXPECT_LT(worst_gap(grey, patched(grey, a, 3, 20, 9, 7), kPixelsPerDegree), kTolerance);
@@ -162,8 +163,8 @@ TEST(ErrorSummary, CountsByHand) {
     EXPECT_EQ(summarize({2, 1, {0, 0}}).weighted_quartiles, (std::array<double, 3>{0, 0, 0}));
 }
 
-// Large pictures are compared in bands. Texels at the border between two bands must have the same value as in
-// a comparison of the whole picture.
+// Large pictures are compared in bands of about 2^19 texels. Texels near the border between two bands must
+// have the same values as in a comparison of only the rows around the border, which needs a single band.
 TEST(Flip, OfBandsIsThatOfTheWholePicture) {
     constexpr uint32_t kWidth = 32, kHeight = (1 << 19) / kWidth + 300, kMeet = (1 << 19) / kWidth;
     const Image a = noise(kWidth, kHeight, 1), b = noise(kWidth, kHeight, 2);

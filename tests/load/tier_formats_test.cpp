@@ -81,8 +81,9 @@ class TierFormats : public ShaderFolder {
     ShaderMemory memory_;
 };
 
-// Counts how often programs are requested. Each load of a tier requests the two programs of its passes. If
-// the common formats are found once, each tier is loaded only twice.
+// Counts requests for programs: each load of a tier requests the two programs of its passes. Without given
+// common formats, a load of one tier also loads all other tiers, to find the formats. If common_formats()
+// finds the formats once, each tier is loaded only twice: by common_formats(), and then with its result.
 TEST_F(TierFormats, FoundOnceTheyLoadEachTierTwiceInsteadOfAllTiersForEach) {
     const Result<JsonDoc> document = read_graph(path_, settings_);
     ASSERT_TRUE(document.ok()) << to_text(document.errors());

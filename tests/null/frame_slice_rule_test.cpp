@@ -2,7 +2,7 @@
 // slice runs only in some frames. resolve() and the checker are compared with a brute-force search over every
 // set of slices that may run in a frame. A graph is wrong if a pass can read another version of an image
 // layer than the one that its reference names. Exception: if all writers of a layer modify it in place, a
-// read of the layer is never wrong. It wants the content that the layer has when the reading pass runs.
+// read of the layer is never wrong. Then a reference means the content that the layer has when the pass runs.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -23,9 +23,10 @@ struct SliceGraph {
     std::string text;
     // Text of the same graph without `perFrame`.
     std::string steady;
-    // For each repeated pass: the value of `perFrame`, which is the number of iterations per frame.
+    // For each pass with `perFrame`, by name: the value of `perFrame`, which is the largest number of
+    // iterations per frame.
     std::map<std::string, uint32_t> at_once;
-    // For each repeated pass: the number of iterations.
+    // For each pass with `perFrame`, by name: the number of iterations of its repeat.
     std::map<std::string, uint32_t> rounds;
 };
 
@@ -191,7 +192,7 @@ class BruteForce {
                     if (source->producer != kNoId)
                         wrong |= !memory.contains(cell) || memory.at(cell) != source->producer;
                     // Without a producer, the reference names the content from before the frame. All passes
-                    // run in frame 0, so every later frame must see the same content as after frame 0.
+                    // run in frame 0, so in later frames the last writer must be the same as after frame 0.
                     else if (frame > 0)
                         wrong |= memory[cell] != first[cell];
                 });

@@ -1,5 +1,5 @@
 // Tests passes that run only in some frames (`perFrame`). A plan must keep their results for the frames in
-// between. The null executor and the checker must both find a plan that loses the results.
+// between. The checker must reject a plan that loses these results.
 #include <gtest/gtest.h>
 
 #include "null/null_executor.h"
@@ -16,8 +16,9 @@ CompileOptions several_queues(uint32_t seed) {
     return options;
 }
 
-// Changes every pass that writes only persistent content: it runs in frame 0, and afterwards in every third
-// frame. Returns the number of such passes.
+// Changes each pass that has no side effect and writes only persistent resources without history. The pass
+// then runs in frame 0 and in the frames whose number modulo 3 equals its `frame_slice`. Returns the number
+// of changed passes.
 uint32_t spread_over_frames(ResolvedGraph& graph) {
     uint32_t count = 0;
     for (PassDecl& pass : graph.passes) {

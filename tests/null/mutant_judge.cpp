@@ -12,6 +12,7 @@
 namespace weft::test {
 namespace {
 
+// Each entry: number of frames, seed, order.
 const std::array<NullOptions, 4> kJudgedOrders{{{3, 0, NullOrder::delayed},
                                                 {3, 1, NullOrder::recorded},
                                                 {3, 2, NullOrder::shuffled},

@@ -1,6 +1,6 @@
 // Purpose: judges changed plans (mutants) with two independent tools. If a mutant gives wrong results in the
-// null executor, the checker must have rejected it. The counts of the other cases are printed: rejected only
-// by the checker, or accepted by both tools.
+// null executor, the checker must have rejected it. print() also shows how many mutants the checker rejects,
+// and how many both tools accept.
 #pragma once
 
 #include <array>

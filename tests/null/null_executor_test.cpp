@@ -29,8 +29,8 @@ std::vector<std::string> broken(const FramePlan& plan) {
     return {};
 }
 
-// A plan with these passes: "make" writes a, "blur" reads a and writes b, and "tint" reads b and writes c.
-// Image c takes over the memory of a.
+// A plan with these passes: "make" writes a, "blur" reads a and writes b, "tint" reads b and writes c, and
+// "read_back" reads c. Image c uses the memory that image a used before.
 class NullExecutor : public testing::Test {
  protected:
     NullExecutor() {
@@ -56,8 +56,8 @@ class NullExecutor : public testing::Test {
         return step(pass).barriers.front();
     }
 
-    // Moves "make" and "blur" to a second queue of this family. The other passes wait for these two, and
-    // these two wait for the end of the previous frame.
+    // Moves "make" and "blur" to a second queue, of the queue family `family`. "tint" and "read_back" wait
+    // for them. "make" and "blur" wait for "tint" and "read_back" of the previous frame.
     void use_two_queues(uint32_t family) {
         plan.schedule.queues = {{QueueKind::graphics, 0}, {QueueKind::compute, family}};
         plan.schedule.queue = {1, 1, 0, 0};

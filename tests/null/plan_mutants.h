@@ -9,14 +9,25 @@
 
 namespace weft::test {
 
+// The part of the plan that a mutant removes or changes.
 enum class MutantKind : uint8_t {
+    // A barrier that does not transfer ownership between queue families.
     removed_barrier,
+    // One stage or access bit of a barrier's source or destination.
     weakened_barrier,
+    // Like `weakened_barrier`, for the barriers before and after the plan's prologue.
     weakened_prologue,
+    // A semaphore wait.
     removed_wait,
+    // One half of an ownership transfer: its release barrier or its acquire barrier.
     removed_transfer,
+    // One entry of a barrier's `aliased_from`: a resource that used the same memory earlier.
     removed_owner,
+    // The merging of a pass into the rendering scope of the pass before it. The pass begins its own scope,
+    // and the mutant adds no barrier before that scope.
     parted_scope,
+    // A barrier that is recorded only in frames in which its pass runs is recorded in all frames, or the
+    // reverse.
     other_frames,
 };
 inline constexpr int kMutantKinds = 8;
@@ -28,13 +39,7 @@ struct Mutant {
     FramePlan plan;
 };
 
-// Calls `visit` for every mutant of the plan. Each mutant removes exactly one of these parts: a barrier, one
-// stage or access bit of a barrier's source or destination, a semaphore wait, one half of an ownership
-// transfer, or one resource that an alias barrier waits for because it used the same memory earlier. One more
-// kind of mutant lets a pass begin its own rendering scope, although the plan merges the pass into the scope
-// of the pass before it. The new scope has no barrier before it.
-// The last kind of mutant records a barrier in all frames instead of only those in which its pass runs, or the
-// reverse.
+// Calls `visit` for every mutant of the plan. Each mutant removes or changes exactly one part (see MutantKind).
 void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit);
 
 }  // namespace weft::test

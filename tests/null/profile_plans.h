@@ -21,10 +21,10 @@ inline bool extended() {
 
 struct ProfilePlan {
     FramePlan plan;
-    // File name of the device profile that the plan is made for.
+    // File name, without extension, of the device profile that the plan is made for.
     std::string profile;
     bool from_text = false;
-    // True if a condition of the text removed a pass or changed an input.
+    // True if a false condition (`if`) in the text removed a pass or changed an input.
     bool omitted = false;
 };
 

@@ -16,6 +16,7 @@
 namespace weft::test {
 namespace {
 
+// Each entry: number of frames, seed, order.
 const NullOptions kPlanOrders[] = {{3, 0, NullOrder::recorded},
                                        {3, 1, NullOrder::delayed},
                                        {3, 2, NullOrder::shuffled},

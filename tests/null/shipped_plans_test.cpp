@@ -1,5 +1,5 @@
-// Tests that the plans of the shipped graphs give the expected results on one to three queues, and that all
-// their semaphore waits are necessary.
+// Tests that the plans of the shipped graphs give the expected results on one to three queues. Also tests the
+// checker with mutants of these plans (see mutant_judge.h), and prints how many removed parts were redundant.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Usage: same_picture PICTURE.png PICTURE.ppm
-// Returns 0 if the two pictures are equal. The program is compiled only with the flags that pkg-config gives
-// for the installed Weft, so it also tests these flags.
+// Returns 0 if both pictures have the same size and the same RGB values. The program is compiled only with
+// the flags that pkg-config gives for the installed Weft, so it also tests these flags.
 #include <weft/scene/image_decode.h>
 
 #include <algorithm>

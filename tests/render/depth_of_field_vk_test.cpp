@@ -30,8 +30,8 @@ class DepthOfField : public ShippedEffects {
     static const glm::vec4& at(const Image& image, uint32_t x, uint32_t y) {
         return image[size_t{y} * kSize.width + x];
     }
-    // Returns the difference between the largest and the smallest blue value in column x. The difference is 0
-    // where the blur has merged the blue and green stripes to one colour.
+    // Returns the difference between the largest and the smallest blue value in rows 24 to 39 of column x.
+    // The difference is 0 where the blur has merged the blue and green stripes to one colour.
     static float contrast(const Image& image, uint32_t x) {
         float low = 100, high = 0;
         for (uint32_t y = 24; y < 40; ++y) {
@@ -109,8 +109,9 @@ class LampReference {
         const double t = std::clamp((radius_px / 2 - 0.25) / 0.6, 0.0, 1.0);
         return t * t * (3 - 2 * t);
     }
-    // Gathers the light of the pixels behind the focus (side 1) or in front of it (side -1). Returns their
-    // premultiplied colour, and in alpha the share of the circle that they cover.
+    // Gathers the light of the pixels behind the focus (side 1) or in front of it (side -1), at most
+    // `reach_px` away. Returns their premultiplied colour. Alpha is the sum of the shares of their light that
+    // fall on pixel (x, y), and may exceed 1.
     glm::dvec4 gathered(int x, int y, double reach_px, double side) const {
         const int reach = static_cast<int>(std::ceil(reach_px));
         glm::dvec4 sum(0);
@@ -132,8 +133,8 @@ class LampReference {
     glm::dvec3 hidden_{0};
 };
 
-// How far pixels lie above the maximum of the nearby reference values, and how far below their minimum. Both
-// are relative differences, and the largest ones of all compared pixels.
+// The largest relative differences of all compared pixels. `above`: a pixel is larger than the maximum of the
+// nearby reference values. `below`: a pixel is smaller than their minimum.
 struct Overshoot {
     double above = 0, below = 0;
 };

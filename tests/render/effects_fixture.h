@@ -15,8 +15,9 @@ inline Json shipped(const std::string& name) {
 }
 
 // Returns a graph that begins with the pass `picture`, which writes `hdr`. The passes `passes` of the shipped
-// graph `name` follow. The first pass gets the name "glass", because the effect reads the picture as
-// "hdr@glass": in the shipped graphs, "glass" is the last pass before the effect.
+// graph `name` follow. `resources` are the resources of the shipped graph that these passes need. The first
+// pass gets the name "glass", because the effect reads the picture as "hdr@glass": in the shipped graphs,
+// "glass" is the last pass before the effect. A last pass, "show", writes `hdr` to the output.
 inline Json behind_picture(const std::string& name, const Json& picture,
                            std::initializer_list<const char*> passes,
                            std::initializer_list<const char*> resources) {
@@ -36,8 +37,9 @@ inline Json behind_picture(const std::string& name, const Json& picture,
 
 class ShippedEffects : public SessionTest {
  protected:
-    // Renders `count` frames of a graph. Returns the decoded content of the observed resources after each
-    // frame, by resource name.
+    // Renders `count` frames of `graph`, which the session reads as if it were the file `path`. Returns the
+    // decoded content of the observed resources for each frame. The key is the observed reference, such as
+    // "hdr@glass".
     std::vector<std::map<std::string, Image>> frames(const Json& graph, const std::string& path,
                                                      Extent3D size, uint32_t count,
                                                      std::vector<std::string> observed) {

@@ -65,8 +65,8 @@ class Mutator {
             const char* name;
             Edit edit;
         };
-        // Several entries occur more than once, so they are chosen more often. These are changes that leave
-        // the file valid JSON, because such files reach the later stages of loading.
+        // Several entries occur more than once, so they are chosen more often. These changes usually leave
+        // the file valid JSON, so that it reaches the later stages of loading.
         static constexpr std::array kEdits{Named{"key misspelt", &Mutator::misspell_key},
                                            Named{"value misspelt", &Mutator::misspell_value},
                                            Named{"values swapped", &Mutator::swap_values},
@@ -157,7 +157,7 @@ class Mutator {
     bool swap_values() { return swap_two(pick(is_value), pick(is_value)); }
     bool swap_keys() { return swap_two(pick(TokenKind::key), pick(TokenKind::key)); }
 
-    // Replaces a name or number by a string that occurs in any of the shipped graphs.
+    // Replaces a key, string or number by a key or string that occurs in any of the unchanged files.
     bool exchange_name() {
         const Token* token = pick([](const Token& t) { return t.kind != TokenKind::mark; });
         return token != nullptr && replace(*token, values_[below(values_.size())]);

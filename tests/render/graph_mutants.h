@@ -36,11 +36,11 @@ class GraphMutants {
     [[nodiscard]] const std::vector<std::string>& files() const { return files_; }
 
  private:
-    // All shipped graphs, relative to the source folder.
+    // All shipped graphs and docs/examples/ink.json, relative to the source folder.
     std::vector<std::string> files_;
-    // The text of each of these files, by file.
+    // The text of each of these files. The key is the entry of `files_`.
     std::map<std::string, std::string> texts_;
-    // All strings that occur in these files, including their quotes.
+    // All keys and string values that occur in these files, including their quotes.
     std::vector<std::string> values_;
 };
 

@@ -1,6 +1,6 @@
-// Tests many mutants (damaged copies) of the shipped graphs in all tiers, without a device. A mutant must
-// either be rejected within one second, with a code, a place and a help text in each message, or its plan
-// must pass the checker.
+// Tests many mutants (damaged copies) of the shipped graphs in all tiers, without a device. Each tier of a
+// mutant must either be rejected, with a code, a place and a help text in each message, or its plan must pass
+// the checker. All tiers of one mutant together may take one second of CPU time.
 #include <gtest/gtest.h>
 
 #include <algorithm>

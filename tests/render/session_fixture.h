@@ -1,5 +1,5 @@
 // Purpose: test fixture that renders a scene and reads back the resources that the test needs. The device
-// runs with validation. render() uses graphs/deferred.json unless a test names another graph.
+// runs with validation by default. render() uses graphs/deferred.json unless a test names another graph.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ inline std::optional<std::string> read_text(const std::string& path) {
     return text.str();
 }
 
-// Returns the input for the next frames of a session. SessionTest::start() sets its camera and exposure;
-// tests may change it.
+// Returns the input for the next frames of a session. SessionTest::start() sets the camera and the exposure
+// in this input, and tests may change all its members.
 inline render::FrameInput& frame_of(const render::Session& session) {
     static std::map<const render::Session*, render::FrameInput> frames;
     return frames[&session];

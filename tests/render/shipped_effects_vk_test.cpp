@@ -51,8 +51,7 @@ TEST_F(Bloom, SpreadsASpeckAndLosesNoneOfIt) {
     EXPECT_LT(sum_of(calmed.at("hdr")).r, 0.85 * kSpeck) << "a calmed speck spreads less than it lost";
 }
 
-// Compresses a colour as the anti-aliasing passes do before they blend frames: the colour is multiplied by 1
-// / (1 + luma).
+// Compresses a colour as the anti-aliasing pass does before it blends frames: divides it by 1 + luma.
 glm::dvec3 compressed(const glm::vec4& color) {
     const glm::dvec3 c(color);
     return c / (1 + 0.25 * c.r + 0.5 * c.g + 0.25 * c.b);
@@ -111,8 +110,8 @@ TEST_F(AntiAliasing, EndsAtTheMeanOfItsFramesWhereHistoryIsTrusted) {
     const double worst = worst_between(resolved, mean_), single = worst_between(seen_[0].at("hdr"), mean_);
     std::printf("off the mean of %u frames by at most %.5f, a single frame by %.3f\n", kFrames, worst,
                 single);
-    // In each frame, the new colour and the accumulated colour are each rounded to half floats (11
-    // significant bits).
+    // The colour of each frame and the blended colour are rounded to half floats. Each rounding changes a
+    // value by at most 1/2048 of the value.
     EXPECT_LT(worst, 2.0 / 2048);
     EXPECT_GT(single, 0.1) << "edges that need no smoothing prove nothing";
     for (const glm::vec4& texel : resolved) EXPECT_EQ(texel.a, float{kFrames});
@@ -127,7 +126,8 @@ TEST_F(AntiAliasing, StaysCloseToTheMeanAsItIsShipped) {
 }
 
 // Computes one step of the Gray-Scott reaction on a grid that wraps around, with Pearson's equations and
-// Sims's Laplacian weights (0.2 and 0.05).
+// Sims's Laplacian weights (0.2 and 0.05). A cell is (u, v). The feed rate varies by ±`drift` along x.
+// The kill rate changes with the feed rate, and also along y.
 std::vector<glm::dvec2> react(const std::vector<glm::dvec2>& cells, int width, int height, double feed,
                               double kill, double drift) {
     const auto border = [](double f) { return 0.5 * std::sqrt(f) - f; };

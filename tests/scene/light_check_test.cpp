@@ -1,5 +1,5 @@
-// Purpose: tests that lights with arbitrary numbers become finite lights that can be drawn, and that each
-// correction is reported.
+// Purpose: tests that wrong numbers in lights and light functions are replaced by numbers that can be drawn,
+// and that the warnings name these faults. Also tests the pictures of light functions.
 #include "scene/model/light_check.h"
 
 #include <gtest/gtest.h>

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kThrew = 255;
 
-// Reads a field of /proc/self/status in bytes. The test uses VmHWM (peak resident memory) because it can be
-// reset; ru_maxrss of a child process starts with the value of its parent.
+// Returns a memory field of /proc/self/status, in bytes. The peak is read from VmHWM (peak resident memory)
+// because VmHWM can be reset; ru_maxrss of a child process starts with the value of its parent.
 uint64_t resident_bytes(const char* field) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)

@@ -9,7 +9,7 @@ namespace weft::test {
 
 struct Cost {
     bool finished = false;  // True if the function returned; false if a signal or an exception ended it.
-    int answer = -1;        // Return value of the function, 0 to 200.
+    int answer = -1;        // Return value of the function, 0 to 200. Valid only if `finished`.
     double cpu_s = 0;       // User and system time of all threads of the child process, in seconds.
     // Peak resident memory of the child process minus its initial resident memory, in bytes.
     uint64_t grown_bytes = 0;

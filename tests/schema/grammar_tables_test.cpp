@@ -1,5 +1,5 @@
-// Tests that the JSON schema contains exactly the keys that the parser accepts. The tests read
-// graphs/weft.schema.json; another test compares this file with the output of `weft schema`.
+// Tests that the JSON schema contains exactly the keys that the parser accepts. The tests read the schema
+// from graphs/weft.schema.json. Another test compares the schema file with the output of `weft schema`.
 #include "graph/parse/grammar_tables.h"
 
 #include <gtest/gtest.h>

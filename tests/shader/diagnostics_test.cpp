@@ -1,4 +1,4 @@
-// Tests the messages for faults in shaders: each message names the file, the line and a remedy.
+// Tests the messages for faults in shaders: the file and the line that they name, and their remedies.
 #include <gtest/gtest.h>
 
 #include "tests/shader/shader_folder.h"

@@ -102,8 +102,8 @@ TEST_F(Interface, buffers_and_their_members) {
     EXPECT_EQ(lights.kind, BindingKind::storage_buffer);
     EXPECT_TRUE(lights.reads && !lights.writes);
     ASSERT_EQ(lights.members.size(), 3u);
-    // In the std430 layout, the block has a uint, then structs with an alignment of 16 bytes. A struct has a
-    // vec3 and a float, a uint, and a mat3 that takes three vec4 columns: 16 + 16 + 48 = 80 bytes.
+    // The layout is std430. The block begins with a uint; the structs after it are aligned to 16 bytes. A
+    // struct has 80 bytes: 16 for vec3 and float, 16 for uint and padding, 48 for a mat3 (16 per column).
     constexpr uint32_t kLightBytes = 80;
     EXPECT_EQ(lights.members[1].offset_bytes, 16u);
     EXPECT_EQ(lights.members[1].size_bytes, kLightBytes);

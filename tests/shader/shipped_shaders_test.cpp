@@ -1,4 +1,5 @@
-// Tests that every shader in shaders/ compiles, and that the gate accepts its SPIR-V.
+// Tests that every shader in shaders/ compiles and that the SPIR-V gate accepts it. Also tests that each
+// complete header in shaders/include compiles when a shader includes only this header.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::vector<Shipped> shipped(const fs::path& folder) {
     return found;
 }
 
-// Returns programs that include the header in each stage that can use it. A header can be used in every
+// Returns the names of the test programs for a header; `header` is its text. A header is tested in every
 // stage, unless it uses a built-in variable of one stage, such as gl_FragCoord.
 std::vector<const char*> programs_of(const std::string& header) {
     const auto names = [&header](const char* word) { return header.find(word) != std::string::npos; };
@@ -79,7 +80,8 @@ TEST_P(Headers, CompileAlone) {
 
 std::vector<std::string> headers() {
     const fs::path folder = fs::path(WEFT_SOURCE_DIR) / "shaders/include";
-    // These two files are the beginning and the end of every shared structure. They are no complete headers.
+    // Each header in shared/ includes begin.glsl as its first part and end.glsl as its last part. These two
+    // files are not complete headers, so they are not tested alone.
     const std::set<std::string> parts{"shared/begin.glsl", "shared/end.glsl"};
     std::vector<std::string> found;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {

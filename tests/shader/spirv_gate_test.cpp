@@ -1,7 +1,7 @@
 // tests/shader/capabilities/ has one small shader for each SPIR-V capability that glslang can emit. The file
-// is named after the capability. Its first line gives the expected result before a colon: "// refused: ...".
-// "// expected error line" at the end of a line means that the error must name this line. Further tests limit
-// the memory that shaders may use.
+// is named after the capability. Its first line begins with the expected result: "// refused: ...". If the
+// shader must be rejected, "// expected error line" marks the line that the error must name. Further tests
+// check the gate's limits, for example on memory and calls.
 #include "shader/gate/spirv_gate.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ using shader::CapabilityRow;
 using shader::CapabilityRule;
 
 struct CapabilityShader {
-    // Name of a SPIR-V capability. Some extensions and some uses of variables have no capability of their
-    // own; for these, the name of the extension or of the use.
+    // Name of a SPIR-V capability. Some extensions, and the use zero_initialised of variables, have no
+    // capability of their own. Their shaders have the name of the extension or of the use.
     std::string name;
     ProgramKind kind = ProgramKind::compute;
     std::string extension;
@@ -117,7 +117,7 @@ class ShaderGate : public ShaderFolder {
 };
 
 const ShaderTarget kEverything{};
-const ShaderTarget kNothing{0, false, 16384};
+const ShaderTarget kNothing{0, false, 16384};  // No optional capability, 16 KiB of shared memory.
 
 TEST_F(ShaderGate, EachCapabilityIsAllowedOrRefusedAtItsLine) {
     for (const CapabilityShader& shader : all_shaders()) {
@@ -128,8 +128,8 @@ TEST_F(ShaderGate, EachCapabilityIsAllowedOrRefusedAtItsLine) {
             expect_allowed(shader, kEverything);
             expect_refused(shader, kNothing, "W208");
         } else if (shader.verdict == "interface") {
-            // The device supports the capability, but reflection rejects the declaration, because no pass can
-            // bind such a variable.
+            // The gate accepts the capability on every device. If the shader has an expected error line,
+            // reflection must reject it, because no pass can bind its variable.
             if (shader.line == 0)
                 expect_allowed(shader, kNothing);
             else
@@ -184,8 +184,8 @@ TEST_F(ShaderGate, EachShaderAsksForWhatItIsNamedAfter) {
     }
 }
 
-// The table in the documentation must agree with the one in the code. Capabilities with the same remedy share
-// a row.
+// The table in docs/shaders.md must agree with the table in the code. Capabilities that have the same rule
+// and the same remedy share a row in docs/shaders.md.
 TEST_F(ShaderGate, TheDocumentedTableIsTheOneInTheCode) {
     const auto verdict = [](const CapabilityRow& row) -> std::string {
         switch (row.rule) {
@@ -307,8 +307,8 @@ TEST_F(ShaderGate, PrivateMemoryHasALimit) {
     }
 }
 
-// The shader has only 300 bytes of text, but a driver compiles it for minutes, because the driver copies each
-// array element separately.
+// The shader has only about 200 bytes of text. But a driver can need minutes to compile it, because the
+// driver copies each array element separately.
 TEST_F(ShaderGate, AnArrayThatIsCopiedAsAWholeIsPrivateMemory) {
     const std::string declarations =
         "struct Big { float a[1 << 16]; };\nbuffer From { Big v; } from;\nbuffer To { Big v; } to;\n";

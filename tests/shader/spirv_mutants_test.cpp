@@ -1,5 +1,5 @@
-// Tests randomly changed SPIR-V. spirv-val must end without a crash for every changed module, and reflection
-// for every module that spirv-val accepts.
+// Tests randomly changed SPIR-V. spirv-val must not crash on any changed module. Reflection must not crash on
+// a changed module that spirv-val accepts.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -26,7 +26,8 @@ ShaderProgram compile_shipped(const char* reference, ProgramKind kind) {
     return std::move(*program);
 }
 
-// Changes one random word of the module, duplicates it, or cuts the module off before it.
+// Chooses a random word after the header of five words. Then changes the word, duplicates it, or cuts the
+// module off before it.
 std::vector<uint32_t> mutant(std::vector<uint32_t> words, std::mt19937& random) {
     const size_t at = 5 + random() % (words.size() - 5);
     switch (random() % 4) {

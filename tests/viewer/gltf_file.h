@@ -5,8 +5,8 @@
 
 namespace weft::test {
 
-// Returns a valid glTF scene: a red, rough, double-sided square of 2 m on the ground, in front of a camera.
-// The buffer is inside the file. Tests use replaced() to make faulty variants of the scene.
+// Returns a valid glTF scene: a red, rough, double-sided square of 2 m × 2 m on the ground, in front of a
+// camera. The buffer is inside the file. Tests use replaced() to make faulty variants of the scene.
 [[nodiscard]] std::string square_gltf();
 
 // Returns `text` with the first occurrence of `from` replaced by `to`. `from` must occur in `text`.

@@ -15,8 +15,8 @@ struct RunResult {
     int exit_code = -1;
     std::string out;
     std::string err;
-    // Processor time in seconds, including all child processes. It does not depend on the load of the
-    // machine.
+    // Processor time of the program and its child processes, in seconds. Unlike the elapsed time, it hardly
+    // depends on the load of the machine.
     double cpu_s = 0;
     // Peak resident memory in bytes of the process that used the most: the program itself or one of its child
     // processes.
@@ -31,8 +31,8 @@ struct RunResult {
 inline constexpr unsigned kMostCpu_s = 1200;
 inline constexpr unsigned kMostWall_s = 1500;
 
-// Limits of processor time in seconds and of memory in bytes that every input must respect, however faulty
-// the input is.
+// Limits of processor time in seconds and of memory in bytes. `weft` must stay within them for every input,
+// even if the input is faulty.
 inline constexpr double kMostInputCpu_s = 5;
 inline constexpr uint64_t kMostInputMemory_bytes = uint64_t{1} << 30;
 
@@ -46,19 +46,21 @@ void reset_signals();
 // limits.
 void limit_time(unsigned most_cpu_s = kMostCpu_s);
 
-// Adds --timeout with many minutes to `render` and `view`, unless the arguments have --timeout. With the
-// default of 60 s, a frame fails on a very busy machine.
+// Adds `--timeout 1200` (kMostCpu_s, in seconds) to the commands `render` and `view`, unless the arguments
+// contain --timeout. With the default of 60 s, a frame can fail on a very busy machine.
 [[nodiscard]] std::vector<std::string> with_long_timeout(std::vector<std::string> arguments);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-// Runs `weft` in `folder` and waits for its end. `environment` is added to the environment of the test. The
-// program is killed after kMostCpu_s of processor time, or after kMostWall_s of elapsed time.
+// Runs `weft` with with_long_timeout(arguments) and waits for its end. An empty `folder` means the current
+// folder of the test. `environment` is added to the environment of the test. The program is killed after
+// kMostCpu_s of processor time, or after kMostWall_s of elapsed time.
 [[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments,
                                  const Environment& environment = {},
                                  const std::filesystem::path& folder = {});
 
-// Runs any program in the same way as run_weft(). The first word is the path or name of the program.
+// Runs any program in the same way as run_weft(), with unchanged arguments. The first word is the path or
+// name of the program.
 [[nodiscard]] RunResult run_program(const std::vector<std::string>& words,
                                     const Environment& environment = {},
                                     const std::filesystem::path& folder = {});

@@ -9,11 +9,12 @@
 namespace weft::vk {
 namespace {
 
-// Calls that the replaced Vulkan functions have recorded. The data are global, because plain functions cannot
-// receive an object of the test.
+// Calls recorded by the functions below, which replace Vulkan functions. The data are global, because plain
+// functions cannot receive an object of the test.
 struct Recorded {
     // Names of the labels in the order of recording; an empty text marks the end of a label.
     std::vector<std::string> labels;
+    // Names that were given to images.
     std::set<std::string> images;
 };
 Recorded& recorded() {

@@ -1,5 +1,6 @@
-// Purpose: tests the features with which the Vulkan device is created. They must be exactly those that the
-// SPIR-V gate allows shaders to use (framework/shader/capability_table.cpp).
+// Purpose: tests the features with which the Vulkan device is created. The features for shaders must be
+// exactly those that the SPIR-V gate allows shaders to use (framework/shader/capability_table.cpp). Features
+// that no graph can use must be off.
 #include "weft/vulkan/device_features.h"
 
 #include <gtest/gtest.h>

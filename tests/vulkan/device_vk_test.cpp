@@ -128,7 +128,8 @@ TEST_F(DeviceVk, memory_types_fit_what_was_asked) {
     EXPECT_EQ(device().memory_type(0, 0), UINT32_MAX);
 }
 
-// Enables only the features that Weft requires, and the one feature that llvmpipe needs in addition.
+// Enables only the features that Weft requires, and one more feature: without it, Device::adopt() refuses an
+// llvmpipe device.
 void enable_least(FeatureChain& enabled) {
     required_features(enabled);
     enabled.v10().shaderUniformBufferArrayDynamicIndexing = VK_TRUE;

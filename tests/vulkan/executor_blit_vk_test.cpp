@@ -75,7 +75,9 @@ class ExecutorBlitVk : public ExecutorTest {
         blit.uses[0].sampler.filter = filter;
     }
 
-    // Adds a compute pass that fills one mip with the pattern. The layer index is the z of the pattern.
+    // Adds a compute pass that fills one mip. `image_type`, `place` and `value` are GLSL text: the pass
+    // stores `value` at the coordinates `place`. Both can use `at` (uvec3); at.z is the layer, or the z of a
+    // volume.
     void add_fill(GraphBuilder& builder, const std::string& name, ResourceId target, uint32_t mip,
                   const std::string& image_type, const std::string& place, const std::string& value) {
         const ResourceDecl& decl = builder.resource(target);
@@ -165,7 +167,8 @@ TEST_F(ExecutorBlitVk, integers_take_the_nearest_texel) {
     }
 }
 
-// One blit copies two mips of the layers 1 and 2 of an image with three layers. Layer 0 must not change.
+// One blit scales mips 1 and 2 of the source to mips 0 and 1 of the target, in layers 1 and 2. Layer 0 of the
+// target must keep the clear value 7.
 TEST_F(ExecutorBlitVk, mips_and_layers_are_those_of_the_uses) {
     GraphBuilder builder;
     const ResourceId source = image(builder, "source", Format::r32u, {12, 12, 1}, 3, 3);
@@ -189,14 +192,15 @@ TEST_F(ExecutorBlitVk, mips_and_layers_are_those_of_the_uses) {
         for (uint32_t layer = 0; layer < 3; ++layer)
             for (uint32_t y = 0; y < 2u >> mip; ++y)
                 for (uint32_t x = 0; x < 2u >> mip; ++x) {
-                    // Mip 1 of the source is reduced from 6 × 6 to 2 × 2 texels, mip 2 from 3 × 3 to 1.
+                    // Mip 1 of the source is reduced from 6 × 6 to 2 × 2 texels, mip 2 from 3 × 3 to 1 × 1.
+                    // The nearest source texel is the centre of a block of 3 × 3 texels.
                     wanted.push_back(layer == 0 ? 7
                                                 : pattern(3 * x + 1, 3 * y + 1, layer) + 1000 * (mip + 1));
                 }
     EXPECT_EQ(values_of<uint32_t>(read[0]), wanted);
 }
 
-// Each mip is made from the previous mip of the same image.
+// Each of the mips 1 to 3 is made from the previous mip of the same image.
 TEST_F(ExecutorBlitVk, a_chain_of_mips_is_blitted_within_an_image) {
     constexpr uint32_t kSide = 8, kMips = 4;
     GraphBuilder builder;

@@ -1,5 +1,6 @@
-// Purpose: tests faults in an executor. Each fault must be returned as a diagnostic that names the pass or
-// the import, and must not leak objects.
+// Purpose: tests the errors of an executor: faulty input, failed Vulkan calls, a time-out and a lost device.
+// The executor must return a diagnostic and must not leak objects. Most diagnostics must name a pass or an
+// import.
 #include "tests/vulkan/executor_fixture.h"
 #include "tests/vulkan/triangle_source.h"
 #include "vulkan/device/functions.h"
@@ -12,8 +13,8 @@ using test::GraphBuilder;
 
 class ExecutorFaultsVk : public ExecutorTest {
  protected:
-    // Makes a graph with a compute pass, a fullscreen pass and a readback, so that the executor creates every
-    // kind of object.
+    // Makes a graph with a compute pass, a fullscreen pass and a readback, so that the executor creates many
+    // kinds of Vulkan objects.
     GraphBuilder make_graph() {
         write_shader("fill.comp", R"(
             layout(local_size_x = 8, local_size_y = 8) in;
@@ -174,8 +175,8 @@ TEST_F(ExecutorFaultsVk, a_lost_device_names_the_passes_of_the_frame) {
     EXPECT_FALSE(executor->finish().ok());
 }
 
-// Makes the N-th call of one Vulkan function fail. The state is global, because Vulkan functions are plain
-// functions without an object.
+// Makes one call of a Vulkan function fail: `calls_left` calls succeed, then one call fails. The state is
+// global, because Vulkan functions are plain functions without an object.
 struct FailingCall {
     uint32_t calls_left = 0;
     DeviceFunctions real{};

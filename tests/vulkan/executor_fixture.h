@@ -22,10 +22,10 @@ class ExecutorTest : public DeviceTest {
     ~ExecutorTest() override;
 
     // Stores the GLSL code of one shader stage in the file `path`, for example "fill.comp" or
-    // "flat/flat.vert".
+    // "flat/flat.vert". The function adds the #version line.
     void write_shader(const std::string& path, const std::string& glsl) const;
-    // Compiles a shader and assigns it to `pass`. The pass gets the bindings of its ports by name and the
-    // size of Params.
+    // Compiles a shader and assigns it to `pass`. Each port of the pass gets the binding of the shader
+    // resource with the same name. The pass also gets the size and the kind of the block Params.
     void use_shader(PassDecl& pass, const std::string& reference, ProgramKind kind);
     [[nodiscard]] ShaderInterface interface_of(const std::string& reference) const;
 
@@ -33,7 +33,8 @@ class ExecutorTest : public DeviceTest {
     // Returns the input for an executor: the plan and all shaders that the test has used so far.
     [[nodiscard]] ExecutorInput input_for(FramePlan plan) const;
     [[nodiscard]] std::unique_ptr<Executor> executor_for(ExecutorInput input);
-    // Runs `frames` frames without waiting between them. Then waits for all frames and returns all readbacks.
+    // Runs `frames` frames with several frames in flight. Frame i has the input `first`, with i added to the
+    // frame index. Then waits for all frames and returns all readbacks.
     [[nodiscard]] static std::vector<ReadbackData> run_frames(Executor& executor, uint32_t frames,
                                                               const FrameInput& first = {});
 

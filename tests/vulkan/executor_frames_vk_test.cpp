@@ -1,5 +1,5 @@
-// Purpose: tests several frames in flight, imports that are used between frames, and the validation messages
-// when a barrier is missing.
+// Purpose: tests several frames in flight, an imported image that the test reads between frames, and the
+// validation messages when a barrier is missing.
 #include <algorithm>
 
 #include "tests/vulkan/executor_fixture.h"

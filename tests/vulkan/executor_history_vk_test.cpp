@@ -15,8 +15,8 @@ constexpr uint32_t kHistoryFrames = 9;
 constexpr uint32_t kFirst = 7;
 constexpr std::array<float, 4> kFirstFrame{kFirst, 0, 0, 0};
 
-// GLSL code that computes the next number: 3 × the number of an earlier frame, plus 1 if there was such a
-// frame.
+// GLSL code that computes the value of a frame: 3 × the value of an earlier frame, plus 1. Before such a
+// frame exists, it is 3 × kFirst, without the 1. with_at() replaces AT by the coordinates of the texel.
 constexpr const char* kNext = "texelFetch(src, ivec2(AT), 0).r * 3u + params.srcValid";
 
 uint32_t next(uint32_t before, bool valid) {
@@ -119,8 +119,8 @@ INSTANTIATE_TEST_SUITE_P(Lengths, ExecutorHistoryVk, testing::Values(1u, 2u, 3u)
 
 using ExecutorKeptVk = ExecutorHistoryVk;
 
-// Copies, clears and readbacks must also use the right copy of the resource in each frame. The depth image
-// has a value for the first frame too.
+// Copy, clear and readback passes must also use the element of the ring that belongs to the current frame.
+// The initial values of the rings are 9 (words) and 0.25 (depth).
 TEST_F(ExecutorKeptVk, copies_and_clears_follow_the_ring) {
     GraphBuilder builder;
     const ResourceId words = builder.buffer("words", 16);

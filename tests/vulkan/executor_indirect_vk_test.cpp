@@ -10,8 +10,8 @@ using ExecutorIndirectVk = ExecutorTest;
 
 constexpr uint32_t kWords = 64;
 
-// Frame f runs f + 2 workgroups of four invocations. The pass "count" writes the number of workgroups, and
-// "trace" marks which invocations ran.
+// Frame f runs f + 2 workgroups of four invocations. The pass "count" writes the number of workgroups. In
+// "trace", each invocation adds this number to its own word, which is 100 before.
 TEST_F(ExecutorIndirectVk, workgroups_are_counted_by_an_earlier_pass) {
     write_shader("count.comp", R"(
         layout(local_size_x = 1) in;
@@ -60,8 +60,9 @@ constexpr uint32_t kIndirectSide = 8;
 
 class ExecutorIndirectDrawVk : public ExecutorTest {
  protected:
-    // Adds three passes: "write" writes the commands of the draws 0 and 1. "cull" sets the instance count of
-    // the draw `culled` to 0 (`culled` = 2 changes no draw). "draw" executes the commands.
+    // Adds four passes: "write" writes the commands of the draws 0 and 1. "cull" sets the instance count of
+    // the draw `culled` to 0 (`culled` = 2 changes no draw). "draw" executes the commands. "read" reads the
+    // image back.
     void add_passes(GraphBuilder& builder, uint32_t culled) {
         write_shader("write.comp", R"(
             layout(local_size_x = 2) in;

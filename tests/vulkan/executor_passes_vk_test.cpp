@@ -1,4 +1,5 @@
-// Purpose: tests the result of every kind of pass, byte by byte, and that there are no validation messages.
+// Purpose: tests the results of compute, fullscreen, clear, copy and readback passes, byte by byte. There
+// must be no validation messages.
 #include "tests/vulkan/executor_fixture.h"
 
 namespace weft::vk {

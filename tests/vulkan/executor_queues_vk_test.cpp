@@ -10,10 +10,11 @@ namespace {
 
 using test::GraphBuilder;
 
-// State of watched_submit(), which replaces vkQueueSubmit: `seen` are the recorded calls, from 0. The call
-// `fail_at` and all later calls fail and are not recorded.
+// State of watched_submit(), which replaces vkQueueSubmit. `seen` contains the recorded calls in order. The
+// call with the index `fail_at` (from 0) and all later calls fail and are not recorded.
 struct Submissions {
     struct One {
+        // Values of timeline semaphores that the submission waits for and signals.
         std::vector<uint64_t> waits;
         std::vector<uint64_t> signals;
         uint32_t commands = 0;

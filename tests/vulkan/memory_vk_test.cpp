@@ -86,7 +86,8 @@ TEST_F(MemoryVk, a_buffer_holds_what_was_uploaded) {
 }
 
 TEST_F(MemoryVk, every_mip_and_layer_holds_what_was_uploaded) {
-    // The sizes are odd, so that mip levels do not end on a multiple of the staging buffer's alignment.
+    // Mip 0 has 13 × 7 texels × 4 bytes × 2 layers = 728 bytes. This is not a multiple of the alignment in
+    // the staging buffer (16 bytes), so there is a gap before mip 1.
     const ResourceDecl decl = image_decl(Format::rgba8, {13, 7, 1}, 3, 2);
     ResourceDecl array = decl;
     array.image_kind = ImageKind::d2_array;
@@ -222,7 +223,8 @@ TEST_F(MemoryVk, a_time_out_is_a_typed_error_after_which_nothing_is_destroyed) {
         ASSERT_EQ(owned->fn().vkDeviceWaitIdle(owned->handle()), VK_SUCCESS);
     }
     EXPECT_TRUE(owned->abandoned());
-    // The device is destroyed with all its objects. The validation layer must not report a message.
+    // After the time-out, destroy_device() does not destroy the device and only returns the messages of the
+    // validation layer. There must be none.
     EXPECT_TRUE(destroy_device(std::move(owned)).empty());
 }
 

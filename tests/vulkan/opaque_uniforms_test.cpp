@@ -20,7 +20,7 @@ void expect_valid(const ShaderProgram& program) {
 
 // Returns the interface of a program that with_opaque_uniforms() changed. Faults about push constants are
 // expected: Weft requires the name Params for a push constant block, but with_opaque_uniforms() adds a push
-// constant block with another name for its index.
+// constant block without this name.
 ShaderInterface reflected(const ShaderProgram& program) {
     shader::InterfaceFaults faults;
     ShaderInterface interface = shader::reflect_program(program.modules, faults);
@@ -29,13 +29,14 @@ ShaderInterface reflected(const ShaderProgram& program) {
     return interface;
 }
 
-// Returns the first index of each access to an array of uniform blocks, in order. with_opaque_uniforms()
-// replaces each such index i by the sum of i and a push constant that is always 0. If `module` is the result
-// of with_opaque_uniforms(), set `hidden`: then the function returns each i, not the sum.
+// Returns the SPIR-V id of the first index of each access to an array of uniform blocks, in order.
+// with_opaque_uniforms() replaces each such index i by the sum of i and a push constant that is always 0. If
+// `module` is the result of with_opaque_uniforms(), set `hidden`: then the function returns each i, not the
+// sum.
 std::vector<uint32_t> first_indices(const ShaderModule& module, bool hidden) {
     constexpr uint32_t kVariable = 59, kAccessChain = 65, kIAdd = 128, kUniform = 2;
     std::set<uint32_t> blocks;
-    std::map<uint32_t, uint32_t> summands;  // Original index by the result id of the sum that contains it.
+    std::map<uint32_t, uint32_t> summands;  // Id of the index i by the id of the sum with i.
     std::vector<uint32_t> indices;
     shader::SpirvReader reader(module.spirv);
     for (shader::SpirvInstruction i; reader.next(i);) {

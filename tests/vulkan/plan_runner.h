@@ -1,5 +1,6 @@
-// Purpose: runs a plan on a device in a test: compiles its shaders, creates its imports and reads back all
-// results. If something fails, the failure is reported to gtest and the result is empty.
+// Purpose: runs a plan on a device in a test: compiles its shaders, creates its imports and returns the data
+// of the readback passes and of the imported buffers. If something fails, the failure is reported to gtest
+// and the result is empty.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ class TestShaders {
     ShaderCatalog catalog_;
 };
 
-// Buffers and images for the imports of a plan. Their content depends only on their names.
+// Buffers and images for the imports of a plan. Their content depends only on their names and sizes.
 class TestImports {
  public:
     TestImports(Device& device, const ResolvedGraph& graph);

@@ -22,8 +22,8 @@ class QueueFamiliesVk : public ExecutorTest {
         return options;
     }
 
-    // Makes a plan of a random frame. The frame uses all features, so that all kinds of queue ownership
-    // transfer can occur.
+    // Makes a plan of a random frame for four logical queues. The frame may use all features of the graph
+    // generator, so that all kinds of queue family ownership transfers can occur.
     FramePlan plan_of(uint32_t seed) {
         const ResolvedGraph graph = test::random_graph(seed, test::all_features());
         CompileOptions options;

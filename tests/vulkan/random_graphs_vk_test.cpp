@@ -49,9 +49,10 @@ DeviceProfile three_families() {
     return profile;
 }
 
-// Runs graphs with all features on one to four logical queues. Half of the plans assume a device with three
-// queue families. The real device may have fewer: the executor maps each logical queue of the plan to a queue
-// of the device. Three frames run, so that the third frame can read a history of two frames.
+// Runs graphs with all features of the graph generator on one to four logical queues. Half of the plans
+// assume a device with three queue families. The real device may have fewer: the executor maps each logical
+// queue of the plan to a queue of the device. Three frames run, so that the third frame can read a history
+// of two frames.
 TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
     constexpr uint32_t kFirstQueueSeed = 100;
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 200 : 36;

@@ -1,5 +1,6 @@
-// Purpose: a minimal DrawSource for tests: one triangle in two vertex streams, a frame set (set 0) with one
-// colour per view, and a set 3 with another colour. The object records which draws were requested.
+// Purpose: a minimal DrawSource for tests: one triangle in two vertex streams, and descriptor sets with one
+// colour each. Set 0 depends on the view. Set 3 always has kSunColor. The object records which draws were
+// requested.
 #pragma once
 
 #include <array>
@@ -25,8 +26,8 @@ class TriangleSource final : public DrawSource {
     void record(const DrawContext& context) const override;
 
     // Returns a draw list with two vertex streams: stream 0 has "position" (two floats), stream 1 has
-    // "weight" (one float). The list has the variants "plain" and "tinted"; in "tinted" the constant TINT is
-    // true.
+    // "weight" (one float). The list has the variants "plain" and "tinted". In "tinted", the specialisation
+    // constants TINT and UNKNOWN are 1. No shader declares UNKNOWN.
     [[nodiscard]] static ImportDecl draw_list(const std::string& name);
 
     static constexpr std::array<float, 4> kCameraColor{0.25F, 0.5F, 0.75F, 1.0F};
@@ -44,7 +45,8 @@ class TriangleSource final : public DrawSource {
     Buffer colors_;
     SetLayoutHandle layout_;
     DescriptorPoolHandle pool_;
-    // The frame sets of the views: sets_[0] for "camera", sets_[1] for "sun(0)".
+    // sets_[0] is set 0 of the view "camera". sets_[1] is set 0 of all other views, such as "sun(0)", and
+    // also set 3.
     std::array<VkDescriptorSet, 2> sets_{};
 };
 

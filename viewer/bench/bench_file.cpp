@@ -8,7 +8,8 @@
 namespace weft::viewer {
 namespace {
 
-constexpr std::array kReadPorts{"a", "b"};  // The ports of the passes that read an image.
+// Names of the input ports. A pass that reads one image has only the port "a".
+constexpr std::array kReadPorts{"a", "b"};
 
 std::string image_text(const ResourceDecl& image) {
     return formatted(R"(  "%s": {"format": "rgba8", "size": [%u, %u]})", image.name.c_str(),

@@ -1,5 +1,5 @@
-// Purpose: writes a generated graph as the text of a graph file, so that `weft bench compile` can measure how
-// long such a file takes to read, to merge, to parse and to resolve.
+// Purpose: writes a generated graph as the text of a graph file, so that `weft bench compile` can measure the
+// times of reading, merging, parsing and resolving this file.
 #pragma once
 
 #include <map>
@@ -15,9 +15,9 @@ namespace weft::viewer {
 // Returns the text of a graph file with the passes and images of `graph`, a result of make_bench_graph().
 // When it is read and resolved, the result has the same passes, uses, images and edges.
 [[nodiscard]] std::string bench_file_text(const ResolvedGraph& graph);
-// The interfaces of the shaders that the text names. They have no code.
+// Returns the interfaces of the shaders that the graph file names. The catalog has no compiled code.
 [[nodiscard]] ShaderCatalog bench_shaders();
-// The texts of these shaders, by the name of the file.
+// Returns the GLSL source of these shaders. The key is the file name, such as "read0.comp".
 [[nodiscard]] std::map<std::string, std::string> bench_shader_texts();
 // Describes a device that can do all that the passes need.
 [[nodiscard]] DeviceProfile bench_profile();

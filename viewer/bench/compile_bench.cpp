@@ -39,8 +39,8 @@ CompiledGraph measure_graph(const BenchOptions& options, uint32_t seed) {
     result.seed = seed;
     std::vector<StageTime> stages;
     FramePlan plan;
-    // The plan gets the graph, so each run needs its own copy. Neither the copy nor the end of the old plan
-    // is measured.
+    // compile() takes ownership of the graph, so each run needs its own copy. The measured time excludes the
+    // copy, and the destruction of the previous plan.
     const auto timed = [&] {
         ResolvedGraph own = graph;
         const Clock::time_point start = Clock::now();

@@ -22,10 +22,11 @@ struct CompiledGraph {
     double min_us = 0;                 // Time of the fastest later compilation.
     double median_us = 0;              // Median time of all later compilations.
     std::vector<StageTime> stages;     // Times of the compiler's stages in the fastest later compilation.
-    std::vector<StageTime> front_end;  // Times from the text of a file to the resolved graph.
+    std::vector<StageTime> front_end;  // Times of the stages from the graph file to the resolved graph.
     double check_us = 0;               // Time of the checker.
     ReloadTimes reload;                // Measured only for the first graph, else 0.
-    MemoryPlan memory;  // Without placements and alias transitions.
+    MemoryPlan memory;                 // Without placements and alias transitions.
+    // The orders of the passes that the compiler compared.
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;  // Name of the chosen candidate.
     uint32_t barriers = 0;
@@ -40,7 +41,8 @@ struct CompiledGraph {
                                                          const LoadSettings& settings,
                                                          const std::function<void(uint32_t)>& progress);
 
-// One value of all graphs: its mean, its median, and the graph with the largest value.
+// Statistics of one value over all graphs. `worst` is the largest value. `worst_seed` is the seed of the
+// graph that has this value.
 struct OverSeeds {
     double mean = 0, median = 0, worst = 0;
     uint32_t worst_seed = 0;

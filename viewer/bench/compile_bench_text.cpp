@@ -15,7 +15,8 @@ constexpr double kMib = 1048576.0;
 // The list of stages of a graph that a function prints: CompiledGraph::stages or CompiledGraph::front_end.
 using StageList = std::vector<StageTime> CompiledGraph::*;
 
-// Returns the time of one stage of the graphs. All graphs have the same stages.
+// Returns the statistics over all graphs for the time of one stage. `stage` is an index into the list. All
+// graphs have the same stages.
 OverSeeds stage_us(const std::vector<CompiledGraph>& graphs, StageList list, size_t stage) {
     return over_seeds(graphs, [=](const CompiledGraph& graph) { return (graph.*list)[stage].us; });
 }
@@ -28,7 +29,7 @@ OverSeeds check_us(const std::vector<CompiledGraph>& graphs) {
     return over_seeds(graphs, [](const CompiledGraph& graph) { return graph.check_us; });
 }
 
-// Returns one line for each stage; `total` is the median time of all stages together.
+// Returns one line for each stage. `total` is the median of the total time, in microseconds.
 std::string stages_text(const std::vector<CompiledGraph>& graphs, StageList list, double total) {
     std::string text;
     for (size_t stage = 0; stage < (graphs.front().*list).size(); ++stage) {

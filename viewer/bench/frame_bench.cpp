@@ -50,7 +50,7 @@ Spread spread_of(std::vector<double> values) {
 }
 
 double Yardsticks::limit_ms(double bytes, double flops) const {
-    constexpr double kDispatchMs = 0.003;  // A pass cannot take less time than this (ms).
+    constexpr double kDispatchMs = 0.003;  // Assumed minimum time of a pass (ms), even if it does nothing.
     return std::max({bytes / bytes_per_s * 1e3, flops / flops_per_s * 1e3, kDispatchMs});
 }
 

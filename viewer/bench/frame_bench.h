@@ -35,7 +35,7 @@ struct Yardsticks {
 struct PassResult {
     std::string name;
     uint32_t queue = 0;
-    // Describes the work of the pass. Passes of different graphs with equal keys do the same work.
+    // Describes the work of the pass. Passes of different graphs with equal keys count as the same pass.
     std::string key;
     std::vector<double> ms;  // Time of the pass on the device in each round.
     uint64_t bytes = 0;      // Number of bytes that the pass reads and writes through its ports.
@@ -79,24 +79,27 @@ struct FrameBench {
     // Results of all graphs with the first number of lights, then with the second, and so on.
     std::vector<GraphResult> results;
 
+    // In these functions, `light` is an index into `lights`, and `graph` is an index into `graphs`.
     [[nodiscard]] const GraphResult& at(size_t light, size_t graph) const {
         return results[light * graphs.size() + graph];
     }
-    // Divides the time of this graph in each round by the time of the first graph in the same round. Returns
-    // the median of these ratios.
+    // Divides the frame time of the graph in each round by the frame time of the first graph in the same
+    // round. Returns the median of these ratios.
     [[nodiscard]] double ratio_to_first(size_t light, size_t graph, bool with_common) const;
+    // The same, but divides by the time of the trivial reference pass.
     [[nodiscard]] double ratio_to_trivial(size_t light, size_t graph, bool with_common) const;
     [[nodiscard]] std::vector<Crossing> crossings() const;
 };
 
 [[nodiscard]] std::vector<PassResult> pass_results(const FramePlan& plan);
-// Sets `common` to true for each pass that all graphs have (with the same number of lights).
+// Sets `common` to true for each pass that all graphs have (with the same number of lights). If there is only
+// one graph, `common` stays false.
 void find_common(FrameBench& bench);
 
 [[nodiscard]] std::string bench_text(const FrameBench& bench);
 [[nodiscard]] std::string bench_json(const FrameBench& bench);
 // Returns the plot as SVG. Both axes are logarithmic: if the time is proportional to the number of lights,
-// the curve is a line of slope 1.
+// the curve is a straight line.
 [[nodiscard]] std::string bench_svg(const FrameBench& bench);
 
 }  // namespace weft::viewer

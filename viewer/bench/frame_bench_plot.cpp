@@ -76,7 +76,7 @@ class Axes {
     }
 
  private:
-    // Returns the next larger mark of the axis after `step`. The marks are 1, 2, 5, 10, 20, 50 and so on.
+    // Returns the next larger mark of the axis after `step`. The marks are 1, 2 and 5, times powers of ten.
     static double next(double step) {
         const double first = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
         return step * (first > 1.5 && first < 3 ? 2.5 : 2);

@@ -9,8 +9,8 @@
 
 namespace weft::viewer {
 
-// Writes `graph`, a result of make_bench_graph(), as the text of a graph file. Then it reads, merges, parses
-// and resolves this text twice. Returns the times of these stages in the faster run.
+// Writes `graph`, a result of make_bench_graph(), as the text of a graph file. Then reads, merges, parses and
+// resolves this text in two runs. Returns the times of these four stages in the faster run.
 [[nodiscard]] std::vector<StageTime> measure_front_end(const ResolvedGraph& graph);
 
 // Returns the time that the checker needs to prove `plan`: the shorter of two runs.

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kRuns = 50;
-// Files that are younger than this are always read again, because their times prove nothing.
+// The benchmark waits this long before the first load. If a file changed only shortly before it was read, the
+// loader always reads it again, because a further change may have left the same time of change.
 constexpr auto kAge = std::chrono::milliseconds(100);
 
 // A temporary folder with the file of a graph and its shaders.
@@ -54,13 +55,14 @@ class BenchFolder {
     fs::path folder_;
 };
 
-// Loads a graph again and again, like a session that has the result of the last load.
+// Loads a graph repeatedly. Each time, it tells the loader that it has the result of the last load, as a
+// session does.
 class Reloading {
  public:
     Reloading(const DeviceProfile& profile, LoadSettings settings, const std::string& path)
         : loader_(profile, std::move(settings), {}, render::scene_imports({1280, 720, 1})) {
         request_.path = path;
-        load_us();  // Reads the files.
+        load_us();  // The first load reads the files, so it is not measured.
     }
 
     double unchanged_us() {

@@ -7,10 +7,11 @@
 
 namespace weft::viewer {
 
-// The times of the fastest loads.
+// The time of the fastest load in each of two cases.
 struct ReloadTimes {
-    double unchanged_us = 0;  // The request is the same.
-    double value_us = 0;      // A parameter that is a value in `Params` has another value.
+    double unchanged_us = 0;  // The request is the same as in the previous load.
+    // The request has another value of a parameter. Only shaders use this parameter, in the block `Params`.
+    double value_us = 0;
 };
 
 // Writes `graph`, a result of make_bench_graph(), and its shaders to files in a temporary folder, loads them

@@ -24,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 constexpr uint32_t kWarmFrames = 2;  // Unmeasured frames at the start; they use each frame slot once.
 constexpr const char* kLightsParam = "maxLights";
 
-// One of the sessions that take turns: a measured graph, or the graph of the reference passes.
+// The session of a measured graph, or of the graph with the reference passes. All contestants take turns.
 struct Contestant {
     std::unique_ptr<render::Session> session;
     render::FrameInput frame;
@@ -43,7 +43,8 @@ Diagnostic no_timestamps() {
     return d;
 }
 
-// Appends the times of one frame to the results of its passes. Returns false if the device has no timestamps.
+// Appends the times of one frame to the results of its passes. Returns false if a pass has no time, because
+// the device has no timestamps.
 bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
     for (PassResult& pass : passes) {
         const auto timed = std::ranges::find(timing.passes, pass.name, &vk::PassTiming::pass);
@@ -151,8 +152,8 @@ class Run {
             if (!contestant) return contestant.take_errors();
             contestants.push_back(std::move(*contestant));
         }
-        // Each round starts with the next graph in the list, so that no graph benefits from always being
-        // first or last.
+        // Each round starts one place later in the list than the round before, so that no graph benefits from
+        // always being first or last.
         for (uint32_t round = 0; round < options_.rounds; ++round)
             for (size_t i = 0; i < contestants.size(); ++i)
                 if (Status s = draw(contestants[(i + round) % contestants.size()], lights); !s) return s;

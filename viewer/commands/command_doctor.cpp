@@ -43,8 +43,8 @@ ExitCode run_doctor(const DoctorOptions& options) {
         if (!machine) return fail(machine.errors());
         if (const ExitCode code = print_data(machine_text(*machine)); code != ExitCode::ok) return code;
     }
-    // Create the device although it is not used: this finds faults that listing the devices does not find,
-    // such as missing features.
+    // Create the device, although without --json only its name is used. Creating it finds faults that the
+    // list of devices does not show. Example: vkCreateDevice fails.
     vk::DeviceOptions device_options;
     device_options.device = options.device;
     const Result<std::unique_ptr<vk::Device>> device = vk::Device::create(device_options);

@@ -14,7 +14,7 @@ namespace {
 
 struct Question {
     const char* name;
-    size_t names;
+    size_t names;  // Number of names that the user must give for this question.
     Result<std::string> (*answer)(const FramePlan& plan, const std::vector<std::string>& names);
 };
 

@@ -51,8 +51,8 @@ class RenderProgress {
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-// Collects the results after each frame; otherwise they would use more and more memory in a run of many
-// frames. Only the last readback is kept. Times are kept only if the user asks for statistics.
+// Takes the results out of the session after each frame; otherwise the session would use more and more memory
+// in a run of many frames. Keeps only the last readback, and keeps times only for --stats.
 void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
     std::vector<vk::FrameTiming> timings = session.take_timings();
     if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
@@ -85,8 +85,8 @@ Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, u
     return outcome;
 }
 
-// Writes the picture for --output: the output of the graph or, with --resource, the contents of that
-// resource.
+// Writes the file for --output: the output of the graph, the debug view of --debug, or the contents of the
+// resource of --resource. The contents of a buffer are written as raw bytes.
 Status write_picture(const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
     const bool is_output = options.resource.empty() && options.request.debug.empty();
@@ -101,14 +101,14 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     if (data.format == Format::undefined)
         return write_file(options.output,
                           {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
-    // The output of the graph and the debug views are already encoded for display (sRGB), so no conversion is
-    // needed.
+    // The output of the graph and the debug views are already encoded for display (sRGB), so the pre-exposure
+    // factor is not divided out.
     if (is_output || !options.request.debug.empty()) return write_output_picture(options.output, data);
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind) return kind.errors();
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
-    // The pass stored the values with the pre-exposure factor. A raw file (EXR, PFM) must contain the values
-    // in physical units, so the factor is divided out. A PNG is for viewing, so it keeps the factor.
+    // The values of a pre-exposed resource are multiplied by the pre-exposure factor. A raw file (EXR, PFM)
+    // must contain physical units, so the factor is divided out. A PNG is for viewing: it keeps the factor.
     if (*kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
         for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / session.pre_exposure(), texel.a);
     }
@@ -133,9 +133,9 @@ bool report_messages(const std::vector<vk::Message>& messages) {
     return !messages.empty();
 }
 
-// Reports the errors and returns the exit code. After a time-out, the device may still use the memory of the
-// process. Then the function ends the process at once, because destroying Vulkan objects or unloading the
-// driver is not safe.
+// Reports the errors and returns the exit code. After a time-out or a lost device (ExitCode::lost), the
+// device may still use the memory of the process. Then the function ends the process at once, because
+// destroying Vulkan objects or unloading the driver is not safe.
 ExitCode fail_on_device(const Diagnostics& errors) {
     report(errors);
     const ExitCode code = exit_code_for(errors);
@@ -144,8 +144,8 @@ ExitCode fail_on_device(const Diagnostics& errors) {
 }
 
 ExitCode run_render(const RenderOptions& options) {
-    // An unknown file extension is an error only for images, not for buffers. With --resource, the kind of
-    // the resource is not known before the graph is compiled, so that check follows later.
+    // An unknown file extension is an error only for images, not for buffers. With --resource, only the
+    // compiled graph tells whether the resource is a buffer, so the check follows after open_session().
     const Result<ImageFileKind> kind = image_file_kind(options.output);
     if (!kind && options.resource.empty()) {
         report(kind.errors());

@@ -52,8 +52,9 @@ Status write_last_frame(const std::string& path, render::Session& session) {
     return Unit{};
 }
 
-// Renders frames until the end is requested. A program with a window would display each frame here and handle
-// the events of the window; this loop only waits until the next frame is due.
+// Renders frames until the number of --frames is reached or the end is requested. A program with a window
+// would display each frame here and handle the events of the window. This loop only waits until the next
+// frame is due; with --fixed-dt it does not wait.
 Result<ViewCounts> draw_frames(const ViewOptions& options, OpenSession& open, render::Reloader& reloader,
                                EndSignals& end) {
     render::Session& session = *open.session;
@@ -64,7 +65,7 @@ Result<ViewCounts> draw_frames(const ViewOptions& options, OpenSession& open, re
     while (options.render.frames == 0 || counts.frames < options.render.frames) {
         const Clock::time_point due = begin + counts.frames * kFrameTime;
         const bool over = end.within(options.fixed_dt ? std::chrono::nanoseconds(0) : due - Clock::now());
-        // The loop renders at least one frame before it ends, so that the requested picture always exists.
+        // The loop renders at least one frame before it ends, because --output needs a rendered frame.
         if (over && counts.frames > 0) break;
         if (const std::optional<render::Reload> reload = reloader.update()) {
             tell(*reload, counts);

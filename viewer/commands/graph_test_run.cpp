@@ -228,8 +228,8 @@ class TestRun {
     }
 
     // Decodes the data in pieces and calls visit(values, index of the first value) for each piece. Pieces are
-    // necessary because decoded texels may need sixteen times the memory of the data. Words of a buffer are
-    // interpreted as floats. The function returns when visit() returns false.
+    // necessary because a decoded texel has 16 bytes, and an encoded one may have only 1 byte. The 32-bit
+    // words of a buffer are interpreted as floats. The function stops early if visit() returns false.
     template <class F>
     static void visit_values(const vk::ReadbackData& data, F visit) {
         constexpr size_t kTexelsAtOnce = 1u << 16;

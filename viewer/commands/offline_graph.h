@@ -25,10 +25,11 @@ struct OfflinePlan {
     Diagnostics view_faults;
 };
 
-// Data that all tiers of one document share, so that they are computed once. The first compilation fills the
+// Data that all tiers of one document share, so that they are computed only once. compile_offline() fills the
 // fields.
 struct SharedByTiers {
     ShaderMemory shaders;
+    // The result of common_formats(); absent before the first compilation, or if the request sets parameters.
     std::optional<SkippedFormats> formats;
 };
 

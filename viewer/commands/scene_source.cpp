@@ -25,16 +25,16 @@ namespace {
 constexpr std::string_view kBuiltinPrefix = "builtin:";
 
 // The aspect ratio (width / height) for which the cameras of the built-in scenes were placed. In a portrait
-// picture, the default camera shows as much to the left and right as in a picture of this aspect ratio.
+// picture, the default camera of such a scene shows as much to the left and right as in a picture of this
+// aspect ratio. Exception: a camera inside the scene does not change.
 constexpr float kShownAspect = 4.0f / 3.0f;
 
-// Allowed coordinates of --camera. Single precision is too coarse for places that are farther from the
-// origin.
+// Allowed coordinates of --camera. For places that are farther from the origin, 32-bit floats are too coarse.
 constexpr NumberRange kPlace{-1e9, 1e9, "m"};
 constexpr NumberRange kFieldOfView{0.01, 179, "degrees"};
 
-// Luminance of the default sky. The values are near 1, so that lights of a few candela or lux in a scene file
-// are visible beside the sky at exposure 0.
+// Colours of the default sky in cd/m². The values are near 1, so that lights of a few candela or lux in a
+// scene file are visible beside the sky at exposure 0.
 constexpr glm::vec3 kPlainSkyZenith{0.28f, 0.42f, 0.70f};
 constexpr glm::vec3 kPlainSkyHorizon{0.75f, 0.82f, 0.90f};
 
@@ -174,7 +174,7 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& li
     Result<scene::Scene> scene =
         builtin ? scene::make_builtin(name, options) : load_file(name, limits, warnings);
     if (!scene) return scene;
-    // The environment picture may use the part of the memory limit that the scene leaves.
+    // The environment picture may use only the part of the memory limit that the scene does not use.
     SceneLimits rest = limits;
     rest.memory_bytes -= std::min(rest.memory_bytes, scene->memory_bytes);
     if (Status applied = apply_environment(*scene, choice.env, rest); !applied) return applied.take_errors();

@@ -1,6 +1,6 @@
 // Purpose: opens the scene and chooses the camera for the arguments SCENE, --camera, --env, --time and
-// --lights. Errors: S... from the loaders, S130 unknown camera, X520 malformed camera, X521 the scene has no
-// time of day, X522 the file is a graph and not a scene.
+// --lights. Errors: S130 (unknown camera), X520 (malformed camera), X521 (the scene has no time of day), X522
+// (the file is a graph and not a scene), and the other errors S... of the loaders.
 #pragma once
 
 #include <optional>
@@ -22,9 +22,9 @@ struct SceneChoice {
 };
 
 // Opens a scene. The name is a .gltf or .glb file, a folder that contains such a file, or "builtin:NAME". The
-// environment `env` is "sky", "none" or a Radiance picture. With "sky", a scene without any light gets a sun,
-// because it would be dark otherwise. If `lights` is set, generated lights replace the lights of the scene.
-// In builtin:lights the generated lights move.
+// environment `env` is "sky", "none" or the path of a Radiance picture. With "sky", a scene without its own
+// sky gets the default sky, and also a sun if it has no lights. If `lights` is set, generated lights replace
+// the lights of the scene. In builtin:lights the generated lights move.
 [[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
                                               Diagnostics& warnings);
 

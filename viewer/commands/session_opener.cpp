@@ -75,8 +75,8 @@ SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
       passes_(registered_passes()),
       input_(session_input(options, passes_)) {}
 
-// Parses and checks the graph file. open() calls this function first, because an error in the file should
-// appear before the slow work of loading a scene and creating a device.
+// Parses and checks the graph file. open() calls this function before the slow work of loading a scene and
+// creating a device, so that the user soon sees an error in the file.
 Result<ParsedGraph> SessionOpener::parse_checked() {
     Result<ParsedGraph> parsed = parse_graph(input_.request, input_.load, &files_);
     if (!parsed) return parsed;

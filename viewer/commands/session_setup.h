@@ -1,5 +1,5 @@
 // Purpose: opens a session with the options of the command line, for commands that render. Errors: those of
-// scenes (S...), devices (V...) and Session::create().
+// scenes (S..., X520 to X522), devices (V...) and Session::create().
 #pragma once
 
 #include <memory>

@@ -21,7 +21,8 @@ class Findings {
         for (Diagnostic& d : found) {
             const auto [it, is_new] = seen_.try_emplace(std::tuple(d.code, d.file, d.line, d.column),
                                                         Seen{all_.size(), variants_, variants_, 1});
-            // If one tier reports two messages at the same place, both are kept.
+            // Two messages of one variant with the same code and place are two faults, so both are kept. The
+            // same message in a later variant is the same fault, so it is only counted.
             if (is_new || it->second.first == variants_) {
                 all_.push_back(std::move(d));
             } else if (it->second.last != variants_) {

@@ -12,9 +12,11 @@ namespace weft::viewer {
 struct CheckedGraph {
     // Messages of all tiers. In each message, Diagnostic::tier names the first tier that has the message.
     Diagnostics found;
-    // Number of tiers in the file. The file without a tier is also checked, but not counted.
+    // Number of tiers in the file; 0 if the options name a tier. The file without a tier is also checked, but
+    // not counted.
     size_t tiers = 0;
-    // Plan of the requested tier. If no tier was requested, the plan of the file without a tier.
+    // Plan of the requested tier. If no tier was requested: the plan of the file without a tier or, if this
+    // has errors, of the first tier without errors. Absent if nothing could be compiled.
     std::optional<FramePlan> plan;
 };
 

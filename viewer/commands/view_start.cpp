@@ -26,7 +26,7 @@ bool wait_for_change(render::FileWatch& watch, EndSignals& end) {
 }
 
 // Returns false if the graph file does not exist. Then its name is probably misspelt, so waiting for an edit
-// is useless.
+// is useless. An empty name means the shipped graph.
 bool is_there(const std::string& graph) {
     std::error_code error;
     return graph.empty() || std::filesystem::is_regular_file(graph, error);

@@ -1,5 +1,5 @@
 // Purpose: declares the flags and arguments of each command. Parsing stores the values in the options of the
-// command. Texts that need further conversion go to RawTexts.
+// command. Values that need further work go to RawTexts.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ class App;
 
 namespace weft::viewer {
 
-// Texts of options such as --size 1280x720, which are converted to values after the whole command line is
-// parsed.
+// Values of options that need further work after the whole command line is parsed. Example: the text of
+// --size 1280x720 is converted to two numbers.
 struct RawTexts {
     std::string size = "1280x720";
     std::string bench_size = "640x360";
@@ -34,10 +34,10 @@ void add_compare(CLI::App& command, CompareOptions& options, RawTexts& raw);
 void add_doctor(CLI::App& command, DoctorOptions& options);
 void add_limits(CLI::App& command, RawTexts& raw);
 
-// The CLI11 objects and the options of the commands `bench compile` and `bench frame`.
+// The command `bench` with the options of its commands `bench compile` and `bench frame`.
 struct BenchCommands {
-    CLI::App* app = nullptr;
-    CLI::App* compile = nullptr;
+    CLI::App* app = nullptr;      // The command `bench`.
+    CLI::App* compile = nullptr;  // The command `bench compile`.
     BenchOptions compile_options;
     FrameBenchOptions frame_options;
 };

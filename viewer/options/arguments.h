@@ -1,5 +1,5 @@
-// Purpose: parses texts of the command line (sizes, parameters), and lists names that are reserved for later
-// versions.
+// Purpose: parses texts of the command line (sizes, parameters), and rejects flags that are reserved for
+// later versions.
 #pragma once
 
 #include <map>
@@ -31,9 +31,9 @@ namespace weft::viewer {
 // valid.
 [[nodiscard]] std::string plot_fault(const std::string& text);
 
-// Returns a message if the arguments contain a flag or command that is reserved for a later version;
-// otherwise an empty text. This check runs before all others, so that the user does not get a confusing
-// message about the values of the flag.
+// Returns a message if the arguments (without the name of the program) contain a flag that is reserved for a
+// later version, or if the command is `view` without --headless or --help. Otherwise, returns an empty text.
+// This check runs before CLI11 parses the arguments, because its error for such a flag would be confusing.
 [[nodiscard]] std::string future_fault(const std::vector<std::string>& arguments);
 
 }  // namespace weft::viewer

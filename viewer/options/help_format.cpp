@@ -22,8 +22,8 @@ constexpr std::array kValueNames{
     ValueName{"metric", "NAME"},         ValueName{"shape", "NAME"},
 };
 
-// Returns the placeholder of an option's value, such as "FILE" for --output. Returns an empty text for a
-// positional argument, because the help already shows the name of the argument.
+// Returns the placeholder of an option's value, such as "FILE" for --output. Returns an empty text if the
+// table does not contain the option. This includes positional arguments: the help already shows their names.
 const char* value_name(const CLI::Option& option) {
     for (const std::string& name : option.get_lnames())
         for (const ValueName& row : kValueNames)

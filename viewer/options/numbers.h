@@ -1,6 +1,6 @@
-// Purpose: reads the numbers of the command line. NaN, infinity and values out of range are rejected, and
-// every message names the range and the unit. The functions `..._fault` return the message, or an empty text
-// if the number is valid.
+// Purpose: reads the numbers of the command line. The functions `..._fault` reject NaN, infinity and values
+// out of range. They return a message that names the range and its unit (if any), or an empty text if the
+// number is valid.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace weft::viewer {
 struct NumberRange {
     double least = 0;
     double most = 0;
-    const char* unit = "";  // Unit in messages, such as "s" or "EV"; empty for counts.
+    const char* unit = "";  // Unit in messages, such as "s" or "EV"; empty if the numbers have no unit.
 };
 
 // Parses a finite decimal number. The whole text must be a number: "nan", "0x1p3" and "5 px" are invalid.

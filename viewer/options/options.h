@@ -28,13 +28,15 @@ struct RenderOptions {
     // The resource that is written instead of the output, such as "normal" or "hdr@sky".
     std::string resource;
     bool validate = false;
-    bool quiet = false;  // If true, warnings are not printed, because they were already printed.
+    // If true, warnings and the progress of frames are not printed. Tests in graph files set it, because
+    // `weft check` prints the warnings itself.
+    bool quiet = false;
     std::string stats;
     std::string device;
     double timeout_s = 60;
     uint32_t queues = 1;
-    // Name of a pass whose barriers are not recorded. Only tests use this option, to check that errors are
-    // detected.
+    // Name of a pass. The barriers before this pass are not recorded. Only tests use this option, to check
+    // that the validation layers detect missing barriers.
     std::string drop_barriers_before;
     bool sandbox = false;
     std::string named_output;  // Name of the output file in messages; if empty, the path in `output` is used.
@@ -105,8 +107,8 @@ struct DiffOptions {
 struct CompareOptions {
     std::string reference, test;
     std::string metric = "flip";  // Method of comparison: flip, psnr or max.
-    std::optional<double> max;    // Upper limit of the mean (metric flip) or of the largest value (max).
-    std::optional<double> min;    // Lower limit of the PSNR, in dB.
+    std::optional<double> max;    // Upper limit of the mean (metric flip) or the largest value (metric max).
+    std::optional<double> min;    // Lower limit of the result of the metric psnr, in dB.
     std::string output;           // Path of the PNG file for the heat map; if empty, no heat map is written.
     bool json = false;
     Limits limits;
@@ -115,8 +117,8 @@ struct CompareOptions {
 struct BenchOptions {
     uint32_t passes = 1000;
     std::string shape = "random";
-    uint32_t seed = 1;  // The seed of the first graph. The seed of each further graph is greater by 1.
-    uint32_t seeds = 30;
+    uint32_t seed = 1;    // The seed of the first graph. The seed of each further graph is greater by 1.
+    uint32_t seeds = 30;  // Number of graphs to compile.
     uint32_t queues = 1;
     bool json = false;
 };

@@ -9,8 +9,8 @@ class App;
 
 namespace weft::viewer {
 
-// Returns a line "did you mean ...?" for each argument that the parser did not recognise. Returns an empty
-// text if no name is similar.
+// Returns a line "did you mean ...?" for each argument that the parser did not recognise, if a command or
+// flag has a similar name. Returns an empty text if there is no such line.
 [[nodiscard]] std::string usage_hint(const CLI::App& app);
 
 }  // namespace weft::viewer

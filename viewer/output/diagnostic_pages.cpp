@@ -12,8 +12,8 @@ namespace {
 
 constexpr uint64_t kMostPage_bytes = 4u << 20;
 
-// Removes Markdown from a text: a link is replaced by its text, the backquotes of code and the backslashes of
-// escapes are removed.
+// Removes Markdown from a text: a link becomes the text between its brackets. The backquotes around code, the
+// backslashes of escapes, and spaces at both ends of the text are removed.
 std::string without_markup(const std::string& text) {
     std::string plain;
     for (size_t i = 0; i < text.size(); ++i) {

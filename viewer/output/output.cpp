@@ -20,8 +20,9 @@ ExitCode outcome(const Status& status, ExitCode code = ExitCode::ok) {
     return exit_code_for(status.errors());
 }
 
-// Returns the canonical path of the regular file to which `path` leads. Returns an empty path for anything
-// else. The caller does not compare such paths: several outputs may use the same pipe or terminal.
+// Returns the canonical path of the regular file to which `path` leads; the file need not exist yet. Returns
+// an empty path for a pipe, a device or a folder. The caller ignores empty paths, because several outputs may
+// use the same pipe or terminal.
 std::filesystem::path plain_file(const std::string& path) {
     const FileTarget target = find_target(path);
     if (path.empty() || target.error != 0 || target.kind != TargetKind::file) return {};

@@ -1,4 +1,4 @@
-// Purpose: writes the data of commands to files and stdout. If this fails, the reason is printed to stderr
+// Purpose: writes the data of commands to files and stdout. If writing fails, the reason is printed to stderr
 // and the exit code is 1.
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace weft::viewer {
 
-// Prepares the process for output. A closed pipe, or a file over its size limit, then gives an error instead
-// of a signal, and no opened file gets the descriptor number of a closed standard stream. The program must
-// call this function before it creates threads or opens files.
+// Prepares the process for output. Afterwards, writing to a closed pipe, or beyond the size limit for files,
+// returns an error instead of raising a signal. Files that are opened later do not get the descriptor number
+// of a closed standard stream. The program must call this function before it creates threads or opens files.
 void prepare_output();
 
 // Checks the output paths before any work is done. Reports paths that cannot be written, and paths that would
@@ -20,7 +20,7 @@ void prepare_output();
 [[nodiscard]] ExitCode check_outputs(const std::vector<std::string>& paths,
                                      const std::vector<std::string>& inputs);
 
-// Writes the data to stdout. Returns `code`, unless writing fails.
+// Writes the data to stdout. Returns `code`, or ExitCode::failed if writing fails.
 [[nodiscard]] ExitCode print_data(std::string_view data, ExitCode code = ExitCode::ok);
 // Writes the data to a file, or to stdout if `path` is empty.
 [[nodiscard]] ExitCode output_data(const std::string& path, std::string_view data);

@@ -9,8 +9,12 @@ namespace weft::viewer {
 void report(const Diagnostics& diagnostics);
 // Prints the error X571, which reports that memory ran out.
 void report_out_of_memory();
-// Returns the exit code that belongs to the code of the first error. For example, V40x gives no_device, V407
-// and V408 give lost, X520 to X522 give usage, and W, S, X53x and X56x give invalid_input.
+// Returns the exit code that belongs to the diagnostic code of the first error:
+//   lost: V407 and V408. no_device: all other V40x.
+//   usage: X520 to X522.
+//   mismatch: W161. validation: W162.
+//   invalid_input: all other W codes, all S codes, X53x and X56x.
+//   failed: all other codes.
 [[nodiscard]] ExitCode exit_code_for(const Diagnostics& errors);
 
 }  // namespace weft::viewer

@@ -16,8 +16,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr uint64_t kMostSource_bytes = 64u << 20;
 
-// Converts a path to a URI as in RFC 3986: bytes that are not allowed in a path are written as %XX. An
-// absolute path becomes a file URI.
+// Converts a path to a URI as in RFC 3986. All bytes except letters and digits of ASCII and "-._~/" are
+// written as %XX. An absolute path becomes a file URI.
 std::string uri_of(const std::string& path) {
     constexpr std::string_view kHex = "0123456789ABCDEF", kPlain = "-._~/";
     std::string uri = path.starts_with('/') ? "file://" : "";
@@ -66,9 +66,9 @@ class SourceLines {
 
 struct Place {
     std::string file;
-    uint32_t line = 0;
-    uint32_t column = 0;  // Column of the place, counted from 1 in bytes.
-    uint32_t length = 1;
+    uint32_t line = 0;    // Counted from 1; 0: the place is the whole file.
+    uint32_t column = 0;  // In bytes, counted from 1; 0: the place is the whole line.
+    uint32_t length = 1;  // In bytes.
 };
 
 Json physical_location(const Place& place, const std::string& source_line) {
@@ -119,8 +119,8 @@ const char* level_of(const Diagnostic& d) {
     return d.severity == Severity::error ? "error" : "warning";
 }
 
-// Returns one SARIF rule for each diagnostic code that occurs, sorted by code. Diagnostics without a code get
-// no rule.
+// Returns one SARIF rule for each diagnostic code that occurs, sorted by code. Writes the position of each
+// code in this list to `index`. Diagnostics without a code get no rule.
 Json rules_of(const Diagnostics& diagnostics, std::map<std::string, size_t>& index) {
     const std::map<std::string, DiagnosticPage> pages = diagnostic_pages();
     std::map<std::string, const char*> levels;

@@ -10,7 +10,7 @@
 namespace weft::viewer {
 
 // Returns the text of the log. Explanations of the codes come from the installed docs/diagnostics.md; without
-// that file, the log contains only the diagnostics.
+// that file, the log contains no explanations.
 [[nodiscard]] std::string sarif_log(const Diagnostics& diagnostics);
 
 }  // namespace weft::viewer

@@ -16,6 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Ignores negative values: these times were not measured. Returns null if no value remains.
 Json distribution(std::vector<double> values) {
     std::erase_if(values, [](double v) { return v < 0; });
     if (values.empty()) return nullptr;

@@ -1,5 +1,5 @@
-// Purpose: the measurements of a run as JSON. The option `--stats` writes this text. The keys contain the
-// units.
+// Purpose: the measurements of a run as JSON. The option `--stats` writes this text. Keys such as "gpu_ms"
+// and "heap_bytes" contain the unit.
 #pragma once
 
 #include <string>
@@ -17,19 +17,19 @@ struct StatsInput {
     const std::vector<vk::FrameTiming>& timings;
     uint32_t frames = 0;
     std::string tier;  // Name of the tier; empty for the graph without a tier.
-    // Number of pipelines that were created on the thread that renders frames, counted after the start of the
-    // session.
+    // Number of pipelines that the thread that renders the frames has created since the session was created.
+    // Each of these pipelines delayed a frame.
     uint64_t pipelines_built_on_frame_thread = 0;
 };
 
 [[nodiscard]] std::string stats_json(const StatsInput& input);
 
-// Returns true if the values of the resource are multiplied by the pre-exposure factor. The argument is a
+// Returns true if the values of a resource are multiplied by the pre-exposure factor. `reference` is the
 // reference to the resource, such as "hdr@lighting.mip(0)".
 [[nodiscard]] bool is_pre_exposed(const FramePlan& plan, const std::string& reference);
 
-// Returns true if the reference names a buffer. Contents of a buffer are written to the file without
-// conversion.
+// Returns true if the reference names a buffer. `weft render` writes the bytes of a buffer to the output file
+// without conversion.
 [[nodiscard]] bool is_buffer(const FramePlan& plan, const std::string& reference);
 
 // Returns the SHA-256 hash of the bytes as lower-case hexadecimal text.

@@ -9,11 +9,12 @@
 namespace weft::viewer {
 
 // Returns true if text for this file descriptor should have colours: on a terminal, unless NO_COLOR is set or
-// TERM is "dumb". If FORCE_COLOR or CLICOLOR_FORCE has any value except 0, the function always returns true.
+// TERM is "dumb". If FORCE_COLOR or CLICOLOR_FORCE is set to a value other than 0, the function always
+// returns true. An empty variable counts as not set.
 [[nodiscard]] bool wants_colors(int file_descriptor);
 
-// Formats a diagnostic like to_text(), but with colours: errors are red, warnings yellow and codes bold.
-// Underlines of the source line have the colour of the severity.
+// Formats a diagnostic like to_text(), but with colours. For an error, the word "error" and the carets under
+// the source line are red. For a warning, they are yellow. Codes and file positions are bold.
 [[nodiscard]] std::string colored_text(const Diagnostic& diagnostic);
 
 }  // namespace weft::viewer

@@ -1,7 +1,7 @@
-// Purpose: encodes pictures as the bytes of a file. A PNG is encoded for display (sRGB, 8 bits). EXR (32-bit
-// float) and PFM contain raw values. The input has width × height RGBA texels, with row 0 at the top. PFM has
-// no alpha, and its format requires rows from bottom to top. Error X510: there is not enough memory for the
-// bytes.
+// Purpose: encodes pictures as the bytes of a file. The texels of a PNG must already be encoded for display
+// (sRGB, 8 bits). EXR (32-bit float) and PFM contain raw values. The input has width × height RGBA texels,
+// with row 0 at the top. A PFM file has no alpha, and stores its rows from bottom to top. Error X510: the
+// library cannot encode the picture, for example because memory runs out.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -20,8 +20,8 @@ enum class ImageFileKind : uint8_t { png, exr, pfm };
 // Writes a PNG from RGBA texels of 8 bits per channel that are already encoded for display.
 [[nodiscard]] Status write_png(const std::string& path, uint32_t width_px, uint32_t height_px,
                                std::span<const std::byte> rgba8);
-// Writes linear values to a file. For a PNG, the values are clamped to [0, 1] and encoded for display. Other
-// formats contain the unchanged values. PFM has no alpha.
+// Writes linear values to a file. For a PNG, the values are clamped to [0, 1] and encoded for display, and
+// alpha is 1. EXR and PFM files contain the unchanged values, but PFM has no alpha.
 [[nodiscard]] Status write_image(const std::string& path, uint32_t width_px, uint32_t height_px,
                                  std::span<const glm::vec4> texels);
 

@@ -60,8 +60,8 @@ uint64_t comparing_bytes(const Size& size, const Reading& reading) {
     return std::max(while_read, texels * (kPictures + kMaps) + image::flip_band_bytes(width_px, height_px));
 }
 
-// Returns an error if the picture in the header is too large. This check runs before memory for the texels is
-// allocated, because a small file may claim any size.
+// Returns an error if `size`, the size in the header of the file, is not positive or is too large. This check
+// runs before memory for the texels is allocated, because the header of a small file can contain any size.
 std::optional<Diagnostic> size_fault(const std::string& path, const Size& size, const Reading& reading,
                                      const PictureLimits& limits) {
     const auto side_limit_px = static_cast<int64_t>(limits.side_px);
@@ -109,7 +109,8 @@ std::string taken(const char* message) {
 }
 
 // Size of an EXR picture, and the memory that tinyexr needs to decode a texel. tinyexr stores every channel
-// of every mip level as floats, and then red, green, blue and alpha a second time.
+// of every mip level as floats, and then red, green, blue and alpha a second time. All levels together have
+// at most 4 times the texels of the largest level.
 struct ExrShape {
     Size size;
     uint64_t bytes_per_texel = 0;

@@ -1,8 +1,8 @@
 // Purpose: reads pictures from PNG files (encoded for display, rounded to 8 bits per channel), EXR files (one
 // part; channels R, G and B, or a single channel) and PFM files (raw values). The first bytes of the file
 // determine the format, not the file name. Alpha is ignored. Row 0 is at the top. The size in the header is
-// checked before anything is decoded. Errors: X530 the picture does not exist or cannot be decoded, X531 the
-// picture is too large.
+// checked before anything is decoded. Errors: X530 the file does not exist, is too large, or cannot be
+// decoded; X531 the picture has too many pixels or none; X571 memory ran out.
 #pragma once
 
 #include <string>

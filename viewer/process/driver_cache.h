@@ -6,8 +6,8 @@
 namespace weft::viewer {
 
 // Reserves the disk space of the index file of Mesa's shader cache. If this fails, the function prints the
-// warning X513 to stderr and disables the cache in this process. The program must call it before it creates a
-// Vulkan instance or threads.
+// warning X513 to stderr and disables the cache in this process. The program must call this function before
+// it creates a Vulkan instance or threads.
 void prepare_driver_cache();
 
 }  // namespace weft::viewer

@@ -16,7 +16,8 @@ class EndSignals {
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    // Waits until a request to end arrives, but at most for `time`. Returns true if the command must end.
+    // Waits until a request to end arrives, but at most for `time`. Returns true if the command must end. If
+    // text arrives on a watched stdin, the function returns false early.
     [[nodiscard]] bool within(std::chrono::nanoseconds time);
 
  private:

@@ -12,9 +12,9 @@
 namespace weft::viewer {
 namespace {
 
-// Sizes of the memory reserve. The error path destroys large JSON values. The destructor of a JSON array
-// moves the elements to a temporary list. The list needs 16 bytes for each element, and twice that while it
-// grows.
+// Size of the memory reserve, and the smaller size that is used if the first one cannot be allocated. After
+// an error, the program destroys large JSON values. The destructor of a JSON array moves its elements to a
+// temporary list. This list needs 16 bytes for each element, and more while it grows.
 constexpr size_t kReserve_bytes = size_t{64} << 20;
 constexpr size_t kSmallReserve_bytes = size_t{16} << 20;
 
@@ -23,8 +23,8 @@ void* allocate_reserve() {
     return memory != nullptr ? memory : std::malloc(kSmallReserve_bytes);
 }
 
-// Holds the pointer to the reserve. The pointer is global, because a new-handler has no arguments and must be
-// able to free the reserve.
+// Returns the pointer to the reserve. The pointer is global, because a new-handler has no arguments and must
+// be able to free the reserve.
 std::atomic<void*>& reserve() {
     // The reserve is never written, so it uses no physical memory.
     static std::atomic<void*> memory = allocate_reserve();

@@ -41,7 +41,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An output file that the child process writes into a temporary folder. The folder contains no other file.
+// An output of the child process. The child writes a regular file into a temporary folder, which contains no
+// other file. If the output is a pipe or a device, `folder` is empty and the child writes to `wanted`.
 struct StagedFile {
     fs::path wanted, folder;
     [[nodiscard]] fs::path staged() const { return folder / wanted.filename(); }
@@ -83,7 +84,8 @@ class StagingFolders {
         return Unit{};
     }
 
-    // Replaces the path of each output by a path in the temporary folder that the child process may write.
+    // Replaces the path of each output file by its path in its temporary folder. Pipes and devices keep their
+    // paths. `outputs` must have the same order as the calls of add().
     void rename(const std::vector<std::string*>& outputs) const {
         size_t next = 0;
         for (std::string* output : outputs) {

@@ -1,6 +1,6 @@
-// The system calls part of the sandbox: a seccomp filter that allows the calls that rendering needs. All
-// other calls fail with EPERM, such as those for network sockets, mounts, tracing other processes and kernel
-// modules.
+// The part of the sandbox that restricts system calls: a seccomp filter that allows the calls that rendering
+// needs. Other calls fail, nearly always with EPERM. Examples are the calls for network sockets, mounts,
+// kernel modules, and tracing other processes.
 #include <fcntl.h>
 #include <linux/audit.h>
 #include <linux/filter.h>
@@ -128,7 +128,7 @@ constexpr long kOtherCalls[] = {
     SYS_getuid,    SYS_geteuid,         SYS_getgid,        SYS_getegid,      SYS_getresuid,    SYS_getresgid,
     SYS_getgroups, SYS_getpgid,         SYS_getsid,        SYS_capget};
 #if defined(__x86_64__)
-// Older calls that do the same as newer calls in the lists above. They exist only on x86-64.
+// Calls that exist only on x86-64. Most of them are older forms of calls that the filter allows.
 constexpr long kOldCalls[] = {SYS_stat,   SYS_lstat,      SYS_access, SYS_readlink, SYS_rename,
                               SYS_unlink, SYS_mkdir,      SYS_pipe,   SYS_dup2,     SYS_poll,
                               SYS_select, SYS_epoll_wait, SYS_time,   SYS_getpgrp,  SYS_arch_prctl,
@@ -164,9 +164,9 @@ class Filter {
         answer(call, SECCOMP_RET_ALLOW);
     }
 
-    // Refuses `call` with EPERM if the test is true for `word`, which is 32 bits of an argument. The test
-    // compares `word` with `value` (BPF_JEQ) or looks for common bits (BPF_JSET). refuse_unless() refuses the
-    // call if the test is false.
+    // Refuses `call` with EPERM if a test of 32 bits of an argument is true. `word` is the offset of these
+    // bits in seccomp_data. BPF_JEQ tests whether they equal `value`. BPF_JSET tests whether they and `value`
+    // have a common bit that is 1. refuse_unless() refuses the call if the test is false.
     void refuse_if(long call, uint32_t word, uint16_t test, uint32_t value) {
         std::vector<sock_filter> block{loaded(word), jump(test, value, 0, 1), end(refused(EPERM)),
                                        loaded(offsetof(seccomp_data, nr))};
@@ -177,7 +177,7 @@ class Filter {
                                        loaded(offsetof(seccomp_data, nr))};
         only_for(call, block);
     }
-    // Refuses `call` if the bits of `word` that are set in `mask` differ from `value`.
+    // Refuses `call` unless (argument bits & `mask`) == `value`. `word` is the offset of the argument bits.
     void refuse_unless_masked(long call, uint32_t word, uint32_t mask, uint32_t value) {
         std::vector<sock_filter> block{loaded(word), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, mask},
                                        jump(BPF_JEQ, value, 1, 0), end(refused(EPERM)),
@@ -185,7 +185,7 @@ class Filter {
         only_for(call, block);
     }
     // Refuses open(..., O_RDONLY | O_TRUNC). Such a call truncates a file although it does not ask for write
-    // access.
+    // access. `flags` is the index of the flags among the arguments of `call`.
     void refuse_truncating_reads(long call, size_t flags) {
         std::vector<sock_filter> block{
             loaded(word_of(flags)), sock_filter{BPF_ALU | BPF_AND | BPF_K, 0, 0, O_ACCMODE | O_TRUNC},
@@ -250,11 +250,12 @@ void add_judged_calls(Filter& filter, int landlock_version) {
     filter.refuse_unless(SYS_socketpair, word_of(0), BPF_JEQ, AF_UNIX);
     filter.refuse_unless_masked(SYS_socketpair, word_of(1), 0xf, SOCK_STREAM);
     filter.allow(SYS_socketpair);
+    // sendto() is allowed only without a destination address: the pointer, argument 4, must be null.
     filter.refuse_unless(SYS_sendto, word_of(4), BPF_JEQ, 0);
     filter.refuse_unless(SYS_sendto, upper_word_of(4), BPF_JEQ, 0);
     filter.allow(SYS_sendto);
-    // Refuse to set the owner of a file descriptor. The owner gets signals, so the sandboxed process could
-    // send signals to any process of the user.
+    // Refuse to set the owner or the signal of a file descriptor. The owner is the process that gets signals
+    // about the descriptor, so a process in the sandbox could send signals to any process of the user.
     for (const uint32_t owner : {F_SETOWN, F_SETOWN_EX, F_SETSIG})
         filter.refuse_if(SYS_fcntl, word_of(1), BPF_JEQ, owner);
     filter.allow(SYS_fcntl);
@@ -268,12 +269,13 @@ void add_judged_calls(Filter& filter, int landlock_version) {
     // Only the resource limits of this process may be changed (process id 0).
     filter.refuse_unless(SYS_prlimit64, word_of(0), BPF_JEQ, 0);
     filter.allow(SYS_prlimit64);
-    // Landlock restricts signals from version 6 on. With older versions, a process may send signals only to
-    // itself.
+    // Landlock restricts signals from version 6 on. With older versions, the filter refuses kill(), and
+    // allows tgkill() only with this process as the target.
     if (landlock_version < 6)
         filter.refuse_unless(SYS_tgkill, word_of(0), BPF_JEQ, static_cast<uint32_t>(getpid()));
     filter.allow(SYS_tgkill);
     if (landlock_version >= 6) filter.allow(SYS_kill);
+    // Landlock restricts truncation from version 3 on.
     if (landlock_version < 3) filter.refuse_truncating_reads(SYS_openat, 2);
     filter.allow(SYS_openat);
     // The flags of openat2 are in memory, where the filter cannot read them. So the filter answers as if

@@ -22,6 +22,8 @@ constexpr uint64_t kTruncate = 1ull << 14;  // The right to truncate a file, sin
 constexpr uint64_t kDeviceControl = 1ull << 15;
 constexpr uint64_t kTcp = 3;     // The rights to bind and to connect TCP sockets, since Landlock version 4.
 constexpr uint64_t kScopes = 3;  // Restrictions of abstract sockets and of signals, since Landlock version 6.
+// The structure landlock_ruleset_attr of Landlock version 6. Versions 4 and 5 have no member `scopes`.
+// Versions 1 to 3 have only `files`.
 struct RulesetAttributes {
     uint64_t files, tcp, scopes;
 };
@@ -50,6 +52,7 @@ size_t attribute_bytes(int version) {
 }
 
 // Grants rights to a file, or to a folder and all files below it. Returns 0 on success, or a value of errno.
+// A path that does not exist or that the process may not open gets no rule, and the function returns 0.
 int allow(int ruleset, const std::filesystem::path& path, uint64_t rights) {
     const int opened = open(path.c_str(), O_PATH | O_CLOEXEC);
     if (opened < 0) return errno == ENOENT || errno == ENOTDIR || errno == EACCES ? 0 : errno;

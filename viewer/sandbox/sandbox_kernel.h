@@ -1,4 +1,4 @@
-// Purpose: restricts the rights of this process with two functions of the Linux kernel: Landlock for files,
+// Purpose: restricts the rights of this process with two features of the Linux kernel: Landlock for files,
 // and seccomp for system calls. The restrictions are permanent and apply to all threads and child processes.
 // Error X595: the kernel or the processor does not support the restrictions.
 #pragma once

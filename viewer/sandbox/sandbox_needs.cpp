@@ -28,7 +28,8 @@ std::vector<fs::path> paths_in(const char* variable) {
 }
 
 // Allows the files of a Vulkan driver. The manifest is a JSON file that names the library of the driver by an
-// absolute path, or by a path relative to the manifest.
+// absolute path, by a path relative to the manifest, or by a file name without a folder. A library without a
+// folder is in a system folder, which rules_of_program() already allows.
 void add_driver(const fs::path& manifest, OpenRules& rules) {
     rules.read.push_back(manifest);
     const std::optional<std::string> text = read_file(manifest.string(), kMostManifestBytes);

@@ -114,8 +114,8 @@ class PatchForms {
     std::string of_definition(const std::string& name) {
         const auto known = names_.find(name);
         if (known != names_.end()) return known->second;
-        // Placeholder that ends the recursion: the schema of one kind refers to the schema with all keys, and
-        // the other way round.
+        // Enter a preliminary name, so that the recursion ends. Definitions can refer to each other in a
+        // cycle: "pass" refers to the definition of each kind of pass, and that definition refers to "pass".
         names_[name] = name + ".patch";
         const Json strict = definitions_.at(name);
         Json form = of(strict);

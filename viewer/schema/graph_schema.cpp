@@ -24,8 +24,8 @@ std::string any_of(const Names& names) {
     return text + ")";
 }
 
-// Returns the schema of a reference to a resource. It is a name, which editors suggest, or a longer reference
-// that starts with a name, such as "hdr@lighting".
+// Returns the schema of a reference to a resource. The reference is either a name, which editors suggest, or
+// a longer text that starts with a name, such as "hdr@lighting".
 Json reference_to(const Names& resources, const Names& passes) {
     const std::string more = "(@" + any_of(passes) + kWordEnds +
                              "|\\[-([1-9]|1[0-6])\\]|\\.(mip|layer)\\(.+\\)|\\.(depth|stencil))";

@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 constexpr uint32_t kBoundSet = 1;
 constexpr int kMostFolders = 3;  // Number of levels of folders that are searched below a start folder.
-// At most this number of files and folders are examined, because the graph may be in a large folder.
+// At most this number of files and folders are examined below each start folder, because the graph may be in
+// a large folder.
 constexpr size_t kMostFiles = 10'000;
 
 ShaderRoots shader_roots(const SchemaOptions& options) {
@@ -122,7 +123,7 @@ class NameGatherer {
     }
 
     // Returns the compiled program of a shader, or null if the shader does not exist or does not compile.
-    // Compiles each shader only once.
+    // Also returns null if passes of `type` have no shader. Compiles each shader only once.
     const ShaderProgram* compiled(const std::string& type, const std::string& shader) {
         std::optional<ProgramKind> kind;
         if (type == "compute") kind = ProgramKind::compute;

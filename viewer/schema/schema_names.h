@@ -1,6 +1,6 @@
 // Purpose: collects the names that a graph declares and the names that its shaders use. The file is read
-// without a tier and with each tier. Errors in the graph are ignored, so that the schema is useful while the
-// user edits the file. Errors: those of reading the file (W001 to W005, W126, W127).
+// without a tier and with each tier. Most errors in the graph are ignored, so that the schema is useful while
+// the user edits the file. Errors: only those of reading the file (W001 to W005, W102, W126, W127).
 #pragma once
 
 #include <map>
@@ -12,12 +12,15 @@
 
 namespace weft::viewer {
 
-// The names that a pass may bind. They come from its shader, or from its pass type in C++.
+// The names of ports, parameters and constants that a pass may use. They come from its shader, or from its
+// pass type in C++.
 struct PassNames {
     std::set<std::string> in, out;
     std::set<std::string> params, constants;
     std::set<std::string> attachments;  // Outputs that the graph file declares in the pass.
-    bool is_open = false;  // True if the shader cannot be read in some tier. Then any name is accepted.
+    // True if the names are unknown in some tier, for example because the shader does not compile. Then any
+    // name is accepted.
+    bool is_open = false;
 };
 
 struct GraphNames {

@@ -1,5 +1,6 @@
-// Draws lines at silhouettes and creases of surfaces. Reversed depth (near plane / distance) is linear in screen space
-// on every plane. So its second difference is zero inside a plane, and large only at silhouettes and steps.
+// Draws lines at silhouettes, steps and creases of surfaces. Depth is reversed: the distance of the near plane divided
+// by the distance of the surface. On a flat surface this depth is linear in screen space, so its second difference is
+// zero. It is large only at silhouettes and steps. At creases, the normals of neighbouring pixels differ.
 #version 460
 #include "octahedral.glsl"
 

@@ -1,7 +1,7 @@
-// Purpose: generates graphs of any size for benchmarks that can be compared with other frameworks. Every pass
-// writes one rgba8 image and reads the images of two earlier passes. The graphs are generated with
-// std::mt19937, so a seed gives the same graph on every platform. Units: an image takes exactly
-// 4·width·height bytes.
+// Purpose: generates graphs of any size for benchmarks. The graphs are simple, so that other frameworks can
+// measure the same graphs. Every pass writes one rgba8 image and reads the images of two earlier passes; the
+// first two passes read fewer. The graphs are generated with std::mt19937, so a seed gives the same graph on
+// every platform. An image takes exactly 4·width·height bytes.
 #pragma once
 
 #include <cstdint>

@@ -13,8 +13,9 @@ std::string place(const std::string& file, uint32_t line, uint32_t column) {
     return file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
 }
 
-// Returns true for characters that could mislead a reader of the terminal: control characters, and characters
-// that reverse the direction of the following text (Boucher and Anderson, "Trojan Source", 2021).
+// Returns true for characters that could mislead a reader of the terminal: control characters except line
+// feed, the line separators of Unicode, and characters that change the direction of text (Boucher and
+// Anderson, "Trojan Source", 2021).
 bool steers_a_terminal(uint32_t c) {
     return (c < 0x20 && c != '\n') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E || c == 0x200F ||
            (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);

@@ -12,8 +12,8 @@ namespace weft {
 struct LocatedText {
     // The value of the string, without quotes and with escapes decoded.
     std::string_view text;
-    // Location of the whole token in the file, including its quotes. The default value means that the text
-    // does not come from a file.
+    // Location of the whole token in the file, including its quotes if it has any. The default value means
+    // that the text does not come from a file.
     SourceLoc literal;
 
     // Returns the location of text[offset, offset + length) in the file. An `offset` equal to the size of the

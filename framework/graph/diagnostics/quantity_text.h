@@ -14,7 +14,7 @@ namespace weft {
 [[nodiscard]] std::string limit_bytes_text(uint64_t bytes);
 // Formats the difference between two sizes with its sign: "+512 B", "-14.0 MiB", "+0 B".
 [[nodiscard]] std::string bytes_change_text(uint64_t from_bytes, uint64_t to_bytes);
-// Formats a number as short as possible: "0.5", "16", "1e+06".
+// Formats a number with at most 6 significant digits and without trailing zeros: "0.5", "16", "1e+06".
 [[nodiscard]] std::string number_text(double value);
 [[nodiscard]] std::string percent_text(uint64_t part, uint64_t whole);
 // Formats a count with its noun, which gets an "s" unless the count is 1: "1 barrier", "2 barriers".

@@ -48,8 +48,8 @@ size_t edit_distance(std::string_view a, std::string_view b, size_t most, size_t
             least = std::min(least, next[j]);
         }
         pairs += end + 1 - std::min(begin, end + 1);
-        // Every value of row i + 1 comes from row i, or by a swap from row i - 1 plus 1. So if this condition
-        // is true, all following rows contain only `far`.
+        // A value of row i + 1 is at least the least value of row i or, after a swap, at least 1 more than
+        // the least value of row i - 1. So if this condition holds, all following rows contain only `far`.
         if (least == far && least_before >= most) return far;
         least_before = least;
     }

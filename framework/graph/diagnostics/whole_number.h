@@ -8,9 +8,9 @@
 
 namespace weft {
 
-// Returns true if `number` without its fraction fits into Int. Compares with `end`, which is the largest
-// value of Int plus 1: this power of two is exact as a double, but the largest value itself, such as 2^63 -
-// 1, may not be.
+// Returns true if `number` without its fraction fits into Int. Exception: returns false for -2^63, the
+// smallest value of a signed 64-bit Int. Compares with `end`, which is the largest value of Int plus 1. This
+// power of two is exact as a double, but the largest value itself (example: 2^63 - 1) may not be.
 template <class Int>
 [[nodiscard]] bool fits_into(double number) {
     static_assert(std::numeric_limits<Int>::is_integer);

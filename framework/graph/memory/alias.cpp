@@ -1,7 +1,8 @@
-// Places all transient resources in heaps. Resources with the same allowed memory types share a heap. Buffers
-// and images in one heap must not share a page of bufferImageGranularity, so every placement in such a heap
-// is rounded up to whole pages. If a page is larger than 4096 bytes (kMaxPadding), the padding would waste
-// more than sharing saves; then buffers and images get separate heaps.
+// Places transient and persistent resources in heaps. Transient resources with the same allowed memory types
+// share a heap. Buffers and images in one heap must not share a page of bufferImageGranularity, so every
+// placement in such a heap is rounded up to whole pages. If a page is larger than 4096 bytes (kMaxPadding),
+// the padding may waste more than sharing saves; then buffers and images get separate heaps. Persistent
+// resources get other heaps: see place_persistent().
 #include <algorithm>
 #include <map>
 #include <optional>

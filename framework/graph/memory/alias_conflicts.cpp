@@ -108,8 +108,8 @@ void Conflicts::remove(uint32_t item) {
 std::span<const TakenSpan> Conflicts::taken(uint32_t item) {
     size_t count = 0;
     if (dense_) {
-        // Writes each span and then keeps or overwrites it. A branch instead would be mispredicted often,
-        // because about half of the items overlap.
+        // Writes each span, and increments the count only if the items overlap. Otherwise, the next span
+        // overwrites this one. A branch would often be mispredicted, because overlaps follow no pattern.
         for (const TakenSpan& p : placed_) {
             taken_[count] = p;
             count += overlap(item, p.item) ? 1 : 0;

@@ -1,7 +1,7 @@
 // Purpose: finds, for an item that is to be placed, the bytes already taken by items that are alive at the
-// same time. If few pairs of items are alive together (sparse), each item has a list of these items. If many
-// pairs are (dense), each query scans all placed items instead, which is cheaper than to store and sort so
-// many pairs.
+// same time. If few pairs of items are alive together (sparse), this class stores for each item a list of the
+// items that are alive with it. If many pairs are alive together (dense), each call of taken() scans all
+// placed items instead. This is cheaper than to store and sort so many pairs.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,8 @@ class Conflicts {
     void clear();
     void place(uint32_t item, uint64_t offset_bytes);
     void remove(uint32_t item);
-    // Returns the bytes that `item` must not use, sorted by offset. They are valid until the next call.
+    // Returns the bytes that `item` must not use, sorted by offset. The span is valid until the next call of
+    // taken().
     [[nodiscard]] std::span<const TakenSpan> taken(uint32_t item);
     [[nodiscard]] bool dense() const { return dense_; }
 

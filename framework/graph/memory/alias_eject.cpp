@@ -16,8 +16,8 @@ struct Ejection {
     std::vector<uint32_t> removed;
 };
 
-// Finds the place from which the least must be removed. An item costs its size, multiplied by the number of
-// times that it was removed before plus one, so that no two items remove each other for ever.
+// Finds the place whose items are the cheapest to remove. The cost of an item is its size × (1 + the number
+// of its earlier removals). So the cost grows, and two items cannot remove each other again and again.
 class PlaceFinder {
  public:
     PlaceFinder(const std::vector<PackItem>& items, uint64_t target_bytes)
@@ -47,7 +47,8 @@ class PlaceFinder {
     }
 
  private:
-    // Numbers of items that begin before the end of a place, and that end at or before its begin.
+    // begun: number of items that begin before the end of a place.
+    // ended: number of items that end at or before the begin of the place.
     struct Cursor {
         size_t begun = 0, ended = 0;
     };
@@ -83,7 +84,7 @@ class PlaceFinder {
 
     const std::vector<PackItem>& items_;
     uint64_t target_bytes_;
-    std::vector<uint64_t> begun_;  // Index: n. Cost of the first n items by offset.
+    std::vector<uint64_t> begun_;  // Index: n. Total cost of the first n items in `taken`.
     std::vector<End> ends_;        // Sorted by offset.
     uint64_t best_ = kNoPlace, best_cost_ = UINT64_MAX;
 };

@@ -1,5 +1,5 @@
-// Purpose: packs items into a heap of at most a given size. An item that does not fit takes the place of
-// other items, which are then placed elsewhere (ejection).
+// Purpose: tries to pack items into a heap of at most a given size. An item that does not fit takes the place
+// of other items, which are then placed elsewhere (ejection).
 #pragma once
 
 #include <cstdint>

@@ -14,26 +14,29 @@ struct PackItem {
     uint64_t size_bytes = 0;
     uint64_t alignment_bytes = 1;
     uint32_t first = 0;
-    // With several queues: the last position for which it is not sure that all queues are done with the item.
+    // With several queues: from position last + 1 on, all queues are surely done with the item.
     uint32_t last = 0;
 };
 
-// The lifetimes of items for each queue. If a frame uses several queues, two items whose positions overlap
-// may still share bytes, because semaphores prove that one is over before the other begins.
+// The lifetimes of items for each queue. If a frame uses several queues, two items may share bytes even if
+// their ranges from PackItem::first to PackItem::last overlap. It is enough that all uses of one item end
+// before each queue begins to use the other item.
 struct QueueTimes {
     size_t queue_count = 0;
     // Index: item × queue_count + queue. The first position on the queue that uses the item, or UINT32_MAX.
     std::vector<uint32_t> begins;
-    // Same index. The first position on the queue that surely runs after all uses of the item.
+    // Same index. The first position on the queue that surely runs after all uses of the item. If there is
+    // none: 1 + the last position on the queue, or 0 if no pass runs on the queue.
     std::vector<uint32_t> ends;
 
-    // Returns true if it is not sure that item `a`, the one that begins earlier, is over before `b` begins.
+    // Returns false if all uses of item `a` surely end before item `b` begins. `a` must not begin after `b`.
     [[nodiscard]] bool may_overlap(uint32_t a, uint32_t b) const {
         for (size_t q = 0; q < queue_count; ++q)
             if (begins[b * queue_count + q] < ends[a * queue_count + q]) return true;
         return false;
     }
-    // Returns the last position for which it is not sure that all queues are done with the item.
+    // Returns the value for PackItem::last: from the next position on, all queues are surely done with the
+    // item.
     [[nodiscard]] uint32_t last_position(uint32_t item) const {
         const auto first = ends.begin() + static_cast<std::ptrdiff_t>(item * queue_count);
         return *std::max_element(first, first + static_cast<std::ptrdiff_t>(queue_count)) - 1;

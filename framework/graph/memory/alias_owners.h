@@ -30,7 +30,8 @@ class OwnerMap {
     };
     using Part = std::vector<Range>;
 
-    // Returns the index of the part that contains the ranges at `begin`, or the first part.
+    // Returns the index of the last part whose first range begins at or before `begin`, or 0 if there is
+    // none.
     [[nodiscard]] size_t part_at(uint64_t begin) const;
     void divide(size_t part);
 

@@ -12,15 +12,15 @@
 namespace weft {
 namespace {
 
-// The sweeps of a dense graph are good enough if the heap exceeds the smallest possible size by at most this
-// percentage.
+// For dense conflicts (see Conflicts): the sweeps, pack_sweep() and pack_sweep_back(), are good enough if the
+// heap exceeds the lower bound by at most this percentage.
 constexpr uint64_t kGoodSweepPercent = 5;
-// Limits the time for dense graphs (see Conflicts). With more items, only the sweeps are used.
+// Limits the time for dense conflicts. With more items, only the sweeps are used.
 constexpr size_t kMaxDenseItems = 1024;
-// Up to this number of items, one unlucky place is a large share of the heap, and an attempt takes little
-// time.
+// With at most this number of items, more methods are tried: one badly placed item can waste a large share of
+// the heap, and each method takes little time.
 constexpr size_t kFewItems = 300;
-// The local search packs all items in each round. It is for even fewer items.
+// search() packs all items again in each round. So it is used only for at most this number of items.
 constexpr size_t kMaxSearchedItems = 100;
 constexpr size_t kMaxSearchRounds = 16;
 
@@ -52,8 +52,8 @@ std::vector<uint32_t> peak_first_order(const std::vector<PackItem>& items) {
     return order;
 }
 
-// Returns the items sorted by (size × lifetime), largest first. Such items conflict with many others, so they
-// are placed while there is still free space.
+// Returns the items sorted by (size × lifetime), largest first. An item with a large product conflicts with
+// many others. So it is placed early, while there is still free space.
 std::vector<uint32_t> area_descending_order(const std::vector<PackItem>& items) {
     const auto area = [&](uint32_t i) {
         return items[i].size_bytes * (uint64_t{items[i].last} - items[i].first + 1);
@@ -84,7 +84,7 @@ void keep_smaller(Packing packing, Packing& best) {
     if (packing.height_bytes < best.height_bytes) best = std::move(packing);
 }
 
-// An order of placing the items, and the height to reach: the percentage above the smallest possible size.
+// An order in which items are placed, and a target: a heap that is `percent` percent above the lower bound.
 struct Attempt {
     std::vector<uint32_t> (*order_of)(const std::vector<PackItem>& items);
     uint64_t percent = 0;
@@ -92,7 +92,7 @@ struct Attempt {
 constexpr std::array kAttempts{Attempt{size_descending_order, 3}, Attempt{area_descending_order, 4},
                                Attempt{peak_first_order, 5}, Attempt{size_descending_order, 7}};
 
-// Improves a packing until it reaches the target of one of the attempts.
+// Improves a packing until it reaches the target of an attempt, or until all attempts are made.
 void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
              Packing& best) {
     const size_t count = items.size(), most_lowered = count <= kFewItems ? count * 2 : count / 2;
@@ -109,7 +109,7 @@ void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Con
 }
 
 // Improves a packing for several queues. Often no packing reaches the targets, because the lower bound does
-// not count what the queues add. So the time is limited more strictly if there are many items.
+// not include that several queues make lifetimes longer. So this function makes fewer tries than improve().
 void improve_for_queues(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
                         Packing& best) {
     const size_t count = items.size();

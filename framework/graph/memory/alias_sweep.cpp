@@ -15,8 +15,8 @@ namespace {
 // neighbours.
 class BlockList {
  public:
-    // Returns the index of a new block in use that has room for the item, in the smallest sufficient free
-    // block.
+    // Takes space for the item from the smallest free block into which it fits. If it fits into none, the
+    // heap grows. Returns the index of the block that now contains the item.
     uint32_t take(const PackItem& item) {
         const auto fits = [&](const Gap& gap) {
             const Block& block = blocks_[gap.block];

@@ -4,8 +4,8 @@
 
 namespace weft {
 
-// On one queue, the clocks of later positions are never smaller. So one pass over the positions of a queue
-// finds, for all positions of another queue in turn, the first position that comes after them.
+// On one queue, the clock of a later position is never smaller than the clock of an earlier position. So the
+// iterator `later` on queue `to` only moves forward while the loop visits the positions `p` on queue `from`.
 QueueOrder::QueueOrder(const Schedule& order)
     : queue_count_(order.queues.size()), after_(order.queue.size() * queue_count_, 0) {
     std::vector<std::vector<Position>> on_queue(queue_count_);

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-// Finds, for each position, when other queues are surely done with it.
+// Finds, for each position and each queue, the first position on the queue that surely runs after it.
 class QueueOrder {
  public:
     explicit QueueOrder(const Schedule& order);

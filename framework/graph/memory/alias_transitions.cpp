@@ -30,7 +30,7 @@ std::vector<ResourceId> by_first_position(const std::vector<Placement>& placemen
 
 std::vector<AliasTransition> alias_transitions(const std::vector<Placement>& placements,
                                                const Lifetimes& spans) {
-    // Index: ResourceId. Index of the resource in `placements`.
+    // Index: ResourceId. Value: index of the resource in `placements`.
     std::vector<uint32_t> place_of(spans.spans.size(), 0);
     uint32_t heap_count = 0;
     for (uint32_t i = 0; i < placements.size(); ++i) {
@@ -46,7 +46,8 @@ std::vector<AliasTransition> alias_transitions(const std::vector<Placement>& pla
     };
     for (const ResourceId id : by_time) take(id, 0);
     old_owners.clear();
-    // Index: ResourceId. The place in `old_owners` of the first owner before this resource.
+    // Index: ResourceId. The previous owners of the bytes of the resource are `owner_count` elements of
+    // `old_owners`, from index `first_owner` on.
     std::vector<uint32_t> first_owner(spans.spans.size(), 0);
     std::vector<uint32_t> owner_count(spans.spans.size(), 0);
     for (const ResourceId id : by_time) {

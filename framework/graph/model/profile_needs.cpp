@@ -1,5 +1,5 @@
-// Computes size, alignment and memory types of each resource from a device profile, so that a graph can be
-// compiled without the device.
+// Computes size, alignment and memory types of each resource, except imports, from a device profile. So a
+// graph can be compiled without the device.
 #include <algorithm>
 
 #include "graph/model/round_up.h"
@@ -33,9 +33,9 @@ bool attachment_only(const ResourceDecl& resource) {
            resource.usage != 0 && (resource.usage & ~kAttachment) == 0;
 }
 
-// Returns a bit mask of the memory types that the resource may use. Attachment-only images get lazily
-// allocated types if the device has any. Other resources get device-local types, or any fitting type if no
-// device-local type fits.
+// Returns a bit mask of the memory types that the resource may use. If the profile lists no types, all bits
+// are set. Attachment-only images get the lazily allocated types if any of them fits. All other resources get
+// the device-local types that fit. If none fits, they get all fitting types that are not lazily allocated.
 uint32_t type_bits(const ResourceDecl& resource, const DeviceProfile& profile) {
     if (profile.memory_types.empty()) return UINT32_MAX;
     uint32_t lazy = 0, local = 0, any = 0;

@@ -16,7 +16,8 @@ class SubresourceGrid {
     SubresourceGrid(const ResourceDecl& resource, const std::vector<SubresourceRange>& ranges);
 
     [[nodiscard]] uint32_t cell_count() const { return mip_count() * layer_count(); }
-    // Returns the indices of the cells that make up a range, in ascending order.
+    // Returns the indices of the cells that make up a range, in ascending order. The index of a cell is
+    // i + mip_count() × j for the cell at mip_cuts_[i] and layer_cuts_[j].
     [[nodiscard]] std::vector<uint32_t> cells_of(const SubresourceRange& range) const;
     // Merges cells into few ranges: first neighbouring mips of a layer, then neighbouring layers with the
     // same mips. The indices in `cells` must ascend.
@@ -26,9 +27,9 @@ class SubresourceGrid {
     [[nodiscard]] uint32_t mip_count() const { return static_cast<uint32_t>(mip_cuts_.size()) - 1; }
     [[nodiscard]] uint32_t layer_count() const { return static_cast<uint32_t>(layer_cuts_.size()) - 1; }
 
-    // Boundaries of the cells in ascending order: cells contain the mips from mip_cuts_[i] to mip_cuts_[i +
-    // 1] - 1. The first value is 0 and the last is the number of mips of the image. layer_cuts_ does the same
-    // for layers.
+    // Boundaries of the cells in ascending order. The cell at mip_cuts_[i] contains the mips from
+    // mip_cuts_[i] to mip_cuts_[i + 1] - 1. The first value is 0 and the last is the number of mips of the
+    // image. layer_cuts_ does the same for layers.
     std::vector<uint32_t> mip_cuts_;
     std::vector<uint32_t> layer_cuts_;
     AspectMask aspects_;

@@ -85,6 +85,8 @@ Decoder usual_decoder(const Shown& shown) {
     return info.srgb ? Decoder::color : Decoder::display;
 }
 
+// Returns the values that are shown as black and as white if the view has no "range". For the decoder
+// "depth", they are values of log2(1 + distance in metres): 6 stands for 63 m.
 std::array<double, 2> usual_range(const Shown& shown, Decoder decoder) {
     const bool counts = shown.is_buffer || !shown.format || !is_float(shown.format->numeric);
     if (decoder == Decoder::depth) return {0, 6};
@@ -106,8 +108,11 @@ bool is_plain_depth(const GraphDesc& graph, const std::string& name) {
 }
 
 // Returns a reference to the depth attachment that was drawn together with the shown image, so that the view
-// can tell the background, where depth is 0, from drawn surfaces. Returns nullopt unless exactly one pass
-// writes the image and that pass is a raster pass.
+// can tell the background, where depth is 0, from drawn surfaces. Returns nullopt unless all of this is true:
+// - `shown` is the whole image of the current frame.
+// - Exactly one pass has the image in "out". It is a raster pass without "if" and "repeat".
+// - Its depth attachment is a 2D image without layers and multisampling. Neither the port nor the image has
+//   a "clear" value.
 std::optional<RefDesc> drawn_depth(const GraphDesc& graph, const RefDesc& shown) {
     if (shown.history > 0 || shown.mip_first || shown.layer_first) return std::nullopt;
     std::optional<RefDesc> depth;

@@ -1,8 +1,9 @@
 // Purpose: displays any resource of a graph for debugging. A pass and an image are added to the graph before
 // the graph is resolved. The pass draws the resource into the image, which the program can read back or show.
-// The output image of the graph does not change. Errors: W103 no debug view and no resource has the given
-// name; W109 the graph already uses the name "debugView", or the resource is a 3D or multisampled image and
-// the debug view has no shader of its own.
+// The output image of the graph does not change. Errors:
+// W103: no debug view and no resource has the given name, or a debug view shows an unknown resource.
+// W109: the graph already uses the name "debugView".
+// W109: the resource is a 3D or multisampled image and the debug view has no shader of its own.
 #pragma once
 
 #include <string>

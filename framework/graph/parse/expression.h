@@ -2,8 +2,8 @@
 // min max ceil floor log2 mips(resource) .x .y, names and numbers. A value is a number or a size (two
 // numbers). Operators apply to sizes component by component; a number combined with a size applies to both
 // components. a % b has the sign of b. Results are not rounded: callers that need an integer convert the
-// result explicitly. Errors: W106 bad expression, W107 unknown name; both are reported at the token that
-// causes them.
+// result explicitly. Errors: W106 bad expression, W107 unknown name. The location of an error is the token
+// that causes it, or the whole expression.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,8 @@ struct ExprValue {
     return {x, y, true};
 }
 
-// Interface through which evaluate() looks up the values of the names in an expression.
+// Interface through which evaluate() looks up the values of the names in an expression. value() and mips()
+// return nullopt for unknown names. mips() returns the number of mips of an image.
 class ExprNames {
  public:
     virtual ~ExprNames() = default;
@@ -47,8 +48,8 @@ class ExprNames {
 
 // Parses a text that must consist of exactly one expression.
 [[nodiscard]] Result<Expr> parse_expression(const LocatedText& text, const SourceMap& sources);
-// Parses one expression that begins at `position`, and moves `position` behind it. Used for references, which
-// can contain several expressions.
+// Parses one expression that begins at `position`, and moves `position` behind it. Used if the text contains
+// more than an expression, for example in references and in the ranges of "repeat".
 [[nodiscard]] Result<Expr> parse_expression_at(const LocatedText& text, size_t& position,
                                                const SourceMap& sources);
 [[nodiscard]] Expr number_expression(double number, SourceLoc loc);

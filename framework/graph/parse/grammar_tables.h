@@ -15,7 +15,7 @@ struct GrammarTable {
     // value.
     bool are_keys = false;
     std::vector<std::string> words;
-    // Keys that must be present. Only filled for the keys of one kind of pass or resource.
+    // Keys that must be present. Filled only if `words` are the keys of one kind of pass or resource.
     std::vector<std::string> required = {};
     // If `words` are the keys of one kind of pass or resource: the place that lists the keys of all kinds.
     // For example, this is "anyPass" for the place "computePass". Otherwise empty.

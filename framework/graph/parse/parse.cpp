@@ -76,8 +76,8 @@ void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_string(context, node, graph.name);
 }
 
-// Checks only that a section of a tier's patch is an object. The content of the section is parsed later,
-// after the patch has been merged into the graph.
+// Checks only that the value is an object: a section of a tier's "patch", or the "set" of a tier. If the
+// graph is loaded with this tier, merge() has already applied the content to the graph, where it is parsed.
 void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
     expect(context, node, JsonKind::object);
 }
@@ -93,8 +93,7 @@ constexpr std::array kPatchKeys{
     KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
     KeyRule<TierDesc>{"frames", skip_value}};
 
-// Checks only the names of the sections in the patch of a tier. The content of the sections is parsed after
-// merging, as part of the tier's own graph.
+// Checks only which sections the patch of a tier has, not their content (see skip_object()).
 void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
     read_object(context, node, "a patch", kPatchKeys, tier);
 }

@@ -1,7 +1,7 @@
 // Purpose: the state that all parts of the parser share: the list of errors, and readers for single values.
-// Internal to weft_graph. A reader that finds an invalid value reports an error and leaves its target
-// unchanged, so that parsing continues and finds further errors. Errors: W101 unknown key, W102 wrong type,
-// W108 missing key, W109 bad value.
+// Internal to weft_graph. A reader that finds an invalid value reports an error. Parsing then continues, so
+// that further errors are found. Errors: W004 name too long, W101 unknown key, W102 wrong type, W108 missing
+// key, W109 bad value, W125 limit exceeded.
 #pragma once
 
 #include <array>
@@ -36,11 +36,12 @@ class ParseContext {
     [[nodiscard]] const SourceMap& sources() const { return sources_; }
     [[nodiscard]] const GraphLimits& limits() const { return limits_; }
     // Checks that `count` is at most `limit`. If not, reports W125, ends parsing and returns false. `what`
-    // names the counted things in the message, for example "tiers".
+    // names the counted things in the message, for example "debug views". `limit_name` is the name under
+    // which a user can raise the limit, for example "graph.debugViews".
     bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
                 const std::string& help);
-    // Adds the parts of a parsed expression or reference to the total of the graph. If the total exceeds the
-    // limit graph.expressionParts, reports an error and returns false.
+    // Adds the parts (numbers, names and operations) of a parsed expression or reference to the total of the
+    // graph. If the total exceeds the limit graph.expressionParts, reports an error and returns false.
     bool count_parts(const Expr& expression);
     bool count_parts(const RefDesc& ref);
     // Returns true if parsing should stop: kMaxErrors errors were reported, or within() has found a count
@@ -153,7 +154,8 @@ bool read_choice(ParseContext& context, const JsonNode& node, const std::array<C
 }
 
 // Reads an object whose allowed keys are the rows of a table, and calls the reader of each key that is
-// present. Reports other keys as errors. `what` names the object in messages, for example "a resource".
+// present. Reports other keys as errors. Returns false only if the value is not an object. `what` names the
+// object in messages, for example "a resource".
 template <class T, size_t N>
 bool read_object(ParseContext& context, const JsonNode& node, std::string_view what,
                  const std::array<KeyRule<T>, N>& rules, T& out) {
@@ -217,8 +219,8 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
-// Checks that one more constant, parameter or size does not exceed the limit graph.constants. Otherwise
-// reports an error and returns false.
+// Checks that the limit graph.constants allows one more constant, parameter or size. If not, reports an error
+// and returns false.
 bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc);
 // Reports an index of a repeat, such as "i", if its name is also the name of a constant, parameter or size,
 // or a reserved word of expressions.

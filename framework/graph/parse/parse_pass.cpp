@@ -146,8 +146,8 @@ struct PassKey {
     TypeMask types;
     void (*read)(ParseContext&, const JsonNode&, PassDesc&);
 };
-// The keys of a pass and the pass types that accept them. The keys are read in this order: "out" comes before
-// "state", because the state refers to outputs.
+// The keys of a pass and the pass types that accept them. The keys are read in the order of this table, not
+// of the file. For example, "out" comes before "state", because the state refers to outputs.
 constexpr std::array kPassKeys{
     PassKey{"type", kAll, read_type},
     PassKey{"queue", kAll, read_queue},
@@ -215,8 +215,8 @@ void missing_type(ParseContext& context, const JsonMember& member, const JsonNod
                              : std::move(near));
 }
 
-// Returns the bit of the pass's type. If the type is unknown or absent, returns all types, so that no key of
-// the pass is reported as misplaced.
+// Returns the bit of the pass's type. If the type is absent or is reported as wrong, returns kAll, so that no
+// key of the pass is reported as misplaced.
 TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNode& passes) {
     const JsonNode* type = member.value.find("type");
     if (type == nullptr) {

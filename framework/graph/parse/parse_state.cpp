@@ -162,7 +162,8 @@ constexpr std::array kFacesKeys{
                           read_face(c, n, {p, {&RasterState::stencil_back}});
                       }}};
 
-// Reads the stencil state: an object {"front": {…}, "back": {…}}, or one state for both faces.
+// Reads the stencil state: an object {"front": {…}, "back": {…}} with one or two states, or one state that
+// applies to both faces.
 void read_stencil(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.state.stencil_test = true;
     if (node.find("front") != nullptr || node.find("back") != nullptr) {

@@ -18,6 +18,7 @@ struct TestDraft {
     // switches between.
     std::vector<std::string> names, swaps;
     std::vector<SourceLoc> name_locs, swap_locs;
+    // True for "tiers": "*": one run for each tier of the graph, and one run without a tier.
     bool all_tiers = false;
 };
 

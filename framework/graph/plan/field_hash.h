@@ -1,6 +1,6 @@
 // Purpose: hashes the fields of a plan in the order of plan_fields.h with XXH3 (128 bits). The length of each
-// sequence and text is hashed before its content, so that different inputs cannot give the same bytes. The
-// result is a text of 32 hexadecimal digits.
+// vector and text is hashed before its content, so that the vectors [1, 2] and [3] do not give the same bytes
+// as [1] and [2, 3]. The result is a text of 32 hexadecimal digits.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,8 @@ class HashVisitor {
 
     template <class T>
     void operator()(const char*, const T& value) {
-        // A ParamCost only tells where the graph uses a parameter. It changes nothing in the plan, so it is
-        // not hashed.
+        // A ParamCost only tells how much work a change of a parameter causes. It changes nothing else in
+        // the plan, so it is not hashed.
         if constexpr (!std::is_same_v<T, ParamCost>) add(value);
     }
 

@@ -22,8 +22,8 @@ void add_target(HashVisitor& v, const PipelineParts& parts, const AttachmentDecl
 }
 
 void add_state(HashVisitor& v, RasterState state) {
-    // The pipeline has these as dynamic state, set while commands are recorded. So they must not change the
-    // hash.
+    // These four members are dynamic state of the pipeline: they are set while commands are recorded. So they
+    // must not change the hash.
     state.cull = {};
     state.front_face = {};
     state.scissor.reset();

@@ -1,7 +1,7 @@
-// Purpose: computes a hash of everything that determines a pipeline: the SPIR-V of its shader stages,
-// constants, fixed-function state, attachment formats and vertex streams. Passes with equal hashes (32
-// hexadecimal digits), even of different plans, can share one pipeline if the same draw source provides their
-// layouts of descriptor sets 0, 2 and 3.
+// Purpose: computes a hash of the inputs of a pipeline: the SPIR-V of its shader stages, specialisation
+// constants, fixed-function state, attachment formats and vertex streams. The hash does not contain the
+// layouts of descriptor sets 0, 2 and 3, which a draw source provides. Passes with equal hashes (32
+// hexadecimal digits) and the same draw source can share one pipeline, even if their plans differ.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Purpose: returns the values of a plan's enumerations as words, for JSON dumps and texts, such as
-// "transient".
+// Purpose: returns the name of an enumeration value of a plan, such as "transient", for JSON dumps and other
+// texts. Returns "?" for an unknown value.
 #pragma once
 
 #include "weft/plan.h"

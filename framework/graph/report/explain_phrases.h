@@ -15,17 +15,21 @@ namespace weft {
 // are not compared.
 [[nodiscard]] std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& barrier,
                                                           PassId pass);
+// Returns true if the barrier waits for `pass`. If BarrierDecl::from is set, the barrier waits only for that
+// pass. Otherwise it waits for each pass with a use of uses_waited_for() in one of its source stages.
 [[nodiscard]] bool waits_for(const FramePlan& plan, const BarrierDecl& barrier, PassId pass);
 
 // Returns the queue, first pass and last pass of a batch, such as: queue 0, 1 "a" to 3 "b". The numbers
 // before the names are schedule positions.
 [[nodiscard]] std::string describe_batch(const FramePlan& plan, const Batch& batch);
-// Returns indented lines that explain a dependency between queues: which pass must not start before which,
-// and the uses that are the reason. Returns an empty text for kNoId.
+// Returns indented lines that explain a dependency between queues. The first line tells which pass must not
+// start before which other pass has finished. The next lines are the uses that are the reason. `dependency`
+// is an index into SubmissionPlan::dependencies; for kNoId the text is empty.
 [[nodiscard]] std::string describe_cause(const FramePlan& plan, uint32_t dependency);
 
 // Returns one indented line for each time that `a` or `b` takes over memory from the other. The line names
-// the schedule position. If neither does, the text says that a third resource uses the memory in between.
+// the schedule position. If there is no such time, the text says that a third resource uses the memory in
+// between.
 [[nodiscard]] std::string describe_alias_transitions(const FramePlan& plan, ResourceId a, ResourceId b);
 
 }  // namespace weft

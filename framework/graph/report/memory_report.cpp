@@ -9,7 +9,7 @@
 namespace weft {
 namespace {
 
-constexpr size_t kNamedAtPeak = 3;  // A warning about memory names this many of the largest resources.
+constexpr size_t kNamedAtPeak = 3;  // A message about memory names at most this many resources.
 
 // Returns the index of the memory type that an executor would choose: the first type that the plan allows for
 // the heap. Returns nothing if the device profile lacks that type.

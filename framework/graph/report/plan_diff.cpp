@@ -49,19 +49,19 @@ NamesDiff diff_names(const FramePlan& from, const std::vector<T>& old_items, con
     return diff;
 }
 
-// Returns the passes that changed their order. These are all common passes except the longest sequence that
-// has the same order in both plans; patience sorting finds this sequence.
+// Returns the passes that moved. These are the passes that run in both plans, except the longest sequence of
+// them that has the same order in both plans. Patience sorting finds this sequence.
 std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
-    std::vector<PassMove> common;  // Passes that are in both plans, in the order of the old plan.
+    std::vector<PassMove> common;  // Passes that run in both plans, in the order of `from`.
     for (Position p(0); p < from.schedule.order.size(); ++p) {
         const PassId other = find_pass(to.graph, from.graph.passes[from.schedule.order[p]].name);
         if (other == kNoId) continue;
         const Position position = to.schedule.position[other];
         if (position != kNoId) common.push_back({to.graph.passes[other].name, p, position});
     }
-    // Considers sequences of n + 1 passes that have the same order in both plans. Of these, `ends[n]` is the
-    // last pass of the sequence that ends earliest in the new plan. `previous[i]` is the pass before pass i
-    // in its sequence. Both contain indices into `common`.
+    // Of all sequences of n + 1 passes that have the same order in both plans, one ends earliest in the plan
+    // `to`. `ends[n]` is the last pass of this sequence. `previous[i]` is the pass before pass i in the
+    // longest sequence that ends with pass i; SIZE_MAX: none. Both contain indices into `common`.
     std::vector<size_t> ends, previous(common.size(), SIZE_MAX);
     for (size_t i = 0; i < common.size(); ++i) {
         const auto it =

@@ -142,8 +142,9 @@ class BarrierAnswer {
                "the two.\n";
     }
 
-    // Explains why no barrier between the two passes is needed: an earlier barrier, recorded before the pass
-    // at `position`, already orders the second pass after the first.
+    // Explains why the second pass needs no barrier of its own: `barrier` has already waited for the first
+    // pass. It is recorded before the pass at `position`, which runs between the two passes. `b` is the use
+    // by the second pass.
     std::string describe_semaphore_path(Position position, const BarrierDecl& barrier,
                                         const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];

@@ -7,8 +7,8 @@
 namespace weft {
 namespace {
 
-// A pass that needs the result of the pass in question. `use` is the port of `reader` that reads this result,
-// either in the same frame or in a later frame.
+// A need for the result of one pass (the argument of needs_of()). The pass `reader` reads this result with
+// its use `use`, either in the same frame or in a later frame.
 struct Need {
     PassId reader = kNoId;
     const UseDecl* use = nullptr;

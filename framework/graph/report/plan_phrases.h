@@ -1,5 +1,6 @@
-// Purpose: returns texts that name the parts of a plan in sentences, with the place of their definition:
-// "lighting" (deferred.json:29:5). Passes and resources that a program created have no place.
+// Purpose: returns texts that name the parts of a plan in messages. The names of passes, resources and ports
+// are followed by the place of their definition: "lighting" (deferred.json:29:5). Parts that a program
+// created have no place.
 #pragma once
 
 #include <string>
@@ -25,12 +26,12 @@ namespace weft {
 [[nodiscard]] std::string describe_state(const AccessState& state, bool image);
 
 // Finds a pass or resource by name. Errors: W104 (pass), W103 (resource). The error suggests similar names.
-// If `name` is the name of a `repeat`, the error lists the names of its iterations instead. The `file` of the
-// error is the graph file.
+// If `name` belongs to a pass with `repeat`, the error lists the names of its iterations instead, such as
+// "down#1". The `file` of the error is the graph file.
 [[nodiscard]] Result<PassId> named_pass(const FramePlan& plan, const std::string& name);
 [[nodiscard]] Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name);
-// Like named_pass() and named_resource(), but the name of a `repeat` gives all its iterations: "down" gives
-// "down#1", "down#2" and so on.
+// Like named_pass() and named_resource(), but the name of a pass with `repeat` gives all iterations: "down"
+// gives "down#1", "down#2" and so on.
 [[nodiscard]] Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name);
 [[nodiscard]] Result<std::vector<ResourceId>> named_resources(const FramePlan& plan, const std::string& name);
 

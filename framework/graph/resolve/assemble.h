@@ -7,8 +7,8 @@
 
 namespace weft {
 
-// Combines the results of the earlier stages. Leaves the parameters of C++ passes and the costs of the
-// graph's parameters empty, because later stages compute them from the whole graph.
+// Combines the results of the earlier stages. Does not set PassDecl::custom_params and GraphParam::cost,
+// because later stages compute them.
 [[nodiscard]] ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph,
                                      const Attachments& attachments, const Dispatches& dispatches,
                                      const Blocks& blocks);

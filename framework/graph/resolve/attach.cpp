@@ -79,9 +79,9 @@ class PassAttacher : PassStage<Attachments> {
               "alternatives \"d32f_s8|d24_s8\"; or remove \"stencil\"");
     }
 
-    // Checks the size and the position of the viewport. Let s be the side of the largest 2D image of the
-    // device, in pixels. Then a side of the viewport is at most s pixels, and all its coordinates are in the
-    // range [-2 s, 2 s - 1].
+    // Checks the size and the position of the viewport. Let s be the side of the largest 2D image that the
+    // device supports, in pixels. Width and height of the viewport must be at most s, and the coordinates of
+    // its corners must be in the range [-2 s, 2 s - 1].
     void check_viewport() {
         if (!draft_.decl.state.viewport) return;
         const RectPx& view = *draft_.decl.state.viewport;

@@ -1,8 +1,10 @@
 // Purpose: the stage of resolve() that binds the ports of passes. A reference of a port becomes a resource, a
-// range of the resource, and the passes that `@pass` names. Each port is matched by name with the shader's
-// binding or with the port that the pass type declares, which determines the kind of access. Draw lists,
+// range of the resource, and the passes that `@pass` names. Most ports are matched by name with a binding or
+// a fragment output of the shader, or with a port that the C++ pass type declares. This counterpart
+// determines the kind of access. The role of the port determines it for all other ports: depth attachments,
+// resolve targets, indirect buffers, and the ports of clear, copy, blit and readback passes. Draw lists,
 // views and specialisation constants are bound too.
-// Errors: W103 to W106, W109, W110, W112 to W114, W118, W121 to W123, W165, W167, W168, W170, W171, W173,
+// Errors: W103 to W107, W109, W110, W112 to W114, W118, W121 to W123, W165, W167, W168, W170, W171, W173,
 // W175, W176, W182, W185, W186. Warnings: W137.
 #pragma once
 
@@ -28,10 +30,10 @@ enum class WriteRank : uint8_t {
 // Information about the use of a port that later stages need but UseDecl does not contain.
 struct PortDraft {
     const PortDesc* desc = nullptr;
-    // The shader's binding in descriptor set 1 that the port is bound to; null for attachments and passes
-    // without a shader.
+    // The shader's binding in descriptor set 1 that the port is bound to. Null if the port has no binding, as
+    // for attachments, indirect buffers and passes without a shader.
     const ShaderBinding* binding = nullptr;
-    // The fragment output of the shader; null unless the port is a colour attachment.
+    // If the port is a colour attachment: the fragment output of the shader. Otherwise null.
     const StageVariable* color_output = nullptr;
     // The passes that `@pass` in the reference names. The port uses the version of the resource after these
     // passes. If the named pass has a repeat, `pins` contains all passes of the repeat, in their order. If

@@ -13,7 +13,8 @@ bool is_value(const std::string& param, const std::vector<GraphParam>& params) {
     return found != params.end() && found->cost <= ParamCost::live;
 }
 
-// Returns true if every parameter of `a` that is missing or different in `b` is only a value.
+// Returns true if the graph need not be resolved again for any parameter of `a` that is missing or different
+// in `b`: the cost of its change is at most ParamCost::live.
 bool differ_in_values(const std::map<std::string, double>& a, const std::map<std::string, double>& b,
                       const std::vector<GraphParam>& params) {
     return std::ranges::all_of(a, [&](const auto& param) {
@@ -22,13 +23,14 @@ bool differ_in_values(const std::map<std::string, double>& a, const std::map<std
     });
 }
 
-// Gives the members of a block their new values. Returns false if a value has an error.
+// Gives the members of a shader's block `Params` their new values. Returns false if a value has an error.
 bool change_block(const Declared& declared, const PassDraft& draft, const Evaluator& evaluator,
                   std::vector<ParamWrite>& block) {
     for (ParamWrite& write : block) {
         if (write.builtin != Builtin::none) continue;
         const std::optional<MemberValue> value = member_value(declared, draft, evaluator, write.member);
-        if (!value) continue;  // For example the size of an image, which stays the same.
+        // The graph gives this member no value. Example: the size of an image, which stays the same.
+        if (!value) continue;
         const std::vector<double>& components = value->components;
         const auto fits = [&](double component) { return fits_member(write.scalar, component); };
         if (components.size() != write.components || !std::ranges::all_of(components, fits)) return false;
@@ -38,7 +40,7 @@ bool change_block(const Declared& declared, const PassDraft& draft, const Evalua
     return true;
 }
 
-// Returns nullopt, or reports an error, if a value has an error.
+// If a value has an error, returns nullopt or reports the error. The caller must check both.
 std::optional<ResolvedGraph> with_new_values(const ResolveInput& input, const ResolvedGraph& known,
                                              Reporter& reporter) {
     const Values values = evaluate(input, reporter);

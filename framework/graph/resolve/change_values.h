@@ -15,8 +15,8 @@ namespace weft {
                                       const std::vector<GraphParam>& params);
 
 // Returns the graph that resolve(input) would return. `known` must be the result of resolve() for an input
-// that differs only in its request, as only_values_differ() says. Returns nullopt if a value has an error;
-// then call resolve(), which reports it.
+// that differs from `input` only in its request. For the two requests, only_values_differ() must be true.
+// Returns nullopt if a value has an error; then call resolve(), which reports it.
 [[nodiscard]] std::optional<ResolvedGraph> change_values(const ResolveInput& input,
                                                          const ResolvedGraph& known);
 

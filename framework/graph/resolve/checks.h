@@ -1,5 +1,5 @@
 // Purpose: declares the checks of resolve(), which report errors and warnings. Two of the functions also
-// compute parameters and their costs.
+// compute results: check_custom_passes() and weigh_params().
 #pragma once
 
 #include <vector>
@@ -9,15 +9,17 @@
 namespace weft {
 
 // Checks that the shaders' declarations fit the formats, dimensions and sizes of the bound resources, and
-// that each subresource has one layout during a pass. Errors: W105, W163, W164, W166, W172, W173, W182.
+// that each subresource has one layout and at most one writing port during a pass. Errors: W105, W163, W164,
+// W166, W172, W173, W182.
 [[nodiscard]] Suspects check_interfaces(const Declared& declared, const FormattedGraph& graph,
                                         Reporter& reporter);
-// Checks the passes with `perFrame`. In each frame, only some passes of such a repeat run. So a pass with
-// `perFrame` must have a repeat, and must write resources that keep their content between frames. Errors:
-// W124.
+// Checks the passes with `perFrame`. The value is the number of passes of a repeat that run in each frame. So
+// a pass with `perFrame` must have a `repeat`. It must also write resources that keep their content between
+// frames. Errors: W124.
 [[nodiscard]] Suspects check_frame_slices(const Declared& declared, const FormattedGraph& graph,
                                           Suspects suspects, Reporter& reporter);
-// Checks that the clear value of each resource can be stored in its format. Errors: W109.
+// Checks that the clear values of resources and passes fit the formats of the cleared resources. Errors:
+// W109.
 void check_clear_values(const Declared& declared, const VersionedGraph& graph, const Suspects& suspects,
                         Reporter& reporter);
 // Checks that at least one pass writes the output image of the graph. Errors: W184.
@@ -31,7 +33,7 @@ void check_output(const Declared& declared, const VersionedGraph& graph, const S
 // Errors: W125.
 void weigh_plan(const ResolvedGraph& graph, Reporter& reporter);
 
-// Warns about each resource that no pass names. Warnings: W130.
+// Warns about resources that no pass names. Warnings: W130.
 void warn_unused(const Declared& declared, Reporter& reporter);
 // Warns about resources that no pass reads, and about passes that have no effect. Warnings: W135, W136.
 void warn_useless(const Declared& declared, const VersionedGraph& versioned, const ResolvedGraph& graph,

@@ -17,8 +17,8 @@ struct Needs {
     bool blit_from = false, blit_to = false;
     // True if a port states a sampler with linear filtering, so that the format must support it.
     bool linear_always = false;
-    // True if a port uses the default sampler. The default sampler filters linearly only if the format is a
-    // float format.
+    // True if a port uses the default sampler, or if the image is resampled when its size changes. Both
+    // filter linearly only if shaders read the format as floats (float, unorm, snorm or sRGB).
     bool linear_if_float = false;
 };
 
@@ -177,8 +177,8 @@ bool check_samples(const DeviceProfile& profile, const ResourceDecl& decl, Repor
     return false;
 }
 
-// Chooses the first format of the list that the device supports for all usages. Returns false after reporting
-// an error.
+// Chooses the first format of the list that the device supports for all usages. Does not try the formats that
+// ResolveInput::skipped_formats skips. Returns false after reporting an error.
 bool choose_format(const ResolveInput& input, const ResourceDesc& desc, const Needs& needs,
                    ResourceDecl& decl, Reporter& reporter) {
     const std::optional<std::vector<Format>> formats = list_candidates(desc, reporter);

@@ -1,6 +1,7 @@
 // Purpose: the stage of resolve() that chooses the format of each image: the first format of its list that
-// the device supports for all its usages. Then the aspects and the default samplers are known too, so every
-// use is complete except for its final access. Errors: W109, W116, W117, W119, W125.
+// the device supports for all its usages. Also completes the aspects and the default samplers of all uses.
+// The final access, the state and the sources of a use are found later, by version(). Errors: W109, W116,
+// W117, W119, W125.
 #pragma once
 
 #include <vector>

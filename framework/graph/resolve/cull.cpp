@@ -65,7 +65,7 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     }
 }
 
-// The passes that read the outputs of a pass.
+// The passes that read the outputs of a pass: the first of them, and whether there are several.
 struct Readers {
     PassId first = kNoId;
     bool several = false;

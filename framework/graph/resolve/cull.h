@@ -6,6 +6,7 @@
 
 namespace weft {
 
+// Marks the needed passes and resources as live. If `keep_all` is true, all passes are live.
 [[nodiscard]] LiveGraph cull(const ResolvedGraph& graph, bool keep_all = false);
 
 }  // namespace weft

@@ -21,6 +21,8 @@ struct Declared {
         const PassDraft& draft = expansion.passes[pass];
         return evaluator(suspects, reporter).in_repeat(draft.indices, draft.instance > 0);
     }
+    // The two names of a pass that a repeat made: author_name() is the name in the graph file, "blur", and
+    // pass_name() is the name with the index, "blur#2". For other passes, both names are the same.
     [[nodiscard]] const std::string& author_name(PassId pass) const {
         return expansion.passes[pass].desc->name;
     }

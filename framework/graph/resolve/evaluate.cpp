@@ -102,8 +102,9 @@ class NamedEvaluator {
         }
     }
 
-    // Begins to evaluate a name and adds it to the path of waiting names. Returns false if the value is
-    // already known, or if it cannot be found because of an error.
+    // Begins to evaluate a name and adds it to the path of waiting names. Returns false if there is nothing
+    // to evaluate: the name is not a constant or size, its value is already known, or its definition has an
+    // error, for example a cycle.
     bool begin(const std::string& name) {
         const Expr* expression = find(name);
         if (!expression || values_.by_name.contains(name) || is_faulty(name)) return false;
@@ -168,8 +169,8 @@ class NamedEvaluator {
     std::set<std::string_view> on_path_;
 };
 
-// Gives each imported draw list a name for its number of draws: "opaqueDraws" for the list "opaque". If the
-// author declares the same name, the author's declaration is used instead.
+// Adds the number of draws of each imported draw list, for example as "opaqueDraws" for the list "opaque". If
+// the author declares the same name, the author's declaration is used instead.
 void count_draws(const ResolveInput& input, Values& values) {
     for (const auto& [list, import] : input.graph.imports) {
         if (import.kind != import_kind_name(ImportKind::draw_list)) continue;

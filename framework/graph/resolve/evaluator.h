@@ -19,15 +19,16 @@ class Evaluator {
     // Makes an evaluator that also knows the mip counts of resources, for the function mips().
     Evaluator(const Values& values, const Shapes& shapes, const Suspects& suspects, Reporter& reporter)
         : values_(&values), shapes_(&shapes), suspects_(&suspects), reporter_(&reporter) {}
-    // Returns the same evaluator for a pass of a repeat, with the values of the repeat's indices. `is_later`
-    // is true for all passes of the repeat but the first: these would repeat the errors of the first pass, so
-    // an error that is already known is not reported again.
+    // Returns the same evaluator for a pass of a repeat, with the values of the repeat's indices. Keeps a
+    // reference to `indices`. `is_later` is true for all passes of the repeat except the first. Later passes
+    // often have the same errors as the first pass, so an error that is already known is not reported again.
     [[nodiscard]] Evaluator in_repeat(const std::map<std::string, double>& indices, bool is_later) const;
 
     // Returns the value of an expression, or nullopt after reporting an error.
     [[nodiscard]] std::optional<ExprValue> value(const Expr& expression) const;
-    // Returns a number between `least` and `most`, or nullopt after reporting an error. `what` names the
-    // number in the message, for example "the history of \"color\"".
+    // Returns a number between `least` and `most`, which must be an integer if `whole` is true. Returns
+    // nullopt after reporting an error. `what` names the number in the message, for example "the history of
+    // \"color\"".
     [[nodiscard]] std::optional<double> number(const Expr& expression, const std::string& what, double least,
                                                double most, bool whole = true) const;
     // Returns the value of a colour. Reports each channel that has an error, and gives it the value 0.

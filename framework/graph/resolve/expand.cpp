@@ -37,8 +37,9 @@ PassDecl declare(const PassDesc& desc, std::string name) {
     return decl;
 }
 
-// Divides the passes of a repeat with "perFrame" into slices; each frame runs one slice. The value of
-// "perFrame" is the number of passes per slice. 0 or false means that every frame runs all passes.
+// Finds the slice of a pass (`draft`) in a repeat with "perFrame". The `count` passes of the repeat are
+// divided into slices. Frame 0 runs all slices, and each later frame runs one slice. The value of "perFrame"
+// is the number of passes per slice. 0 or false means that every frame runs all passes.
 void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
     if (draft.desc->per_frame.empty()) return;
     constexpr double kMost = 1u << 20;

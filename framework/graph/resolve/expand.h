@@ -25,8 +25,8 @@ struct PassDraft {
     // The interface of the shader. Null if the pass has no shader, or if an error about the shader was
     // reported.
     const ShaderInterface* shader = nullptr;
-    const PassType* custom = nullptr;
-    bool is_observer = false;
+    const PassType* custom = nullptr;  // The C++ pass type. Null if the type is built in or unknown.
+    bool is_observer = false;          // True if the pass reads back an observed resource.
 };
 
 struct Expansion {
@@ -35,9 +35,11 @@ struct Expansion {
     // For each pass description, by its name in the graph file: the passes that were made from it. The passes
     // of a repeat are in the order of the repeat.
     std::map<std::string, std::vector<PassId>, std::less<>> instances = {};
-    // The descriptions that result in no pass, because their `if` is false or their repeat is empty.
+    // The descriptions with a false `if` or an empty repeat, by their names in the graph file. Some of them
+    // still result in passes: the `if` may be false for only a part of the repeat.
     std::map<std::string, const PassDesc*, std::less<>> dropped = {};
-    // Names of the passes for which an error was reported, so that it is unknown whether they run.
+    // Names of the descriptions whose `repeat` or `if` has an error, so that it is unknown whether the passes
+    // run. The error was reported.
     std::set<std::string, std::less<>> faulty = {};
     // The descriptions of the passes that read back observed resources. PassDraft::desc points to them.
     std::map<std::string, PassDesc> observers = {};

@@ -11,8 +11,8 @@
 namespace weft {
 
 [[nodiscard]] std::string quote(std::string_view name);
-// Returns the names in quotes with commas between them: "a", "b", "c". Of a long list, only the first names
-// are listed.
+// Returns the names in quotes with commas between them: "a", "b", "c". Lists at most 64 names, then the
+// number of the others.
 [[nodiscard]] std::string quote_all(const std::vector<std::string>& names);
 // Returns a range in the syntax of graphs, such as "hiz.mip(0..2)". Mips or layers are left out if the range
 // includes all of them.
@@ -20,8 +20,8 @@ namespace weft {
 [[nodiscard]] std::string extent_text(const Extent3D& extent);
 // Adds a help text to a diagnostic, unless the text is empty.
 void add_help(Diagnostic& diagnostic, std::string help);
-// Adds a note at a location in a file. Adds nothing if the location is in no file, because a program made
-// that part of the graph.
+// Adds a note at a location in a file. Adds nothing if the location is in no file. For example, a part of the
+// graph that a program made has no file.
 void add_note(Diagnostic& diagnostic, const SourceMap& sources, SourceLoc loc, std::string message);
 
 }  // namespace weft

@@ -128,9 +128,9 @@ class BlockFiller : PassStage<Blocks> {
         return std::ranges::find(bound_.absent, name) != bound_.absent.end();
     }
 
-    // Fills a member such as "colorValid", which says whether a frame has written the content of the port
-    // "color". The value is always 1, except for content of an earlier frame, which does not exist yet in the
-    // first frames.
+    // Fills a member such as "colorValid". It is 1 if a frame has written the content that the port "color"
+    // reads. It is 0 in two cases: the port reads content of an earlier frame that no frame has written yet,
+    // or the port is optional and has no resource.
     bool from_port_valid(const BlockMember& member, ParamWrite& write) {
         if (stands_for_absent(member.name, kValidSuffix)) {
             store(member, write, {0}, shader_loc());

@@ -1,6 +1,7 @@
-// Purpose: the stage of resolve() that fills the block `Params` of each shader. Each member gets its value by
-// name: from the pass, a parameter or constant of the graph, or a built-in value. Each parameter of the pass
-// must be a member of the block. Errors: W106, W107, W113, W178.
+// Purpose: the stage of resolve() that fills the block `Params` of each shader. The name of a member
+// determines its value: an entry of the pass's key "params", a parameter or constant of the graph, or a
+// built-in value such as "time" or "colorSize". Each entry of "params" must name a member of the block.
+// Errors: W106, W107, W113, W178.
 #pragma once
 
 #include <vector>
@@ -11,8 +12,8 @@ namespace weft {
 
 struct PassBlock {
     std::vector<ParamWrite> params;
-    uint32_t bytes = 0;
-    bool push_constants = false;
+    uint32_t bytes = 0;           // Size of the block; 0 if the shader has no block.
+    bool push_constants = false;  // True for push constants, false for a uniform block.
 };
 struct Blocks {
     // The values of the block of each pass, indexed by PassId.

@@ -15,7 +15,7 @@ namespace weft {
 // Returns the port through which a pass writes a resource, or null if the pass does not write it.
 [[nodiscard]] const PortDesc* output_of(const PassDesc& desc, const std::string& resource);
 // Returns the blend state of an output. If PassDesc::blend has no entry for the output, the entry with the
-// empty name applies.
+// empty name applies. Without that entry too, blending is disabled.
 [[nodiscard]] BlendState blend_of(const PassDesc& desc, const std::string& port);
 [[nodiscard]] bool has_shader(PassKind kind);
 // Returns the extent of the first mip in the range of the use.

@@ -10,10 +10,12 @@ namespace weft {
 
 class PassReporter {
  public:
-    // Makes a reporter. Keeps references to all arguments.
+    // Keeps references to all arguments.
     PassReporter(const Shapes& shapes, const Expansion& expansion, Suspects& suspects, Reporter& reporter)
         : shapes_(shapes), expansion_(expansion), suspects_(suspects), reporter_(reporter) {}
 
+    // Reports an error and marks the pass as suspect. For later passes of a repeat, an error that is already
+    // known is not reported again.
     Diagnostic& error(PassId pass, SourceLoc loc, std::string code, std::string message);
 
  private:

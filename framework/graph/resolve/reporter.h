@@ -1,5 +1,5 @@
 // Purpose: collects the errors and warnings of resolving one graph, and counts the steps of work. The
-// Reporter is the only object that all stages modify; each stage returns its other results. Each stage
+// Reporter is the only object that all stages modify; a stage returns all its other results. Each stage
 // reports all errors that it finds and continues. Results that are unknown because of an error are marked in
 // Suspects, and later stages report nothing about them, so that one mistake causes one message.
 #pragma once
@@ -29,9 +29,10 @@ class Reporter {
     Diagnostic& add(Diagnostic fault);
     // Adds an error, unless an error with the same code was already reported at the same location.
     void add_once(Diagnostic fault);
-    // Reports an error of a pass that may be a later pass of a repeat. If the same error is already known,
-    // returns a diagnostic that is thrown away. The caller still searches for similar names to suggest, so
-    // `search_steps` steps are counted for that search.
+    // Adds an error of a pass that is not the first pass of its repeat, and returns the error, so that the
+    // caller can add help texts. If the error is already known, it is not added; the returned diagnostic is
+    // then not shown. But the caller still searches for similar names to suggest. `search_steps` is the cost
+    // of that search, and is counted with spend().
     Diagnostic& add_once(Diagnostic fault, SourceLoc loc, uint64_t search_steps);
 
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);
@@ -40,7 +41,8 @@ class Reporter {
     // the amount of work. One step is about 100 ns of time or 32 bytes of memory. Throws ResolveStopped if
     // the steps exceed the limit.
     void spend(uint64_t count, SourceLoc loc);
-    // Returns the number of steps that resolving one tier may take, an equal part of the limit graph.steps.
+    // Returns the number of steps that resolving one tier may take: the limit graph.steps, divided by the
+    // number of tiers + 1.
     [[nodiscard]] uint64_t most_steps() const;
 
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }

@@ -35,11 +35,11 @@ uint32_t count_history(const ResourceDesc& desc, const Evaluator& evaluator, Sha
     return copies;
 }
 
-// One ResourceDecl to be made: a resource, or an earlier frame of a resource with history.
+// One ResourceDecl to be made: an import, a resource, or an earlier frame of a resource with history.
 struct Role {
     // The description in the graph file; null for an import.
     const ResourceDesc* desc = nullptr;
-    uint32_t age = 0;
+    uint32_t age = 0;  // 0: this frame; n: n frames ago.
 };
 
 // Lists everything that becomes a ResourceDecl, by name: imports, resources, and the earlier frames of

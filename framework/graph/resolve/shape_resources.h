@@ -17,7 +17,8 @@ namespace weft {
 struct ResourceOrigin {
     // The description in the graph file; null for an import.
     const ResourceDesc* desc = nullptr;
-    // True if the resource has content before the frame begins: imports, history and resources with "keep".
+    // True if the resource has content before the frame begins. These resources have it: imports (except
+    // images with entry layout UNDEFINED), earlier frames of a history, and resources with "keep".
     bool has_content = false;
 };
 
@@ -26,6 +27,7 @@ struct Shapes {
     std::vector<ResourceDecl> resources;
     // The origin of each resource, indexed by ResourceId.
     std::vector<ResourceOrigin> origins;
+    // Number of mips of each image, by name, for mips() in expressions.
     std::map<std::string, uint32_t> mip_counts;
     // Number of earlier frames that a resource keeps, by name. Only resources with history are in the map.
     std::map<std::string, uint32_t> histories;

@@ -13,8 +13,8 @@
 namespace weft {
 namespace {
 
-// Number of workgroups along one side of a dispatch that every Vulkan device supports
-// (maxComputeWorkGroupCount).
+// The largest number of workgroups in one dimension that every Vulkan device supports: the required minimum
+// of maxComputeWorkGroupCount.
 constexpr double kMaxGroups = 65535;
 
 // Returns true if the elements of a buffer are floats. Such a buffer cannot contain workgroup counts or draw
@@ -56,7 +56,7 @@ class DispatchSizer : PassStage<Dispatches> {
     }
 
     void count_indirectly() {
-        constexpr uint64_t kCountsBytes = 12;
+        constexpr uint64_t kCountsBytes = 12;  // Size of a VkDispatchIndirectCommand.
         const auto port = std::ranges::find_if(bound_.ports, &PortDraft::is_indirect);
         // If the port is missing, bind() has already reported an error.
         if (port == bound_.ports.end()) return;
@@ -164,7 +164,7 @@ class DispatchSizer : PassStage<Dispatches> {
 // draw of the draw list.
 void find_draw_commands(const Declared& declared, const VersionedGraph& graph, PassId pass,
                         Dispatches& dispatches, PassReporter& report) {
-    constexpr uint64_t kCommandBytes = 20;
+    constexpr uint64_t kCommandBytes = 20;  // Size of a VkDrawIndexedIndirectCommand.
     const BoundPass& bound = graph.passes[pass];
     PassDispatch& dispatch = dispatches.passes[pass];
     const auto port = std::ranges::find_if(bound.ports, &PortDraft::is_indirect);

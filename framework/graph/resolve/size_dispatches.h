@@ -1,6 +1,7 @@
-// Purpose: the stage of resolve() that counts the workgroups of compute passes: the counts that the pass
-// gives, or else ceil(extent of its output / local size of the shader). Also finds the buffers of indirect
-// dispatches and draws, and checks that source and target of each copy fit. Errors: W106, W107, W114, W183.
+// Purpose: the stage of resolve() that counts the workgroups of compute passes. The key "groups" of a pass
+// gives the counts. Otherwise they are ceil(invocations / local size of the shader), where the key "threads"
+// or the extent of the output gives the invocations. This stage also finds the buffers of indirect dispatches
+// and draws, and checks that source and target of each copy fit each other. Errors: W106, W107, W114, W183.
 #pragma once
 
 #include <array>
@@ -12,7 +13,9 @@ namespace weft {
 
 struct PassDispatch {
     std::array<uint32_t, 3> groups{0, 0, 0};
+    // Index into the uses of the pass: the buffer with the group counts. kNoId: `groups` has the counts.
     uint32_t indirect_use = kNoId;
+    // Index into the uses of the pass: the buffer with the draw commands. kNoId: no indirect draws.
     uint32_t draw_commands_use = kNoId;
 };
 struct Dispatches {

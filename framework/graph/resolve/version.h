@@ -1,5 +1,5 @@
 // Purpose: the stage of resolve() that finds, for each use, the version of the resource that the use sees:
-// the content after one particular write. From the versions follow the final access of each use and the edges
+// the content after one particular write. The versions determine the final access of each use and the edges
 // between passes. Errors: W104, W110, W111, W124, W150, W188.
 #pragma once
 

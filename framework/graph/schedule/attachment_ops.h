@@ -1,5 +1,5 @@
-// Purpose: chooses the load and store operations of all attachments. collect_accesses() later counts each
-// operation as a memory access.
+// Purpose: chooses the load and store operations of all attachments. collect_accesses() later adds
+// the memory accesses of these operations to those of the pass.
 #pragma once
 
 #include <vector>

@@ -12,7 +12,8 @@ struct WrittenPart {
     SubresourceRange range;
 };
 
-// `written` are parts of the resource.
+// Returns true if the parts in `written`, which all belong to the resource, together contain all its mips and
+// layers. Aspects are not compared.
 bool covers(const ResourceDecl& resource, std::span<const WrittenPart> written) {
     for (uint32_t mip = 0; mip < resource.mips; ++mip)
         for (uint32_t layer = 0; layer < resource.whole().layers; ++layer) {

@@ -66,7 +66,8 @@ class Greedy {
     void make_ready(PassId first) {
         ready_[first] = 1;
         if (walk_.problem.live[first]) return push(first);
-        // A culled pass costs nothing, so it is passed over, and with it all culled passes that it released.
+        // A culled pass costs nothing and is not added to the order. Passes that waited only for it are now
+        // ready. A live one is pushed; a culled one is treated in the same way as `first`.
         std::vector<PassId> passed{first};
         while (!passed.empty()) {
             const PassId pass = passed.back();
@@ -105,7 +106,7 @@ class Greedy {
     }
 
     const Walk& walk_;
-    // Index: PassId. Number of the pass's predecessors that are not in the order yet.
+    // Index: PassId. Number of predecessors for which the pass still waits.
     std::vector<uint32_t> waiting_;
     // Index: ResourceId. Number of passes that use the resource and are not in the order yet.
     std::vector<uint32_t> users_left_;
@@ -114,8 +115,8 @@ class Greedy {
     std::vector<uint64_t> user_sum_;
     // Index: PassId. Score of the pass: bytes that it would allocate, minus bytes that it would free.
     std::vector<int64_t> score_;
-    // Index: PassId. 0: the pass still has predecessors that are not in the order, 1: it is in the heap, 2:
-    // it is in the order.
+    // Index: PassId. 0: the pass still waits for a predecessor. 1: the pass is ready; if it is live, it is in
+    // the heap. 2: the pass is in the order.
     std::vector<uint8_t> ready_;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap_;
     std::vector<PassId> order_;

@@ -1,6 +1,6 @@
 // Purpose: computes the candidate orders of passes from which schedule() chooses, and the cost of each order.
-// Units: bytes of transient memory. Run time: O((passes + edges + uses) log passes), because every algorithm
-// uses heaps.
+// Units: bytes of transient memory. Run time: O((passes + edges + uses) log passes), because the algorithms
+// keep the ready passes in a heap.
 // Source: greedy list scheduling for memory, as in AMD's Render Pipeline Shaders SDK. Program order is a
 // candidate too, because no single heuristic is best for all graphs.
 #pragma once
@@ -42,7 +42,8 @@ struct ScheduleProblem {
 
 [[nodiscard]] uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassId>& order);
 // Returns the number of positions that would need a barrier if every barrier waited for all earlier work.
-// Such a position uses a transient for the first time, or depends on a pass since the last such position.
+// Such a position uses a transient for the first time, or depends on a pass at or after the last such
+// position.
 [[nodiscard]] uint32_t barrier_batches(const ScheduleProblem& problem, const std::vector<PassId>& order);
 
 }  // namespace weft

@@ -10,8 +10,8 @@
 
 namespace weft {
 
-// All accesses of one pass to one subresource. If several ports of the pass use the subresource, they are
-// merged into one event.
+// An access of one pass to a subresource or a range. If several ports of the pass use the same subresource,
+// append_access() merges their accesses into one event.
 struct AccessEvent {
     Position position = 0;
     PassId pass = kNoId;
@@ -19,8 +19,8 @@ struct AccessEvent {
     AccessState state;
     bool writes = false;
     bool reads = false;
-    // Position of the previous pass on the same queue if this pass draws into the rendering scope of that
-    // pass; else kNoId.
+    // For the access of an attachment: position of the previous pass on the same queue, if this pass
+    // continues the rendering scope of that pass. Otherwise kNoId.
     Position merged_position = kNoId;
 };
 

@@ -1,6 +1,7 @@
 // Collects all barriers of a frame. The history of each resource (its barriers and last uses in one frame) is
 // already known. A frame always leaves a resource in the same state, so the history is also valid for the
-// previous frame. This file then extends the barriers between resources that share memory.
+// previous frame. This file then extends the alias barriers, with which a resource takes over memory: they
+// must wait for the resources that used the memory before.
 #include <algorithm>
 #include <numeric>
 #include <span>
@@ -97,8 +98,8 @@ void wait_for(std::span<const LastUse> last_uses, QueueIndex queue, AccessState&
 }
 
 // Makes the alias barrier wait for the last users of the memory. For users on the same queue, their stages go
-// into the barrier's source. Users on another queue need a semaphore; within a frame, resources share memory
-// only if semaphores already order them.
+// into the barrier's source scope. A user on another queue needs a semaphore. Within one frame, resources
+// share memory only if semaphores already order them, so only users in the previous frame need a new one.
 void take_over(const SyncTable& sync, std::span<const AliasTransition> owners, QueueIndex queue,
                Position position, BarrierDecl& barrier, std::vector<QueueDependency>& dependencies) {
     barrier.from_previous_frame = true;

@@ -12,8 +12,9 @@ namespace weft {
 
 struct BarrierResult {
     BarrierPlan plan;
-    // Dependencies between queues that come from shared memory: one for each time that the new owner of
-    // memory runs on another queue than the old owner. SyncTable::dependencies has all other dependencies.
+    // Dependencies between queues that come from shared memory: the new owner of memory must wait for an old
+    // owner that used the memory in the previous frame on another queue. SyncTable::dependencies has all
+    // other dependencies.
     std::vector<QueueDependency> memory_dependencies;
 };
 

@@ -27,7 +27,7 @@ struct TrackedBarrier {
 struct PlacedBarrier {
     // Schedule position at which the barrier is recorded; kEpiloguePosition means the end of the frame.
     Position position = 0;
-    bool after = false;  // True if the barrier is recorded after that pass, not before it.
+    bool after = false;  // True if the barrier is recorded after the pass at `position`, not before.
     TrackedBarrier barrier;
 };
 
@@ -35,7 +35,8 @@ struct PlacedBarrier {
 struct ResourceHistory {
     std::vector<PlacedBarrier> barriers;  // The barriers with their positions in the schedule.
     std::vector<LastUse> last_uses;       // The last use on each queue, merged over all subresources.
-    // For persistent resources: the layout of each range at the start of a frame. `resource` is not set.
+    // For persistent resources: the layout of each range at the start of a frame. The member `resource`
+    // of these entries is not set.
     std::vector<BoundaryState> entry;
 };
 
@@ -63,7 +64,7 @@ class HistoryTable {
                 part(entries_, place.entry)};
     }
     [[nodiscard]] size_t size() const { return places_.size(); }
-    // Returns the barriers of all resources.
+    // Returns the barriers of all resources, including those of replaced histories.
     [[nodiscard]] std::span<const PlacedBarrier> barriers() const { return barriers_; }
     // Reserves memory for this many barriers.
     void reserve(size_t barrier_count) {

@@ -62,7 +62,8 @@ bool MultiQueueTracker::starts_anew(const AccessEvent& event) const {
 }
 
 // Returns the earlier uses that must complete before the next write or layout change. These are the readers
-// of the current content. Without readers, it is the write or layout transition that made the content.
+// of the current content. If there are no readers, returns the write or layout transition that made the
+// content.
 std::span<const MultiQueueTracker::Past> MultiQueueTracker::predecessors() const {
     if (!readers_.empty()) return readers_;
     if (source_) return {&*source_, 1};
@@ -108,8 +109,8 @@ void MultiQueueTracker::merge_drawing(const AccessEvent& event) {
     unflushed_ |= source_writes_;
 }
 
-// Adds a reader of the current content. If the content is not yet visible to the reader, adds a semaphore
-// wait (other queue) or a barrier (same queue).
+// Adds a reader of the current content. If another queue made the content, adds a dependency, from which a
+// semaphore wait results. If the same queue made it and it is not visible to the reader yet, adds a barrier.
 void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     if (source_ && source_->queue != event.queue) {
@@ -130,8 +131,8 @@ void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync
 }
 
 // Finds the earlier use after which one layout transition can be recorded for readers on several queues. Then
-// each reader waits only for this transition, not for another reader. Returns nothing if the earlier uses are
-// on different queues or in the previous frame.
+// each reader waits only for this transition, not for another reader. Returns nothing in all other cases, for
+// example if the earlier uses are on different queues or in the previous frame.
 std::optional<MultiQueueTracker::Past> MultiQueueTracker::common_past(
     std::span<const AccessEvent> events) const {
     const std::span<const AccessEvent> group = group_of(events);

@@ -19,8 +19,8 @@ struct QueueRules {
     Position epilogue = 0;  // Position after the last pass; it represents the end of the frame.
 };
 
-// Returns true if a frame with these accesses changes the import: it writes the import or changes its layout,
-// or writes from outside the frame are pending.
+// Returns true if a frame with these accesses writes the import or changes its layout. Also returns true if
+// the program writes the import before or after the frame (ImportState::entry and exit).
 [[nodiscard]] bool changes_import(const ImportState& import, std::span<const AccessEvent> events);
 
 class MultiQueueTracker {
@@ -40,6 +40,7 @@ class MultiQueueTracker {
     [[nodiscard]] Layout layout() const { return layout_; }
 
  private:
+    // An earlier access to the subresource, for which later accesses may have to wait.
     struct Past {
         Position position = 0;
         QueueIndex queue = kGraphicsQueue;

@@ -18,7 +18,8 @@ class ClockWalk {
         clocks_.values.assign(point_count * queue_count, 0);
     }
 
-    // The clock of a point starts with the clock of the previous point on the same queue.
+    // Starts the clock of a point: a copy of the clock of the previous point on the same queue, to which that
+    // previous point is added.
     void enter(uint32_t point, QueueIndex queue) {
         if (last_[queue] != kNoId) {
             std::ranges::copy(at(last_[queue]), at(point).begin());
@@ -26,9 +27,11 @@ class ClockWalk {
         }
         last_[queue] = point;
     }
+    // Returns true if `other`, a point on `queue`, is known to be complete before `point`.
     [[nodiscard]] bool knows(uint32_t point, uint32_t other, QueueIndex queue) const {
         return clocks_[Position(point)][queue] > other;
     }
+    // Makes `point` wait for `other`, a point on `queue`, and for everything before `other`.
     void follow(uint32_t point, uint32_t other, QueueIndex queue) {
         const std::span<uint32_t> clock = at(point);
         for (size_t q = 0; q < clock.size(); ++q) clock[q] = std::max(clock[q], at(other)[q]);
@@ -94,7 +97,7 @@ class WaitFinder {
     }
 
     const std::vector<QueueIndex>& queue_;
-    uint32_t stride_;
+    uint32_t stride_;             // Number of points in one frame.
     Rows<QueueDependency> into_;  // Index: position. The dependencies for which the position waits.
     ClockWalk walk_;
     std::vector<Wait> waits_;

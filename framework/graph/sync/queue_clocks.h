@@ -1,5 +1,5 @@
-// Purpose: computes vector clocks. The clock of a position tells, for each queue, which work of that queue is
-// known to be complete. No other structure describes the order of work across queues.
+// Purpose: computes vector clocks, and from them the necessary semaphore waits between queues. The clock of a
+// position tells, for each queue, which work of that queue is known to be complete.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace weft {
 
 // Returns the vector clock of each schedule position. It tells which positions of the same frame surely run
-// before. Dependencies on the previous frame are ignored.
+// before this position. Dependencies on the previous frame are ignored.
 [[nodiscard]] ClockTable frame_clocks(const std::vector<QueueIndex>& queue, size_t queue_count,
                                       const std::vector<QueueDependency>& dependencies);
 

@@ -13,8 +13,8 @@ namespace weft {
 struct QueueUsage {
     bool several_queues = false;
     bool several_families = false;
-    // True if the resource is used by one queue family at a time. Then barriers can transfer its ownership
-    // between the uses.
+    // True for a transient image that several queue families use, but only one family at a time. Then
+    // barriers transfer its ownership between the uses.
     bool exclusive = false;
 
     // True if several families use the resource without ownership transfers.

@@ -19,10 +19,10 @@ std::vector<const AttachmentDecl*> attachments_of(const PassDecl& pass) {
     return all;
 }
 
-// Returns true if the second pass can continue in the rendering scope with this attachment: same location,
-// subresource and layout, no resolve, and the second pass reads the old content. Both passes must write the
-// attachment, or neither of them, because the scope has the load operation of its first pass and the store
-// operation of its last pass.
+// Returns true if the second pass can draw to its attachment `b` in the same rendering scope in which the
+// first pass draws to its attachment `a`. Location, subresource and layout must be the same. There must be no
+// resolve, and the second pass must read the old content. Both passes must write the attachment, or neither
+// of them, because the scope has the load operation of its first pass and the store operation of its last.
 bool keeps_attachment(const PassDecl& first, const AttachmentDecl& a, const PassDecl& second,
                       const AttachmentDecl& b) {
     const UseDecl &before = first.uses[a.use], &after = second.uses[b.use];
@@ -37,8 +37,9 @@ bool is_attachment(const PassDecl& pass, uint32_t use) {
     return std::any_of(all.begin(), all.end(), [use](const AttachmentDecl* a) { return a->use == use; });
 }
 
-// Returns true if the pass also accesses one of its attachments in another way, for example by sampling. Such
-// accesses are not allowed in a shared scope, because only draws are ordered inside a scope.
+// Returns true if the pass also accesses one of its attachments in another way, for example by sampling, and
+// one of the two accesses writes. This is not allowed in a shared scope, because the scope orders only the
+// attachment accesses of its draws.
 bool uses_what_it_draws(const PassDecl& pass) {
     for (const AttachmentDecl* attachment : attachments_of(pass)) {
         const UseDecl& drawn = pass.uses[attachment->use];

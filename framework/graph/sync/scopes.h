@@ -1,8 +1,8 @@
 // Purpose: finds the passes that draw into the rendering scope of the previous pass. Inside one scope the
 // rasteriser keeps the order of draws to the attachments (Vulkan 1.3 specification, "Rasterization Order"),
 // so no barrier is needed, and a tile-based GPU keeps the attachments in on-chip memory. find_scopes() finds
-// candidates from the declarations. A candidate is removed later if a barrier or a batch boundary must be
-// recorded before it.
+// candidates from the declarations. A candidate is removed later if a barrier must be recorded between the
+// two passes, or if the second pass begins a batch.
 #pragma once
 
 #include <vector>

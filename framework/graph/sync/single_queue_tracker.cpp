@@ -97,8 +97,8 @@ void SingleQueueTracker::add_last_uses(std::vector<LastUse>& all) const {
 }
 
 void SingleQueueTracker::apply_barrier(const CellBarrier& barrier) {
-    // After a layout transition or a pending write, only the accesses in `dst` of this barrier see the
-    // content.
+    // If the barrier changes the layout or makes a pending write available, only the accesses in its `dst`
+    // see the content from now on.
     if (layout_ != barrier.dst.layout || unflushed_ != 0) visible_.fill(access::kNone);
     for (StageMask left = barrier.dst.stages; left != 0; left &= left - 1)
         visible_[first_stage(left)] |= barrier.dst.access;

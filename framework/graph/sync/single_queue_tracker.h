@@ -36,14 +36,14 @@ struct CellBarrier {
     AccessState src;
     AccessState dst;
     BarrierReason reason = BarrierReason::raw;
-    PassId from = kNoId;
-    bool previous_frame = false;
+    PassId from = kNoId;          // The pass to wait for; kNoId if there is no single such pass.
+    bool previous_frame = false;  // True if the accesses to wait for are in the previous frame.
     // True: recorded only in frames in which the pass at `position` runs. See track_home.h.
     bool if_pass_runs = false;
     uint32_t src_family = 0, dst_family = 0;
-    // Only for an ownership transfer between queue families, which needs two barriers: a release and an
-    // acquire. These are position and state of the other barrier of the two. Barriers of several cells are
-    // merged into one only if these values are equal too, so that release and acquire get the same ranges.
+    // Only for an ownership transfer between queue families. It needs two barriers: a release and an acquire.
+    // These are the position and the state of the other one of these two barriers. Barriers of several cells
+    // are merged into one only if these values are equal too. So release and acquire get the same ranges.
     Position pair_position = 0;
     AccessState pair_state;
 };
@@ -79,8 +79,9 @@ class SingleQueueTracker {
     // Starts with an import in its entry state, in which the program passes it to the frame.
     explicit SingleQueueTracker(const AccessState& entry);
 
-    // Processes the first of `events` and adds the barrier that it needs, if any. The barrier also covers the
-    // reads that follow in the same layout before the next write, so those reads need no barrier.
+    // Processes the first of `events`, and adds the barrier that it needs, if any. `events` are all events
+    // that are not processed yet. The barrier for a read also covers the following reads in the same layout
+    // before the next write, so these reads need no barrier.
     void advance(std::span<const AccessEvent> events, CellSync& sync);
     // Adds the barrier at the end of the frame that brings an import into its exit state. It is needed if the
     // frame wrote the import, if the layout differs, if the frame changed the layout and back and the exit
@@ -110,8 +111,9 @@ class SingleQueueTracker {
     bool entered_ = false;    // True until the first access to an import in this frame.
     Layout layout_ = Layout::undefined;
     StageMask writer_stages_ = stage::kNone;
-    AccessMask unflushed_ = access::kNone;
+    AccessMask unflushed_ = access::kNone;    // Writes that no barrier has made available yet.
     StageMask reader_stages_ = stage::kNone;  // Stages that have read since the last barrier.
+    // Index: bit of the stage. Access types of this stage to which the content is visible.
     std::array<AccessMask, stage::kCount> visible_{};
     PassId pass_ = kNoId;  // The pass of the pending accesses; kNoId if there are several.
     bool several_ = false;

@@ -53,7 +53,8 @@ class Batches {
 
     const Schedule& order_;
     const std::vector<Wait>& waits_;
-    // Index: position. 1 if the position waits for another queue, or if another queue waits for it.
+    // Index: position. waiting_: 1 if the position waits for another queue. awaited_: 1 if another queue
+    // waits for the position.
     std::vector<uint8_t> waiting_, awaited_;
     // Index: queue. The batch that gets the queue's next pass; kNoBatch if a new batch must begin.
     std::vector<uint32_t> open_;

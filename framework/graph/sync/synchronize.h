@@ -21,7 +21,7 @@ struct SyncTable {
 };
 [[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
                                     const AttachmentTable& attachments, ScopeTable candidates);
-// Returns the schedule with its vector clocks filled in. The clocks follow from the waits between queues.
+// Returns the schedule with its vector clocks, which it computes from the dependencies between queues.
 [[nodiscard]] Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies);
 
 }  // namespace weft

@@ -13,8 +13,9 @@
 namespace weft {
 namespace {
 
-// Number of frames through which a persistent resource is tracked. The first frames only find the state in
-// which a frame leaves the resource. After them, every frame starts and ends in the same state.
+// Number of rounds in which a persistent resource is tracked. In a round, a copy of the ring passes through
+// all ages, one frame for each age. The first rounds only find the state in which a round leaves the copy.
+// After them, every round starts and ends in the same state.
 constexpr int kRoundsToSettle = 4;
 
 // Returns the accesses to each cell, indexed by cell.
@@ -43,7 +44,7 @@ std::vector<PlacedBarrier> merge_cells(const SubresourceGrid& grid, std::vector<
     return result;
 }
 
-using CellAccesses = std::vector<std::vector<AccessEvent>>;  // Index: cell. The accesses, by position.
+using CellAccesses = std::vector<std::vector<AccessEvent>>;  // Index: cell. Rows sorted by position.
 
 QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses>& roles) {
     std::vector<std::span<const AccessEvent>> all;
@@ -51,9 +52,9 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     return weft::queue_usage(*input.roles.front().decl, *input.order, all);
 }
 
-// The barriers, dependencies and final states of one cell (a block of subresources). A resource with history
-// is a ring of copies, so tracking repeats the frame until the states at its end no longer change. These are
-// the values of the last repetition.
+// The result of tracking one cell (a block of subresources). A persistent resource is tracked in several
+// rounds (kRoundsToSettle), until its state at the end of a round no longer changes. The members have the
+// values of the last round.
 struct CellTrace {
     std::vector<CellSync> sync;  // Index: age in the ring. Barriers and dependencies of the cell.
     std::vector<Layout> entry;   // Index: age in the ring. Layout at the start of the frame.

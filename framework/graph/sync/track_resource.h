@@ -41,7 +41,7 @@ void add_last_uses(const std::vector<LastUse>& cell, std::vector<LastUse>& all);
 [[nodiscard]] PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange& range);
 
 // Computes the barriers and dependencies of a ring or of a single resource. For an import, they include the
-// barrier into the exit state at the end of the frame.
+// barrier into the exit state at the end of the frame, if one is needed.
 [[nodiscard]] RingHistory track_resource(const HistoryInput& input);
 
 }  // namespace weft

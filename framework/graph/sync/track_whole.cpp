@@ -18,7 +18,8 @@ bool is_usual(const ResourceDecl& decl, std::span<const RangeAccess> events) {
     });
 }
 
-// Sorts the barriers as track_resource() does, and merges equal ones. On one queue they are sorted already.
+// Sorts the barriers as track_resource() does, and merges equal ones. If only one queue uses the resource,
+// the barriers are sorted already, so this function is not called.
 void sort_unique(std::vector<CellBarrier>& barriers) {
     const auto key = [](const CellBarrier& barrier) { return merge_key(barrier); };
     std::ranges::sort(barriers, {}, key);

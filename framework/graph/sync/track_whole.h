@@ -1,6 +1,6 @@
 // Purpose: computes the history of a resource in the usual case: each access is to the whole resource, and
-// the resource keeps nothing for the next frame. The result is that of track_resource(), which allows all
-// cases, but needs several times as long.
+// the resource is not persistent. track_resource() computes the same result. It allows all cases, but takes
+// several times as long.
 #pragma once
 
 #include "graph/sync/queue_usage.h"
@@ -19,7 +19,8 @@ class WholeTracker {
  public:
     explicit WholeTracker(const Schedule& order) : order_(order) {}
 
-    // Returns the history, which is valid until the next call; nullptr if the resource is another case.
+    // Returns the history, which is valid until the next call. Returns nullptr if the resource is not in the
+    // usual case: it is persistent, or an access is to only a part of it.
     // `events` are the accesses to the resource `id`, sorted by schedule position; there is at least one.
     [[nodiscard]] const WholeHistory* track(ResourceId id, const ResourceDecl& decl,
                                             std::span<const RangeAccess> events);

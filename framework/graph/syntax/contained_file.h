@@ -46,8 +46,8 @@ struct PlainRead {
     uint64_t size_bytes = 0;
     FileFault fault = FileFault::none;
 };
-// Reads a regular file. Calls `room` with the size of the file in bytes and reads into the memory that `room`
-// returns. Does not open pipes and devices, because opening them may block.
+// Reads a regular file of at most `most_bytes` bytes. Calls `room` with the size of the file in bytes and
+// reads into the memory that `room` returns. Does not open pipes and devices, because opening them may block.
 [[nodiscard]] PlainRead read_plain_file(const std::filesystem::path& path, uint64_t most_bytes, LastLink link,
                                         const std::function<std::span<std::byte>(uint64_t)>& room);
 

@@ -11,7 +11,8 @@ namespace weft {
 // replaced value and of the value that replaced it.
 struct PatchLog {
     SourceMap& sources;
-    // Errors with code W128: a null in the patch names a member that does not exist.
+    // apply_patch() adds errors of code W128: a null in the patch names a member that does not exist. merge()
+    // adds errors of other codes.
     Diagnostics errors;
 };
 

@@ -13,7 +13,7 @@ std::string escaped(const std::string& key) {
     return text;
 }
 
-// Searches the value or key whose token covers the given line and column, and appends its JSON pointer to
+// Searches for the value or key whose token covers the given line and column, and appends its JSON pointer to
 // `pointer`. Returns false if there is none. The recursion is not too deep, because the JSON reader limits
 // the nesting.
 bool find_at(const JsonNode& node, uint32_t line, uint32_t column, std::string& pointer) {

@@ -56,9 +56,10 @@ class JsonCursor {
 // Reads a string into `out`. The cursor must be at the opening quote and ends after the closing quote.
 // Returns the error that stopped reading, or nullopt.
 [[nodiscard]] std::optional<JsonFault> scan_string(JsonCursor& cursor, std::string& out);
-// Reads a number, with the cursor at its first character. Returns the value and also the spelling in the
-// file, or the error if the text is not a number.
+// Reads a number, with the cursor at its first character. Stores its value in `number` and its text in
+// `spelling`. Returns the error if the text is not a number or the number is out of range, otherwise nullopt.
 [[nodiscard]] std::optional<JsonFault> scan_number(JsonCursor& cursor, double& number, std::string& spelling);
+// Returns the error W005 for the first invalid byte, or nullopt if the whole text is UTF-8.
 [[nodiscard]] std::optional<JsonFault> check_utf8(std::string_view text);
 
 // Returns the character itself, or its byte value such as "0x07" if the character is not printable ASCII.

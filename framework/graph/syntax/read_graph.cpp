@@ -136,8 +136,8 @@ class IncludeReader {
 
     void check_circle(const JsonNode& item, uint32_t file) {
         const auto first = std::ranges::find(open_, file);
-        // The file is not in the chain of open includes, so it was only included before by another file,
-        // which is allowed.
+        // The file was read before, but it is not in the chain of open includes. Such a repeated include is
+        // allowed; the file is not read again.
         if (first == open_.end()) return;
         std::string chain;
         for (auto it = first; it != open_.end(); ++it) chain += doc_.sources.files[*it].path + " -> ";

@@ -15,8 +15,9 @@ struct GraphReading {
     std::string include_root = {};
     GraphLimits limits = {};
 };
-// Reads a graph file and the files that it includes. Errors: those of read_json(); W126 an included file is
-// missing or lies outside the folders; W127 files include each other.
+// Reads a graph file and the files that it includes. Errors: those of read_json(). W004: also for too many
+// files or tiers. W102: "include" is not a list of strings. W126: an included file is missing or lies outside
+// the folders. W127: files include each other.
 [[nodiscard]] Result<JsonDoc> read_graph(const std::string& path, const FileReader& reader,
                                          const GraphReading& reading = {});
 

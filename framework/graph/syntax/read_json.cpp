@@ -20,8 +20,8 @@ bool begins_value(char c) {
     return c == '"' || c == '{' || c == '[' || begins_number(c) || begins_word(c);
 }
 
-// Parses JSON by recursive descent, so the nesting depth is limited. A syntax error stops the parser;
-// duplicate keys do not stop the parser, and all of them are collected.
+// Parses JSON by recursive descent, so the nesting depth is limited. A syntax error stops the parser.
+// Duplicate keys do not stop it; the first kMaxDuplicatesReported of them are reported.
 class JsonReader {
  public:
     JsonReader(std::string_view text, uint32_t file, const GraphLimits& limits)

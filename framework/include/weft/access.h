@@ -57,7 +57,7 @@ inline constexpr AccessMask kAllWrites =
 
 using AspectMask = uint8_t;
 namespace aspect {
-inline constexpr AspectMask kNone = 0;  // No aspect: the value for buffers.
+inline constexpr AspectMask kNone = 0;  // The value that access_state() gets for buffers.
 inline constexpr AspectMask kColor = 1;
 inline constexpr AspectMask kDepth = 2;
 inline constexpr AspectMask kStencil = 4;
@@ -89,7 +89,8 @@ enum class Access : uint8_t {
     storage_write,       // A shader writes the whole range, so the pass does not need the previous content.
     storage_read_write,  // A shader reads and writes the range in place.
     color_write,  // The pass draws to the colour attachment after clearing it, or covers it completely.
-    // The pass draws to the colour attachment and needs its content: blending, masked channels, or loading.
+    // The pass draws to the colour attachment and needs its previous content: it blends, or leaves some
+    // channels or texels as they are.
     color_read_write,
     depth_write,       // The pass is the first of the frame to write depth: it clears, then tests and writes.
     depth_read_write,  // The pass loads depth, tests against it and writes it.
@@ -120,7 +121,7 @@ struct AccessState {
 [[nodiscard]] bool reads(Access a);  // Returns true if the access can see previous content of the resource.
 [[nodiscard]] bool writes(Access a);
 
-// These functions return texts for dumps and messages. Examples: "compute_shader|fragment_shader",
+// These functions return texts for dumps and messages. Examples: "fragment_shader|compute_shader",
 // "storage_write", "shader_read_only".
 [[nodiscard]] std::string stages_text(StageMask mask);
 [[nodiscard]] std::string access_text(AccessMask mask);

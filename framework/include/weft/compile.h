@@ -11,8 +11,8 @@
 namespace weft {
 
 struct CompileOptions {
-    bool keep_all_passes = false;  // True: no pass is culled.
-    uint64_t granularity_bytes = 64;
+    bool keep_all_passes = false;     // True: no pass is culled.
+    uint64_t granularity_bytes = 64;  // VkPhysicalDeviceLimits::bufferImageGranularity of the device.
     // The logical queues of the plan. The first queue must be a graphics queue.
     std::vector<LogicalQueue> queues{LogicalQueue{}};
 };
@@ -23,39 +23,40 @@ struct StageTime {
     double us = 0;
 };
 
-// Returns `count` logical queues for a device, in this order: graphics, compute, transfer, a second compute
-// queue. Each queue uses the family with the fewest other capabilities. If the device has no such family, the
-// queue uses a more capable one.
+// Returns the first `count` of these four logical queues for a device: graphics, compute, transfer, a second
+// compute queue. Each queue uses a family whose most capable kind (QueueFamilyProfile::kind) is the kind of
+// the queue. If the device has no such family, the queue uses a more capable one.
 [[nodiscard]] std::vector<LogicalQueue> logical_queues(const DeviceProfile& profile, uint32_t count);
 
 // Returns the options for a plan on a device with this profile, with `queue_count` logical queues.
 [[nodiscard]] CompileOptions compile_options(const DeviceProfile& profile, uint32_t queue_count);
 
-// Runs the stages from cull() to link(). compile() does not check the plan: callers do this with check_plan()
-// (weft/check/check_plan.h), as all tests and debug builds do. If `times` is not null, it gets the time of
-// every stage, in the order in which the stages run.
+// Runs the stages from cull() to link(). compile() does not check the plan: callers can do this with
+// check_plan() (weft/check/check_plan.h). If `times` is not null, it gets the time of every stage, in the
+// order in which the stages run.
 // The plan contains the graph; move the graph into the call if it is not needed any more.
 [[nodiscard]] FramePlan compile(ResolvedGraph graph, const MemoryNeeds& needs, const CompileOptions& options,
                                 std::vector<StageTime>* times = nullptr);
 
-// Returns memory requirements that need no device: the exact size of each content, aligned to
-// `alignment_bytes`, in any memory type. For tests and `weft plan`.
+// Returns memory requirements that depend on no device. Each resource has the exact size of its content and
+// the alignment `alignment_bytes`, and may use any memory type.
 [[nodiscard]] MemoryNeeds content_needs(const ResolvedGraph& graph, uint64_t alignment_bytes = 16);
 
 // Returns the memory requirements on a device with this profile: sizes with padded rows and extra bytes,
-// alignments, and the allowed memory types. Images that are only attachments get lazily allocated memory if
-// the profile has such a memory type.
+// alignments, and the allowed memory types. Transient images that are only attachments get lazily allocated
+// memory if the profile has a suitable memory type.
 [[nodiscard]] MemoryNeeds profile_needs(const ResolvedGraph& graph, const DeviceProfile& profile);
 
-// Returns the hash of all members of a plan as 32 hexadecimal digits. Places in files (file, line, column)
-// are not included. compile() does not call it, because it takes about as long as all stages together.
+// Returns the hash of a plan as 32 hexadecimal digits. It includes all members except places in files
+// (SourceLoc, SourceMap) and ResolvedGraph::frames. compile() does not call it, because it takes about as
+// long as all stages together.
 [[nodiscard]] std::string plan_hash(const FramePlan& plan);
 // Returns the hash of everything in a plan that cannot change while the plan runs: resources, passes,
-// barriers and bindings. The hash leaves out values of parameters and constants, and the state of pipelines,
-// because a running executor can exchange these between two frames.
+// barriers and bindings. The hash leaves out the values and costs of parameters, the values of constants, the
+// state of pipelines and PassDecl::flops, because a running executor can exchange these between two frames.
 [[nodiscard]] std::string structure_hash(FramePlan plan);
-// Returns the hash of exactly the members that structure_hash() leaves out. It depends only on the graph, so
-// two plans that compile() made with the same options are equal if both hashes are equal.
+// Returns the hash of the members that structure_hash() leaves out, except the costs of parameters. It
+// depends only on the graph. Two plans with equal structure_hash() and equal values_hash() do the same work.
 [[nodiscard]] std::string values_hash(const ResolvedGraph& graph);
 
 }  // namespace weft

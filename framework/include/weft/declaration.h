@@ -78,7 +78,7 @@ enum class ResourceLifetime : uint8_t {
 // the program's writes visible before it reads the resource. `exit` describes the accesses of the program
 // after the frame: the writes of the frame are made visible to them.
 struct ImportState {
-    AccessState entry;  // The layout `undefined` means that the frame discards the old content.
+    AccessState entry;  // For an image, layout `undefined` means that the frame discards the old content.
     AccessState exit;
     // Queue family that owns the resource between frames: an index into DeviceProfile::queue_families.
     uint32_t family = 0;
@@ -124,7 +124,8 @@ struct ResourceDecl {
     OnResize on_resize = OnResize::clear;
     bool pre_exposed = false;
     std::optional<ImportState> import;
-    // Clear value, used if a raster pass is the first in a frame to write the image; absent: 0.
+    // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
+    // its own; absent: 0.
     std::optional<std::array<float, 4>> clear;
     SourceLoc loc;
 
@@ -165,12 +166,13 @@ struct UseDecl {
     // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
     // `access`.
     AccessState state;
-    // 0: the content of this frame; n: the content at the end of n frames ago, as in "color[-n]".
+    // n: the content at the end of the n-th previous frame, as in "color[-n]". 0: the content of this frame.
     uint32_t history = 0;
     bool is_output = false;  // True if the port is declared in "out" or "depth" of the pass.
     // The writers of the content that the pass reads. Empty if the access does not read.
     std::vector<VersionSource> sources;
-    // Binding number in descriptor set 1; kNoId for attachments, copies and passes in C++.
+    // Binding number in descriptor set 1. kNoId if the port is no binding of a shader. Examples: attachments,
+    // ports of copies, ports of passes in C++.
     uint32_t binding = kNoId;
     SamplerDecl sampler;
     SourceLoc loc;
@@ -313,7 +315,7 @@ struct NamedValue {
 // The work that a change of a graph parameter causes. The list goes from the cheapest to the most expensive.
 enum class ParamCost : uint8_t {
     nothing,   // No pass uses the parameter, so that nothing has to be done.
-    live,      // The parameter is a value in `Params` of shaders: the next frame uses the new value.
+    live,      // The parameter is used in `Params`, `frames` or `cost`: the next frame uses the new value.
     pipeline,  // The parameter is a specialisation constant: pipelines are created again.
     graph,     // The parameter changes sizes, ranges or conditions: the graph is compiled again.
 };
@@ -342,7 +344,7 @@ struct PassDecl {
     // For indirect dispatches: index into `uses` of the buffer whose first three words are the numbers of
     // workgroups. kNoId: `groups` has these numbers.
     uint32_t indirect_use = kNoId;
-    // The members from `colors` to `view` describe a pass that draws: raster or fullscreen.
+    // The members from `colors` to `instances` describe a pass that draws: raster or fullscreen.
     std::vector<AttachmentDecl> colors;  // Colour attachments, sorted by their output location in the shader.
     std::optional<AttachmentDecl> depth;
     Extent3D render_extent;
@@ -357,19 +359,20 @@ struct PassDecl {
     uint32_t vertices = 0;
     // For a raster pass without draw lists: how many instances of its vertices are drawn.
     uint32_t instances = 0;
-    std::string view = "camera";
+    std::string view = "camera";  // The view from which the pass looks at the scene, such as a camera.
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
     // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
-    // belongs to slice `frame_slice`. Frame f runs slice f mod frame_slices; frame 0 runs all slices. A
-    // pass's results are kept in the frames in which the pass does not run. If frame_slices is 0, the pass
-    // runs in every frame.
+    // belongs to slice `frame_slice`. Frame f runs slice f mod frame_slices; frame 0 runs all slices. In a
+    // frame in which the pass does not run, its earlier results are kept. If frame_slices is 0, the pass runs
+    // in every frame.
     uint32_t frame_slice = 0;
     uint32_t frame_slices = 0;
     // For a pass with `rest`: the number of its rest unit, less than ResolvedGraph::rest_unit_count. In each
     // frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
-    // For graphs that a program makes in memory: passes are ordered by this key, then by name.
+    // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
+    // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;
     SourceLoc loc;
 };
@@ -392,7 +395,7 @@ struct ResolvedGraph {
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };
 
-// Each returns kNoId if the graph has nothing of this name.
+// Both functions return kNoId if the graph has no resource or pass of this name.
 [[nodiscard]] ResourceId find_resource(const ResolvedGraph& graph, std::string_view name);
 [[nodiscard]] PassId find_pass(const ResolvedGraph& graph, std::string_view name);
 

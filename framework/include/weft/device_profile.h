@@ -90,7 +90,8 @@ struct DeviceProfile {
     uint32_t max_image_layers = 2048;
     uint32_t max_push_constants_bytes = 128;
     uint32_t max_color_attachments = 8;
-    // Supported numbers of samples of colour images that passes both draw to and sample.
+    // Supported numbers of samples of images that passes both draw to and sample. color_samples: colour
+    // images with float or normalised formats. integer_samples: colour images with integer formats.
     SampleCountMask color_samples = 1 | 4;
     SampleCountMask integer_samples = 1;
     SampleCountMask depth_samples = 1 | 4;

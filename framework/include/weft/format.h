@@ -53,6 +53,7 @@ enum class Format : uint8_t {
     s8,
 };
 
+// The type of the values that shaders read. float_like: the formats float, unorm, snorm and sRGB.
 enum class NumericClass : uint8_t { float_like, sint, uint, depth };
 
 struct FormatInfo {

@@ -15,9 +15,10 @@
 
 namespace weft {
 
-// An expression is a number or a size (width and height). It is stored in postfix form: "half.x + 1" becomes
-// half, .x, 1, +. Names are parameters, constants, sizes or indices of repeats; `.x`, `.y` and mips(res) are
-// operations. evaluate() in framework/graph/parse/expression.h computes the value.
+// The value of an expression is a number or a size (width and height). An expression is stored in postfix
+// form: "half.x + 1" becomes half, .x, 1, +. Names are parameters, constants, sizes or indices of repeats;
+// `.x`, `.y` and mips(res) are operations. evaluate() in framework/graph/parse/expression.h computes the
+// value.
 enum class ExprOp : uint8_t {
     number,
     name,
@@ -60,15 +61,16 @@ struct ColorDesc {
     std::array<Expr, 4> channels;
 };
 
-// A reference to a resource or to a part of it. Grammar: name@pass[-N].mip(a..b).layer(a..b).depth
+// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth. Only the name is
+// required. The brackets of [-N] are written, as in "hdr[-1]".
 struct RefDesc {
     std::string name;
     // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
     std::string pass;
-    uint32_t history = 0;
+    uint32_t history = 0;  // N of [-N]: the content at the end of N frames ago; 0: the content of this frame.
     // The range of mips, as in ".mip(a..b)". If mip_last is absent, the range is the single mip mip_first.
     std::optional<Expr> mip_first, mip_last;
-    std::optional<Expr> layer_first, layer_last;
+    std::optional<Expr> layer_first, layer_last;  // The range of layers; absent like the range of mips.
     AspectMask aspects = 0;  // The selected aspects, as in ".depth" or ".stencil"; 0: all aspects.
     std::string text;
     SourceLoc loc;
@@ -77,10 +79,10 @@ struct RefDesc {
 struct PortDesc {
     std::string port;
     RefDesc ref;
-    // The reference in the key "else". The port reads it instead of `ref` if conditions ("if") have removed
-    // all passes that write `ref`.
+    // The reference in the key "else". The port reads it instead of `ref` if all passes that write `ref` are
+    // removed, because their "if" is false or their "repeat" is empty.
     std::optional<RefDesc> otherwise;
-    // True: the port may have no resource. Then the shader's constant HAS_<port> is false.
+    // True: the port may have no resource. The shader's constant HAS_<port> tells whether it has one.
     bool optional = false;
     std::optional<SamplerDecl> sampler;
     SourceLoc loc;  // Place of the port's name in the file.
@@ -91,11 +93,11 @@ struct ParamDesc {
     double default_value = 0;
     // True if the values of the parameter are `true` and `false`, not numbers.
     bool is_bool = false;
-    std::optional<std::array<double, 2>> range;
+    std::optional<std::array<double, 2>> range;  // Smallest and largest value; absent: no limits.
     std::vector<double> allowed;  // The allowed values, from the key "enum"; empty: all values in `range`.
-    double step = 0;
-    std::string unit;
-    std::string ui;
+    double step = 0;              // Step of a slider in a user interface; 0: continuous.
+    std::string unit;             // Unit to show after the value, such as "m".
+    std::string ui;               // Group and label of the control in a user interface, such as "Fog/Reach".
     SourceLoc loc;
 };
 
@@ -106,14 +108,15 @@ struct ImportDesc {
 };
 
 // Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames and
-// shared: from frame to frame, and also when a new plan replaces the plan (another tier, a reload). The
-// compiler treats these two values alike.
+// shared: from frame to frame, and into a new plan as transition() decides. The compiler treats `frames` and
+// `shared` alike.
 enum class KeepMode : uint8_t { none, frames, shared };
 
 struct ResourceDesc {
     std::string name;
     bool is_buffer = false;
-    // Alternatives such as "rg16_snorm|rg16f": the first format that the device supports is used.
+    // Alternatives such as "rg16_snorm|rg16f". Weft uses the first format that the device supports for all
+    // uses of the image, in every tier.
     std::vector<std::string> formats;
     // One or two components. Absent: the size named "render" if the graph defines it, else the size "output".
     Expr size;
@@ -126,7 +129,7 @@ struct ResourceDesc {
     // Element type of a buffer: "u32", "vec4", or the name of a struct in the import catalogue.
     std::string element;
     Expr count;
-    bool pre_exposed = false;
+    bool pre_exposed = false;  // True: shaders store values that are multiplied by the exposure.
     std::optional<ColorDesc> clear;
     Expr history;  // Number of earlier frames whose content is kept; absent: 0.
     KeepMode keep = KeepMode::none;
@@ -142,7 +145,8 @@ struct ParamValueDesc {
     SourceLoc loc;
 };
 
-// The key "repeat": { "i": "a..b by s" }. It makes one pass for each value of the index i.
+// The key "repeat": { "i": "a..b by s" }. It makes one pass for each value of the index i: a, a + s, … up to
+// b, inclusive. If s is negative, i counts down.
 struct RepeatDesc {
     std::string index;
     Expr first, last;
@@ -151,8 +155,8 @@ struct RepeatDesc {
     SourceLoc range_loc;  // Place of the range "a..b by s" in the file.
 };
 
-// The key "resolve" of a pass: at the end of the pass, the averages of the samples of the multisampled output
-// `output` are written to `target`.
+// The key "resolve" of a pass. At the end of the pass, the averages of the samples of the multisampled output
+// `output` are written to `target`. For integer formats, sample 0 is written instead of the average.
 struct ResolveDesc {
     PortDesc target;
     std::string output;  // Port name of the multisampled output.
@@ -195,10 +199,10 @@ struct PassDesc {
     SourceLoc view_loc;
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // Values of the shader's specialisation constants, by name.
-    Expr condition;  // The key "if": the pass is removed if the value is 0; absent: the pass exists.
+    Expr condition;  // The key "if": the pass is removed if the value is 0; absent: it is never removed.
     // The indices of the key "repeat". If there are several, the first is the outermost loop.
     std::vector<RepeatDesc> repeat;
-    // The key "perFrame": number of passes of the repeat that run in each frame; absent: all.
+    // The key "perFrame": number of passes of the repeat that run in each frame; absent or 0: all.
     Expr per_frame;
     SourceLoc per_frame_loc;
     // The key "rest": the pass runs only in frames in which something has changed that its result depends on.
@@ -207,8 +211,10 @@ struct PassDesc {
     // A port that reads a buffer with the numbers of workgroups of an indirect dispatch, or, with `draws`,
     // with the draw commands of an indirect draw.
     std::optional<PortDesc> indirect;
-    std::vector<Expr> groups;   // Numbers of workgroups: one or three expressions, or a single size.
-    std::vector<Expr> threads;  // Numbers of shader invocations: one or three expressions, or a single size.
+    // Numbers of workgroups in x, y and z: one to three expressions. If there is only one expression and its
+    // value is a size, it gives x and y.
+    std::vector<Expr> groups;
+    std::vector<Expr> threads;  // Numbers of shader invocations, in the same form as `groups`.
     RasterState state;
     std::vector<StateNumberDesc> state_numbers;
     StateLocs state_locs;
@@ -216,14 +222,15 @@ struct PassDesc {
     std::map<std::string, BlendState> blend;
     std::map<std::string, ColorDesc> clear_ports;  // Clear values, by the name of the output port.
     std::optional<ColorDesc> clear;
-    bool covers = false;
+    bool covers = false;  // True: the pass writes every texel of its outputs, so no clear is needed.
     // True: the pass writes only a part of its outputs. The rest of each output keeps its previous content.
     bool partial = false;
     std::vector<std::string> after;
     std::vector<SourceLoc> after_locs;
-    Expr flops;
+    Expr flops;  // The key "cost": number of floating-point operations of the pass.
     SourceLoc loc;
-    // For graphs that a program makes in memory: passes are ordered by this key, then by name.
+    // Passes without dependencies on each other are ordered by this key, then by name. Graph files do not set
+    // it.
     uint32_t order_key = 0;
 };
 
@@ -239,7 +246,8 @@ struct DebugViewDesc {
     SourceLoc loc;
 };
 
-// An expected result in a test of the graph: a measured value must lie in [least, most].
+// An expected result in a test of the graph: a measured value must lie in [least, most]. The kinds "finite"
+// and "kept" have no such limits.
 struct ExpectationDesc {
     std::string what;  // Kind of expectation: "validation", "finite", "range" and so on.
     std::string ref;   // Name of the resource that is examined; empty: the whole frame.

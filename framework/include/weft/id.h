@@ -1,6 +1,6 @@
 // Purpose: types for indices of different tables, so that the index of a pass cannot be used as the index of
 // a resource. An Id converts to a number implicitly, so that it can be the index of an element in a vector. A
-// number must be converted to an Id explicitly.
+// number must be converted to an Id explicitly, except a constant of type int.
 #pragma once
 
 #include <compare>
@@ -21,7 +21,8 @@ class Id {
  public:
     constexpr Id() = default;
     constexpr Id(NoId) {}
-    // A constant converts implicitly, so that tables of ids are easy to read. A variable does not.
+    // A constant of type int converts implicitly, so that tables of ids are easy to read. A variable does
+    // not.
     template <std::same_as<int> Index>
     consteval Id(Index index) : index_(static_cast<uint32_t>(index)) {}
     template <std::integral Index>

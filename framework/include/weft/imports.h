@@ -25,8 +25,8 @@ struct DrawVariant {
 struct VertexAttribute {
     std::string name;  // Name of the attribute: "position", "normal", "tangent" or "uv".
     Format format = Format::undefined;
-    uint32_t stream = 0;
-    uint32_t offset_bytes = 0;
+    uint32_t stream = 0;        // The vertex buffer with the attribute: an index into stride_bytes.
+    uint32_t offset_bytes = 0;  // Offset of the attribute from the start of its vertex.
 };
 
 struct VertexFormat {

@@ -1,8 +1,8 @@
-// Purpose: limits on the contents of files, so that a hostile file cannot exhaust memory or time. All limits
-// are in this table; `--limits FILE` changes them by name. Code that reads files gets its part of the table
+// Purpose: limits on the contents of files, so that a hostile file cannot exhaust memory or time. The struct
+// Limits has all limits; `--limits FILE` changes them by name. Code that reads files gets its part of Limits
 // as an argument, and refuses input over a limit before it spends work or memory on it. Units: in the names;
-// counts have none. Errors: X560 a limit that does not exist, is not a whole number, or is not from 1 to
-// LimitRow::most.
+// counts have none. Errors: X560 the limit file is not an object, names a limit that does not exist, or has a
+// value that is not a whole number from 1 to LimitRow::most.
 #pragma once
 
 #include <cstdint>
@@ -69,8 +69,8 @@ struct SceneLimits {
     uint64_t vertices = 4'000'000;
     uint64_t triangles = 8'000'000;
     uint64_t image_side_px = 16'384;
-    // Memory for a scene. With this value the whole program, including the memory of a driver, stays below 1
-    // GiB.
+    // Memory for a scene. With this default, the whole program, including the memory of the graphics driver,
+    // stays below 1 GiB.
     uint64_t memory_bytes = 640ull << 20;
 };
 
@@ -93,8 +93,8 @@ struct LimitRow {
     const char* name;
     const char* unit;    // Unit: "bytes", "px" or "ms"; empty if the limit is a count.
     const char* guards;  // The quantity that is limited, in words, such as "mips of an image".
-    // The largest value that may be set. With a larger one, recursion could overflow the stack, or a 64-bit
-    // sum could overflow.
+    // The largest value that may be set. Larger values would be unsafe: for example, a greater depth could
+    // overflow the stack, and a greater size could overflow a 64-bit sum.
     uint64_t most;
     // Returns the limit of this row in `limits`.
     uint64_t& (*of)(Limits& limits);
@@ -105,7 +105,7 @@ struct LimitRow {
 // default.
 [[nodiscard]] Result<Limits> read_limits(const std::string& path, const FileReader& reader);
 
-// Returns the end of every message about a limit: "raise graph.passes with --limits".
+// Returns the end of a help text about a limit, such as "or raise graph.passes with --limits".
 [[nodiscard]] std::string raise_limit_text(const std::string& name);
 
 }  // namespace weft

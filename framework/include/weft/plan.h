@@ -1,6 +1,5 @@
 // Purpose: defines a compiled frame, the plan. It contains all decisions about a frame: order, queues,
-// barriers, memory and submissions. An executor only records and submits it. Units: bytes. The barriers of
-// position p are recorded before the pass at p.
+// barriers, memory and submissions. An executor only records and submits it. Units: bytes.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,8 @@ namespace weft {
 using QueueIndex = Id<struct QueueTable>;
 // An index into Schedule::order.
 using Position = Id<struct OrderTable>;
-// The first queue of each plan. It begins and ends each frame.
+// The first queue of each plan, a graphics queue. It runs the prologue before the first frame, and the
+// epilogue of each frame.
 inline constexpr QueueIndex kGraphicsQueue(0);
 
 // A queue of a plan. The executor maps it to a device queue of the given family. Several logical queues may
@@ -26,13 +26,18 @@ struct LogicalQueue {
     bool operator==(const LogicalQueue&) const = default;
 };
 
-enum class CullReason : uint8_t { live, unused_output, upstream_culled };
+enum class CullReason : uint8_t {
+    live,             // The pass is not culled.
+    unused_output,    // No pass reads the outputs of the pass.
+    upstream_culled,  // Only culled passes read the outputs of the pass.
+};
 
 struct LiveGraph {
-    std::vector<uint8_t> live_passes;     // By PassId: 1 if the pass is live (not culled), else 0.
-    std::vector<uint8_t> live_resources;  // By ResourceId: 1 if a live pass uses the resource, else 0.
-    std::vector<CullReason> reasons;      // By PassId: the kind of reason why the pass is culled.
-    // By PassId: the reason as text, such as "nobody reads \"ssao\""; empty for live passes.
+    std::vector<uint8_t> live_passes;  // By PassId: 1 if the pass is live (not culled), else 0.
+    // By ResourceId: 1 if a live pass uses the resource or another resource of its ring, else 0.
+    std::vector<uint8_t> live_resources;
+    std::vector<CullReason> reasons;  // By PassId: the kind of reason why the pass is culled.
+    // By PassId: the reason as text, such as "no pass reads \"ssao\""; empty for live passes.
     std::vector<std::string> details;
 };
 
@@ -45,7 +50,7 @@ struct ScheduleCandidate {
 };
 
 // One vector clock for each schedule position, all in one array. clocks[p][q] is 1 + the latest position on
-// queue q that surely runs before position p in the same frame, or 0 if there is none.
+// queue q that is certain to run before position p in the same frame, or 0 if there is none.
 struct ClockTable {
     uint32_t queue_count = 1;
     std::vector<uint32_t> values;
@@ -111,7 +116,7 @@ struct Placement {
 };
 
 // The resource `to` takes over memory that the resource `from` used before. If `wrap` is true, `from` used
-// the memory in the previous frame.
+// the memory in the previous frame; then `from` and `to` may be the same resource.
 struct AliasTransition {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
@@ -122,8 +127,8 @@ struct AliasTransition {
 struct HeapPlan {
     uint64_t size_bytes = 0;
     uint32_t type_bits = UINT32_MAX;
-    // True: the heap contains only buffers. Buffers and images get separate heaps if the device's granularity
-    // for buffers beside images is so large that padding would waste memory.
+    // True: the heap contains only buffers. Buffers and images get separate heaps if the device's
+    // bufferImageGranularity is so large that padding between them would waste memory.
     bool buffers = false;
     bool persistent = false;  // True: the heap contains persistent resources, which share no memory.
 };
@@ -132,9 +137,9 @@ struct MemoryPlan {
     std::vector<HeapPlan> heaps;
     // Sorted by (heap, offset, resource). Transient resources may overlap; persistent resources never do.
     std::vector<Placement> placements;
-    // All takeovers of memory from one resource by another, sorted by (to, from, wrap).
+    // All takeovers of memory by transient resources, sorted by (to, from, wrap).
     std::vector<AliasTransition> alias_transitions;
-    // Sum of the sizes of all transient resources: the memory needed if none were shared.
+    // Sum of the sizes of all live transient resources: the memory that they would need without sharing.
     uint64_t sum_bytes = 0;
     uint64_t peak_live_bytes = 0;
     Position peak_position = 0;
@@ -165,23 +170,26 @@ enum class BarrierReason : uint8_t {
     prologue,
 };
 
-// One dependency between accesses to a resource. For an image it is an image barrier of `range`, for a buffer
-// a memory barrier. The stages are stages of the queue that records the barrier. Semaphores order accesses on
-// different queues and make the data visible; a barrier between queues only changes the layout or the owner.
+// One dependency between accesses to a resource. For an image, it is an image barrier of `range`; for a
+// buffer, a barrier of the whole buffer. An alias transition also needs a global VkMemoryBarrier2, because
+// its source accesses belong to other resources. The stages are stages of the queue that records the barrier.
+// Semaphores order accesses on different queues and make the data visible. A barrier for accesses on
+// different queues only changes the layout or the owner.
 struct BarrierDecl {
     ResourceId resource = kNoId;
     SubresourceRange range;
     AccessState src;  // The accesses to wait for. Layout `undefined`: the old content is discarded.
     AccessState dst;
+    // Queue families of the old and the new owner. If they differ, the barrier is part of an ownership
+    // transfer.
     uint32_t src_family = 0;
-    // If dst_family differs from src_family, the barrier is part of an ownership transfer.
     uint32_t dst_family = 0;
     BarrierReason reason = BarrierReason::raw;
     PassId from = kNoId;  // The pass to wait for, if a single pass is the reason for the barrier; else kNoId.
-    PassId to = kNoId;
-    bool from_previous_frame = false;
-    // True: the barrier is recorded only in frames in which the pass of its step runs. The pass has a rest
-    // unit then.
+    PassId to = kNoId;    // The pass before which the barrier is recorded; kNoId if it is not before a pass.
+    bool from_previous_frame = false;  // True: the accesses to wait for are in the previous frame.
+    // True: the barrier is recorded only in frames in which the pass of its step runs. That pass has a rest
+    // unit.
     bool if_pass_runs = false;
     std::vector<ResourceId> aliased_from;  // For alias transitions: the resources whose memory is taken over.
 };
@@ -201,8 +209,8 @@ struct PassStep {
     bool merges_render_pass = false;
 };
 
-// The commands that run once before the first frame, on queue 0. They initialise all copies of all persistent
-// resources.
+// The commands that run once before the first frame, on queue 0. They initialise the persistent resources
+// that frames use, including all resources of each ring (ResourceDecl::history).
 struct ProloguePlan {
     std::vector<BarrierDecl> before;  // Layout transitions from `undefined`, before the clears.
     std::vector<ResourceId> cleared;  // Resources to clear completely to ResourceDecl::first_frame.
@@ -221,7 +229,8 @@ struct BarrierPlan {
 };
 
 // The pass at position `to` must not start before the pass at position `from` completes, and the two passes
-// run on different queues. If `previous_frame` is true, `from` is a position in the previous frame.
+// run on different queues. If `previous_frame` is true, `from` is a position in the previous frame. The
+// position after the last pass stands for the epilogue.
 struct QueueDependency {
     Position from = 0;
     Position to = 0;
@@ -241,9 +250,10 @@ struct QueueWait {
     uint32_t dependency = kNoId;  // The reason for the wait: an index into SubmissionPlan::dependencies.
 };
 
-// The passes of a queue between two waits or signals; they are one submission. A batch that completes sets
-// the timeline semaphore of its queue to frame × n + i + 1, where n is the number of batches on this queue, i
-// the index of the batch among them, and `frame` counts from 0.
+// The passes of a queue between two waits or signals; they are one submission. If the plan has several
+// batches, each queue has a timeline semaphore. A batch that completes sets the semaphore of its queue to
+// frame × n + i + 1. n is the number of batches of a frame on this queue, i is the index of the batch among
+// them, and `frame` counts from 0.
 struct Batch {
     QueueIndex queue = kGraphicsQueue;
     std::vector<Position> positions;  // Positions of the passes, in schedule order. All run on `queue`.
@@ -259,7 +269,8 @@ struct SubmissionPlan {
 };
 
 // The state of a part of a persistent or imported resource at the start of every frame. For a persistent
-// resource, only the layout is needed, because only frames access the resource.
+// resource, only the layout in `state` is needed, because the program does not access the resource between
+// frames.
 struct BoundaryState {
     ResourceId resource = kNoId;
     SubresourceRange range;

@@ -134,7 +134,8 @@ struct ShaderProgram {
     std::string reference;  // The name of the shader, as in the graph.
     std::vector<ShaderModule> modules;
     ShaderInterface interface;
-    uint64_t content_hash = 0;  // Hash of all GLSL texts that were compiled, including the included files.
+    // Hash of the shader's name, the compiler's version, and all GLSL texts, including the included files.
+    uint64_t content_hash = 0;
 };
 
 // The compiled programs by the shader's name in the graph. A shader with errors has an entry without modules.

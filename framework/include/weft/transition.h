@@ -1,7 +1,7 @@
 // Purpose: the transition from one plan to the next, for a resize, a reload or another quality tier. It tells
 // which persistent resources keep their content, and which are initialised again. It runs once, on queue 0,
-// after the last frame of the old plan; it replaces the prologue of the new plan. Units: `from` is a
-// ResourceId of the old plan, all other ids are of the new plan.
+// after the last frame of the old plan; it replaces the prologue of the new plan. Units: ids in
+// ContentCopy::from and in TransitionPlan::before_old are of the old plan, all other ids are of the new plan.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace weft {
 
-// Moves the content of a resource of the old plan to the resource of the same age in the new plan. The
-// content is the one that the next frame of the old plan would read.
+// Copies the content of a resource of the old plan to the resource of the same name in the new plan. For a
+// name such as "color[-1]", it is the content that the next frame of the old plan would read under this name.
 struct ContentCopy {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
@@ -32,8 +32,8 @@ struct TransitionPlan {
     // Barriers for resources of the new plan, to the states that its first frame expects.
     std::vector<BarrierDecl> after;
     // Index: ResourceId of the new plan; only the entry of the resource of age 0 in each ring is used. The
-    // builtin `<port>Valid` depends on the number of frames that have written a ring. 1: frames of the old
-    // plan count, too. 0: the count starts again.
+    // shader value `<port>Valid` (Builtin::valid) depends on the number of frames that have written a ring.
+    // 1: frames of the old plan count, too. 0: the count starts again.
     std::vector<uint8_t> keeps_validity;
 };
 

@@ -1,5 +1,5 @@
-// Purpose: "atrium", the default scene: a court with an arcade around it. It is generated without any file
-// and lit as at a chosen hour of the day.
+// Purpose: "atrium", the default scene: a court with an arcade around it. It is generated without any file.
+// Its light is the daylight or moonlight at `hour`, from 0 to 24.
 #pragma once
 
 #include "weft/scene/scene.h"

@@ -1,5 +1,5 @@
-// Purpose: adds the arcade around the atrium's court: arches, the wall above the arches, columns' medallions,
-// the cornice and the corner piers.
+// Purpose: adds the arcade around the atrium's court: arches, the wall above the arches, medallions above the
+// columns, the cornice and the corner piers.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

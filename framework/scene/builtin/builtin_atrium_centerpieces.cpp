@@ -1,5 +1,5 @@
-// Purpose: adds two groups of objects to the atrium: a laid table in the walkway and an armillary sphere in
-// the court.
+// Purpose: adds two groups of objects to the atrium: a table with dishes in the walkway, and an armillary
+// sphere (steel rings around a gold ball) in the court.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/builtin/builtin_atrium_parts.h"
@@ -100,8 +100,8 @@ Mesh armillary_stand() {
     return stone.finish("armillary_stand");
 }
 
-// Makes the rings of the armillary sphere: the meridian, the equinoctial colure, and a tilted equator around
-// the axis.
+// Makes the steel parts of the armillary sphere: a foot, two upright rings at right angles to each other, a
+// tilted ring, and the vertical axis.
 Mesh armillary_rings(glm::vec3 center) {
     const glm::mat4 middle = at_point(center);
     const glm::vec3 x{1, 0, 0};

@@ -66,8 +66,9 @@ Hold around_column(float a, float b) {
     return {outward * 0.255f + glm::vec3(0, y, 0), outward};
 }
 
-// Maps (a, b) to a point on ivy that hangs over the gallery's parapet: wide at the top (b = 0), pointed at
-// the bottom (b = 1). The point is in the local coordinates of one side of the court.
+// Maps (a, b) to a point on ivy that hangs over the gallery's parapet. `a` goes along the parapet, `b` goes
+// from the wide top (0) to the narrow bottom (1). The point is in the local coordinates of one side of the
+// court.
 Hold over_parapet(float a, float b) {
     const float drop = 1.35f * b;
     const float x = (a - 0.5f) * 1.5f * (1 - 0.6f * b) + 0.1f * std::sin(5 * b);

@@ -37,7 +37,7 @@ Mesh banner(float length, uint32_t seed) {
 }
 
 // Makes one curtain of a pair. `side` is +1 or -1 and selects the curtain. The curtain is tied at 0.56 of its
-// length below the rod; the tie pulls the cloth aside to x = -1.05 · side.
+// length below the rod. The tie gathers the cloth between x = -1.07 · side and x = -0.98 · side.
 Mesh curtain(float side, float length) {
     constexpr uint32_t kCols = 21;
     constexpr uint32_t kRows = 8;

@@ -1,4 +1,5 @@
-// Purpose: adds the arcade's columns: an Attic base, a tapering shaft and a capital with leaves.
+// Purpose: adds the arcade's columns. Each has a round base on a square plate, a shaft that is thinner at the
+// top, and a capital with leaves.
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_parts.h"

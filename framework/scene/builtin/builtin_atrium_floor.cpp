@@ -20,8 +20,8 @@ std::vector<glm::vec3> inward_floor_loop(float half_x, float half_z) {
     return {{-half_x, 0, half_z}, {-half_x, 0, -half_z}, {half_x, 0, -half_z}, {half_x, 0, half_z}};
 }
 
-// Adds the floor between two rectangles around the court, `inner` and `outer`. `up` is +1 for a floor and -1
-// for a ceiling.
+// Adds the horizontal area between two rectangles around the court. `inner` and `outer` are half of their
+// sides along x and z. `up` is +1 for a floor and -1 for a ceiling.
 void add_frame(MeshBuilder& builder, glm::vec2 inner, glm::vec2 outer, float y, float up) {
     const glm::vec2 depth = outer - inner;
     const std::array<glm::vec4, 4> pieces{{{-outer.x, -outer.y, depth.x, 2 * outer.y},

@@ -1,5 +1,5 @@
-// Purpose: makes the atrium's leaf textures. Each texture shows a spray of leaves on one card and is drawn
-// leaf by leaf.
+// Purpose: makes the atrium's materials of plants. Most leaf textures show several leaves and are drawn leaf
+// by leaf.
 #include <algorithm>
 #include <cmath>
 
@@ -92,7 +92,7 @@ Surface fern_frond() {
     return surface;
 }
 
-// Makes the texture of bougainvillea: thin coloured bracts in groups of three above a few green leaves.
+// Makes the texture of bougainvillea: bracts (pink leaves) in groups of three above a few green leaves.
 Surface blossom_sprig() {
     Random random(404);
     Surface surface = blank_leaf_surface(kTextureSize, 0.5f, rgb(0x9c2f6a));

@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kLanternY = 3.05f;  // Height of the middle of the lantern's glass, in metres.
 // Distance from the arcade's centre line to a lantern in the walkway, in metres. The lantern is near enough
-// to the outer wall to light the wall.
+// to the outer wall to light the wall. The four lanterns in the corners have other places.
 constexpr float kLanternAcross = 2.35f;
 
 // Makes the iron frame of a lantern: a cage for six panes, a pointed hood, and a chain up to the ceiling.

@@ -11,8 +11,9 @@ namespace weft::scene::atrium {
 
 inline constexpr uint32_t kTextureSize = 512;
 
-// Reads the shared noise, which has 512 × 512 values, for one texel of a texture. For a smaller texture,
-// noise_at() skips values evenly, so the noise still repeats at the texture's edges.
+// Reads the shared noise, which has 512 × 512 values, for one texel of a texture. `offset` selects another
+// part of the same noise. For a smaller texture, noise_at() skips values evenly, so the noise still repeats
+// at the texture's edges.
 struct NoiseAt {
     const NoiseBank& bank;
     uint32_t x;
@@ -38,8 +39,8 @@ struct NoiseAt {
 
 // Adds an opaque material. Its three textures repeat every `surface.period_m` metres. Returns its index.
 uint32_t add_material(Parts& parts, const std::string& name, const Surface& surface);
-// Adds a material for leaves: alpha-masked and double-sided. Its textures are clamped, because each texture
-// covers exactly one leaf card. Returns its index.
+// Adds a material for leaves: alpha-masked and double-sided. Its textures are clamped to the edge, because
+// they do not repeat: they cover a leaf card, a frond or a lily pad once. Returns the index of the material.
 uint32_t add_leaf_material(Parts& parts, const std::string& name, const Surface& surface);
 // Sets how much of the sky's light reaches a material's surface, as a function of height. `values` are
 // fractions at heights spread evenly from `low_m` to `high_m`. The meshes must have v = -height.

@@ -1,4 +1,4 @@
-// Purpose: makes the atrium's metals and the glass of the lanterns.
+// Purpose: makes the atrium's metals and the glass of the lanterns and bulbs.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Purpose: data that the files that build the atrium share: dimensions, materials, and the unfinished scene.
+// Purpose: data and functions for the files that build the atrium: dimensions, materials, unfinished scene.
 // Axes: y is up, the long side of the court runs along z, and the origin is in the middle of the court.
 // Units: metres. Layout: the court is open to the sky; a walkway runs around it behind an arcade. The long
 // sides (x = ±6) have an upper gallery with a tiled roof, the short sides (z = ±9) a terrace with a
@@ -19,7 +19,7 @@ namespace weft::scene::atrium {
 // Distance from the origin to the centre line of the arcade on a long side, in metres.
 inline constexpr float kCourtHalfX = 6;
 inline constexpr float kCourtHalfZ = 9;
-inline constexpr float kBay = 3;
+inline constexpr float kBay = 3;  // Distance between two neighbouring columns, in metres.
 // Width of the walkway in metres, from the centre line of the arcade to the outer wall.
 inline constexpr float kWalkDepth = 3.2f;
 // Height of the walkway's floor in metres. It lies one step above the court, whose floor has height 0.
@@ -54,7 +54,7 @@ struct Footprint {
     glm::vec2 half{0.2f};
     bool round = true;
     float reach_m = 0.35f;  // Distance from the object at which its darkening of the floor ends, in metres.
-    float strength = 0.6f;
+    float strength = 0.6f;  // Share of the sky's light that the object blocks at its outline.
 };
 
 struct Parts {
@@ -98,8 +98,8 @@ uint32_t place(Parts& parts, Mesh mesh, uint32_t material);
 uint32_t add_mesh(Parts& parts, Mesh mesh);
 void place_copy(Parts& parts, uint32_t mesh, uint32_t material, const glm::mat4& transform);
 
-// Returns the intensity (cd or cd/m²) of a lamp that shall appear as bright as `displayed`. The intensity is
-// divided by the exposure of the hour, so that lamps look the same by day and by night.
+// Returns the intensity (cd or cd/m²) of a lamp whose intensity after exposure is `displayed`. The function
+// divides `displayed` by the exposure of the hour, so that lamps look the same by day and by night.
 [[nodiscard]] float lamp_intensity(const Parts& parts, float displayed);
 
 // Adds a beam along x without its top face: two sides, the underside and both ends.

@@ -1,5 +1,5 @@
-// Purpose: adds the atrium's plants: citrus trees and ferns in clay pots, climbing plants on the walls, and
-// cypresses behind the building.
+// Purpose: adds the atrium's citrus trees and ferns in clay pots, and cypresses behind the building. For the
+// climbing plants see builtin_atrium_climbers.cpp.
 #include <cmath>
 
 #include "scene/builtin/builtin_atrium_leaves.h"
@@ -62,8 +62,8 @@ Mesh citrus_trunk() {
     return wood.finish("citrus_trunk");
 }
 
-// Adds citrus trees: each has a round crown of twigs, a short trunk, a few oranges, and a pot of 1.3 times
-// the usual size.
+// Adds citrus trees. Each has a round crown of leaf cards, a short trunk, a few oranges, and a pot that is
+// scaled by 1.3.
 void add_citrus_trees(Parts& parts, const PotMeshes& pots) {
     const Materials& m = parts.materials;
     Random random(31);
@@ -174,7 +174,7 @@ void add_plants(Parts& parts) {
     add_ferns(parts, pots);
     add_cypresses(parts);
     for (const glm::vec3& at : {glm::vec3(8.6f, kFloor, 4.2f), glm::vec3(8.75f, kFloor, 4.85f)}) {
-        place_pot(parts, pots, at, at.z, 0.9f);  // Places an empty pot without a plant.
+        place_pot(parts, pots, at, at.z, 0.9f);  // Places a pot with soil but without a plant.
     }
 }
 

@@ -155,7 +155,7 @@ void add_upper_walls(Parts& parts, const std::vector<glm::mat4>& sides) {
     }
 }
 
-// Makes the plinth, the handrail and the pedestals of a terrace's balustrade.
+// Makes the floor of a terrace, and the plinth, the handrail and the pedestals of its balustrade.
 Mesh terrace_rails() {
     constexpr float kHalf = kCourtHalfX - kWallHalf;
     const std::vector<glm::vec3> path{{-kHalf, 0, 0}, {kHalf, 0, 0}};

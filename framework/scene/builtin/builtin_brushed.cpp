@@ -46,7 +46,8 @@ void add_table_and_wall(Scene& scene) {
     place(scene, wall.finish("wall"), add_matt(scene, "plaster", {0.34f, 0.36f, 0.37f}, 0.9f));
 }
 
-// Adds a metal pot with its lid. The shape is made like on a lathe, so the grain runs around the axis.
+// Adds a steel pot with its lid, and a brass knob on the lid. The pot is made as on a lathe, so its grain
+// runs around the axis.
 void add_pot(Scene& scene) {
     const uint32_t steel = add_metal(scene, {"turned steel", {0.62f, 0.63f, 0.65f}, 0.34f, 0.9f});
     MeshBuilder builder;

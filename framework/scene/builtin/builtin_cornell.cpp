@@ -11,7 +11,7 @@
 namespace weft::scene {
 namespace {
 
-// Length of one unit of the published data in metres: the corners are given in centimetres.
+// Length of one unit of the published data in metres. One unit is taken as one centimetre.
 constexpr float kUnit_m = 0.01f;
 
 Mesh wall(const char* name, glm::vec3 origin, glm::vec3 right, glm::vec3 up) {
@@ -21,7 +21,7 @@ Mesh wall(const char* name, glm::vec3 origin, glm::vec3 right, glm::vec3 up) {
 }
 
 // Makes a block that stands on the floor. The four corners (x, z) are in counter-clockwise order, seen from
-// above.
+// above. Corners and height are in units of the published data.
 Mesh block(const char* name, const std::array<glm::vec2, 4>& corners, float height) {
     MeshBuilder builder;
     const auto at = [](glm::vec2 corner, float y) { return glm::vec3(corner.x, y, corner.y) * kUnit_m; };
@@ -74,13 +74,13 @@ Camera front_camera(glm::vec3 eye, glm::vec3 at, float fov_y_rad) {
     return camera;
 }
 
-// Adds objects around the middle of the floor. The floor reflects each object, and some objects reflect each
-// other.
+// Adds a chrome sphere in the middle of the floor and six matt objects around it. The polished floor and the
+// chrome sphere reflect the objects.
 void add_mirror_things(Scene& scene) {
     struct Thing {
         const char* name;
         glm::vec3 color;
-        float turn_rad;  // Angle of the object around the middle of the floor, measured from +z, in radians.
+        float turn_rad;  // Angle of the object around the middle of the floor, from +z towards +x.
     };
     const std::array<Thing, 6> things{{{"coral", {0.80f, 0.22f, 0.15f}, 0.75f},
                                        {"saffron", {0.85f, 0.55f, 0.08f}, 1.75f},
@@ -113,10 +113,10 @@ Scene make_cornell() {
     scene.name = "cornell";
     add_box_walls(scene);
     add_ceiling_lamp(scene);
-    // The field of view is that of a 35 mm lens with a film of 25 mm.
+    // The vertical field of view is that of a lens with a focal length of 35 mm and a film 25 mm high.
     scene.cameras.push_back(front_camera(glm::vec3(278, 273, -800) * kUnit_m,
                                          glm::vec3(278, 273, 0) * kUnit_m, 2 * std::atan(0.0125f / 0.035f)));
-    // A constant ambient light that stands in for the indirect light between the walls.
+    // The sky has the same luminance in all directions. It replaces the indirect light between the walls.
     finish_scene(scene, glm::vec3(2.6f, 2.2f, 1.8f), glm::vec3(2.6f, 2.2f, 1.8f), -4.2f);
     return scene;
 }

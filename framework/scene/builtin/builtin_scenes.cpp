@@ -11,7 +11,7 @@
 namespace weft::scene {
 namespace {
 
-constexpr float kNight = 22;
+constexpr float kNight = 22;  // Hour of the day.
 
 Scene make_lights(const BuiltinOptions& options) {
     Scene scene = make_atrium(options.hour.value_or(kNight));

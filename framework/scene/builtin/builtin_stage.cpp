@@ -28,7 +28,7 @@ uint32_t add_material(Scene& scene, const char* name, glm::vec3 color, float rou
     return static_cast<uint32_t>(scene.materials.size() - 1);
 }
 
-// Adds an emissive material. A lamp's visible surface uses it, with the luminance of the lamp's light.
+// Adds an emissive material for the visible surface of a lamp. `luminance` is in cd/m².
 uint32_t add_glow(Scene& scene, const char* name, glm::vec3 luminance) {
     const uint32_t material = add_material(scene, name, glm::vec3(0), 1);
     scene.materials[material].emissive = luminance;
@@ -40,7 +40,8 @@ void add(Scene& scene, MeshBuilder& builder, const char* name, uint32_t material
     scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, glm::mat4(1)});
 }
 
-// Returns the local axes of a lamp: x is along its width, y is up, and the lamp faces −z.
+// Returns the transform from the local space of a lamp to world space. In local space, x is along the lamp's
+// width, y is up, and the lamp faces −z.
 glm::mat4 lamp_axes(glm::vec3 at, glm::vec3 target) {
     return glm::inverse(glm::lookAt(at, target, glm::vec3(0, 1, 0)));
 }
@@ -131,9 +132,10 @@ void add_set(Scene& scene) {
     add(scene, crate, "crate", add_material(scene, "white paint", {0.72f, 0.71f, 0.69f}, 0.6f));
 }
 
+// A leaf in the picture of add_foliage_picture(). Lengths are relative to the width of the picture.
 struct Leaf {
-    glm::vec2 at{0};
-    glm::vec2 along{1, 0};
+    glm::vec2 at{0};        // Centre of the leaf.
+    glm::vec2 along{1, 0};  // Unit vector along the leaf.
     float length = 0.1f;
 };
 
@@ -157,8 +159,8 @@ std::vector<Leaf> grow_leaves() {
     return leaves;
 }
 
-// Returns the distance from `at` to the edge of a leaf, positive inside the leaf. The picture has the width
-// 1. Two arcs that meet at the tips are the outline of a leaf.
+// Returns the distance from `at` to the edge of a leaf: positive inside the leaf, negative outside. The
+// outline of a leaf consists of two arcs that meet at its tips.
 float inside_leaf(const Leaf& leaf, glm::vec2 at) {
     const glm::vec2 way = at - leaf.at;
     const float half = leaf.length * 0.5f, width = half * 0.42f;
@@ -224,7 +226,8 @@ void add_leaf_spot(Scene& scene, uint32_t iron) {
 }
 
 // Adds four barn doors (movable flaps) at the edges of a lamp's rectangular window. `half` is half of the
-// window's size in metres. `doors` are the angles by which the doors are opened.
+// window's size in metres. `doors` are the angles of the doors in radians: left, right, bottom, top. At 0 a
+// door points straight forward; at a positive angle it points outwards.
 void add_barn_doors(MeshBuilder& builder, const glm::mat4& axes, glm::vec2 half, const glm::vec4& doors) {
     constexpr float kLong_m = 0.3f;
     for (int i = 0; i < 4; ++i) {

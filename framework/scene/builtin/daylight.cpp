@@ -18,6 +18,7 @@ constexpr float kEvening = 17;
 // Azimuth of the sun at the hour kEvening: the angle from +z towards +x, in radians.
 constexpr float kEveningAzimuth = -0.770f;
 
+// The light at one hour of the day. daylight_at() interpolates between two neighbouring keys.
 struct Key {
     float hour;
     glm::vec3 color;

@@ -1,5 +1,5 @@
-// Purpose: light of the built-in scenes at an hour of the day: sun or moon, sky, and the exposure that a
-// photographer would choose. The aim is a pleasing picture, not astronomy: at night the moon and the sky are
+// Purpose: light of the built-in scenes "atrium" and "lights" at an hour of the day: sun or moon, sky, lamps,
+// and a suitable exposure. The aim is a pleasing picture, not astronomy: at night the moon and the sky are
 // much brighter than in reality, as in films. Units: hours from 0 to 24, lux, cd/m², EV.
 #pragma once
 

@@ -7,7 +7,7 @@
 
 namespace weft::scene {
 
-// Adds a material of one colour that is not a metal. Returns the index of the material.
+// Adds a non-metallic material of one colour. Returns the index of the material.
 uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughness = 1);
 // Adds the mesh and one instance of the mesh. The instance gets the name of the mesh.
 void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transform = glm::mat4(1));

@@ -11,8 +11,8 @@ namespace {
 constexpr float kTau = 6.283185307f;
 // Mean number of lights that reach a point of the scene.
 constexpr float kOverlap = 24;
-// Factor for the intensity of moving lights. They replace all other lights of the scene (see the built-in
-// scene "lights"), so they can be brighter.
+// Factor for the intensity of moving lights. The built-in scene "lights" has no other lights, and its default
+// hour is at night, so its lights are brighter.
 constexpr float kNightGain = 6;
 
 // Random numbers that are the same on every machine. std::uniform_real_distribution gives different numbers
@@ -37,7 +37,7 @@ glm::vec3 hue(float turn) {
 }
 
 // Returns the radius of a sphere that contains kOverlap lights on average, if `count` lights are distributed
-// over a box of this size.
+// over a box of this size. The radius is at most the diagonal of the box.
 float range_for(glm::vec3 size, uint32_t count) {
     const float volume = std::max(size.x * size.y * size.z, 1e-3f);
     const float share = volume * kOverlap / static_cast<float>(count);
@@ -50,7 +50,7 @@ std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t se
     LightRandom random(seed);
     const glm::vec3 size = scene.bounds.max - scene.bounds.min;
     const float range_m = range_for(size, count);
-    // Illuminance of a light at a quarter of its range, in lux. There a surface with an albedo of 50 %
+    // Illuminance of a light in lux at the distance range_m / 4. There a surface with an albedo of 50 %
     // appears as middle grey (0.18).
     const float illuminance_lx = 0.18f * kTau * std::exp2(-scene.exposure_ev);
     std::vector<Light> lights(count);
@@ -78,8 +78,8 @@ std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t se
         const glm::vec3 room = glm::min(light.position - scene.bounds.min, scene.bounds.max - light.position);
         const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
         const float x = nearest * random.unit(), z = nearest * random.unit();
-        // The path is an ellipse along the x and z axes. Both of its half axes are at most the distance from
-        // the light to the nearest side of the scene's bounds, so the light never leaves the bounds.
+        // The path is an ellipse whose axes are parallel to x and z. Both half axes are at most the distance
+        // from the light to the nearest vertical side of the scene's bounds. So the light stays inside them.
         light.path.across = {x * std::cos(turn), 0, z * std::sin(turn)};
         light.path.along = {-x * std::sin(turn), 0, z * std::cos(turn)};
         light.path.turns_per_s = (random.unit() < 0.5f ? -1.0f : 1.0f) / (4 + 8 * random.unit());

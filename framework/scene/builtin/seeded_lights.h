@@ -13,8 +13,8 @@ namespace weft::scene {
 // The ranges are limited, so that only a few tens of lights reach any point.
 [[nodiscard]] std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t seed);
 
-// Makes the same lights as seeded_lights(), brighter, but each light moves on its own horizontal ellipse
-// within the bounds of the scene. One turn takes 4 to 12 seconds.
+// Makes the lights of seeded_lights(), but brighter. Each light moves on its own horizontal ellipse within
+// the bounds of the scene. One turn takes 4 to 12 seconds.
 [[nodiscard]] std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t seed);
 
 }  // namespace weft::scene

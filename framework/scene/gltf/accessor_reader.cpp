@@ -19,8 +19,8 @@ uint32_t load_index(const uint8_t* bytes, ComponentType type) {
     return load_value<uint32_t>(bytes);
 }
 
-// Returns the bytes of `count` elements from `offset` on, or nullopt when they do not all lie inside the
-// buffer view.
+// Returns the bytes of `count` elements from `offset` on, or nullopt when some of them lie outside the buffer
+// view. `offset`, `stride` and `element` (the size of one element) are in bytes.
 std::optional<std::span<const uint8_t>> range_of(const Document& document, uint32_t view, uint64_t offset,
                                                  uint64_t stride, uint64_t count, uint64_t element) {
     const std::span<const uint8_t> bytes = view_bytes(document, view);

@@ -13,14 +13,14 @@
 
 namespace weft::scene::gltf {
 
-// Checks that the indices of every sparse accessor ascend and stores the result in the document. So each
-// accessor is checked only once per file, although several primitives may open the same accessor.
+// Checks that the indices of every sparse accessor ascend and are below its count. Stores the results in
+// Sparse::ascends. So each accessor is checked only once per file, although several primitives may open it.
 void check_sparse_indices(Document& document);
 
 class AccessorReader {
  public:
-    // Returns nullopt when the accessor reaches past the end of its bytes, or when its sparse indices do not
-    // ascend or are not below its count.
+    // Call check_sparse_indices() first. Returns nullopt when the accessor reaches past the end of its bytes,
+    // or when its sparse indices do not ascend or are not below its count.
     [[nodiscard]] static std::optional<AccessorReader> open(const Document& document, uint32_t accessor);
 
     [[nodiscard]] uint64_t count() const { return count_; }
@@ -48,6 +48,7 @@ class AccessorReader {
     ComponentType type_ = ComponentType::f32;
     uint32_t components_ = 1;
     bool normalized_ = false;
+    // Returns the position of `element` in the sparse indices, or nullopt if it is not there.
     [[nodiscard]] std::optional<uint64_t> sparse_row(uint64_t element) const;
 
     ComponentType sparse_type_ = ComponentType::u32;

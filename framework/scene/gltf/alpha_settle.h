@@ -1,4 +1,4 @@
-// Purpose: makes materials opaque that are marked as transparent but have an alpha of 1 everywhere.
+// Purpose: makes a material opaque if it is marked as transparent but its alpha is 1 everywhere.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace weft::scene::gltf {
 
-// Makes materials opaque that are marked as transparent but have an alpha of 1 everywhere. Their surfaces
-// look the same either way. But every graph draws opaque surfaces, and only some graphs draw transparent
-// ones. Alpha is the product of material factor, texture and vertex colour. The texture slots in `materials`
-// must already contain indices of scene textures.
+// Changes AlphaMode::blend to AlphaMode::opaque if the alpha of a material is 1 everywhere. The surfaces look
+// the same, but now graphs that draw no transparent surfaces show them too. Alpha is the product of material
+// factor, texture and vertex colour. The texture slots in `materials` must already contain indices of scene
+// textures.
 void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures,
                   std::vector<Material>& materials);
 

@@ -26,8 +26,7 @@ struct ImageSource {
     uint32_t view = kNone;  // Index of the buffer view that contains the image; used when `uri` is empty.
 };
 
-// The values that a light has in its JSON member `extras.weft`. They are already within the limits of
-// light_check.h.
+// The values that a light has in its JSON member `extras.weft`. Values out of range are already clamped.
 struct LightSource {
     // Shape of the light, capsule or rectangle. If present, it replaces the light's glTF type.
     std::optional<LightType> shape;
@@ -37,7 +36,8 @@ struct LightSource {
 };
 
 struct CheckedJson {
-    // The JSON without images, animations, skins and extras. The URI of buffer i is the text "i".
+    // The JSON without images, animations, skins, extras and unknown extensions. The URI of buffer i is the
+    // text "i".
     std::string text;
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;

@@ -23,8 +23,8 @@ struct Container {
 // result. Returns nullopt after an error was reported.
 [[nodiscard]] std::optional<Container> open_container(std::span<const uint8_t> file, Report& report);
 
-// Returns the number of values in the JSON, or nullopt after an error was reported. Brackets and commas
-// inside strings are not counted.
+// Estimates the number of values in the JSON: counts commas and opening brackets ([ and {) outside strings.
+// Returns nullopt after a limit was exceeded and reported.
 [[nodiscard]] std::optional<uint64_t> count_values(std::string_view json, const SceneLimits& limits,
                                                    Report& report);
 
@@ -32,6 +32,7 @@ struct TextPosition {
     uint32_t line = 1;
     uint32_t column = 1;
 };
+// Returns the line and column of a byte offset in the text. Both start at 1; columns count bytes.
 [[nodiscard]] TextPosition position_of(std::string_view text, size_t byte);
 
 }  // namespace weft::scene::gltf

@@ -63,10 +63,12 @@ struct Accessor {
     Sparse sparse;
 };
 
+// Values of Primitive::mode, as in glTF.
 inline constexpr uint32_t kTriangles = 4;
 inline constexpr uint32_t kTriangleStrip = 5;
 inline constexpr uint32_t kTriangleFan = 6;
 
+// `indices` and all members after it are indices of accessors.
 struct Primitive {
     uint32_t mode = kTriangles;
     uint32_t material = kNone;
@@ -110,7 +112,8 @@ struct Document {
     // For each glTF texture, the index of its image in `images`, or kNone.
     std::vector<uint32_t> texture_images;
     std::vector<Material> materials;
-    std::vector<Light> lights;  // Lights in the coordinate space of the node that contains the light.
+    // Lights by glTF index. place_nodes() sets their positions and directions from the nodes.
+    std::vector<Light> lights;
     // Light functions. Their `picture` is the index of a glTF texture.
     std::vector<LightFunction> light_functions;
     // Cameras by glTF index. nullopt represents a kind of camera that Weft does not support, for example
@@ -126,7 +129,7 @@ struct Document {
 }
 
 // Returns the end of a strided range in bytes: offset + stride * (count - 1) + element, or 0 for a count of
-// 0. Returns nullopt when the sum does not fit into 64 bits.
+// 0. `element` is the size of one element. Returns nullopt when the sum does not fit into 64 bits.
 [[nodiscard]] constexpr std::optional<uint64_t> extent_bytes(uint64_t offset, uint64_t stride, uint64_t count,
                                                              uint64_t element) {
     if (count == 0) return 0;

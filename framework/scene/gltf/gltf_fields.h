@@ -1,7 +1,7 @@
 // Purpose: reads the members of one JSON object, checks their types and ranges, and reports each fault with
-// its JSON pointer. After a fault every reader returns an empty value, so the caller can continue and find
-// the next fault. Errors: S107 too many items, S108 wrong or missing value, S110 an index past the end of its
-// array.
+// its JSON pointer. After a fault a function returns an empty value, or a list without the wrong items. So
+// the caller can continue and find the next fault. Errors: S107 too many items, S108 wrong or missing value,
+// S110 an index past the end of its array. Warnings: S154 a number out of range.
 #pragma once
 
 #include <cstdint>
@@ -46,13 +46,15 @@ class Fields {
     void boolean(const char* key) const;
     std::optional<Fields> object(const char* key, Need need) const;
     [[nodiscard]] std::optional<Fields> extension(const char* name) const;
-    // Returns the number of items in the array, or 0 when the member is absent or not an array.
+    // Returns the number of items in the array. Returns 0 when the member is absent, is not an array, or has
+    // more than `max_items` items.
     size_t array_size(const char* key, uint64_t max_items) const;
     // Calls `visit` for every object of the array. Items that are not objects are reported and skipped.
     void each(const char* key, uint64_t max_items, const std::function<void(const Fields&)>& visit) const;
 
+    // Reports a wrong member. `found` and `wanted` are parts of the message: "KEY is FOUND; wanted WANTED".
     void wrong(const char* key, const std::string& found, const std::string& wanted) const;
-    // Reports a wrong member. The message shows the value that the JSON contains.
+    // Does the same; the found value in the message is the value that the JSON contains.
     void wrong(const char* key, const std::string& wanted) const;
 
  private:
@@ -64,8 +66,8 @@ class Fields {
     Report* report_;
 };
 
-// Returns a value in the form that messages use: `"text"`, `3.5`, "an array of 2". The text is never longer
-// than a line.
+// Returns a text that describes the value in messages. Examples: "text" (with its quotes), 3.5, an object, an
+// array of length 2. The text has at most 60 characters.
 [[nodiscard]] std::string describe(const nlohmann::json& value);
 [[nodiscard]] std::string describe(double value);
 

@@ -11,9 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-// Removes members that are never read, so that a small file cannot become a large model in memory. Writes
-// numbers in the form that tinygltf expects: whole numbers without a fraction (3 instead of 3.0), but all
-// numbers in extensions as floating point.
+// Removes extras and unknown extensions, so that a small file cannot become a large model in memory. Converts
+// numbers to the types that tinygltf expects. Outside extensions, whole numbers become integers (3.0 becomes
+// 3). Inside extensions, all numbers become floating point.
 void normalise(json& value, bool in_extension) {
     if (value.is_object()) {
         value.erase("extras");
@@ -37,8 +37,8 @@ void normalise(json& value, bool in_extension) {
     }
 }
 
-// Returns the member `extras.weft` of each light, or null for a light without this member. No other extras
-// are read.
+// Returns an array with one item per light: the light's member `extras.weft`, or null if the light has no
+// such member. No other extras are read.
 json light_extras(const json& root) {
     json extras = json::array();
     const json* lights = nullptr;

@@ -190,7 +190,7 @@ void apply_material_extensions(const tinygltf::ExtensionMap& extensions, Materia
 }
 
 // Reads a texture reference in the JSON of an extension. tinygltf parses only the texture references of the
-// core specification. Both have the same form.
+// core specification. References in extensions have the same form.
 TextureSlot extension_slot(const tinygltf::Value& extension, const char* key, const tinygltf::Model& model) {
     if (!extension.Has(key)) return {};
     const tinygltf::Value& info = extension.Get(key);

@@ -26,8 +26,8 @@ class Loader {
         return bytes;
     }
 
-    // Counts `bytes` against the limit. Copies of the binary chunk count too, because many buffers may refer
-    // to the chunk.
+    // Counts the `bytes` of a copy of the binary chunk against both limits: the total bytes of all files, and
+    // the memory budget. Returns false after an error was reported.
     bool reserve(uint64_t bytes, const std::string& pointer) {
         if (bytes > bytes_left_) {
             report_fault(ReadFault::too_large, "the buffers together are larger than the limit", pointer);

@@ -14,6 +14,7 @@
 
 namespace weft::scene::gltf {
 
+// Limit of values that have no limit of their own: Fields::number() accepts no larger number.
 inline constexpr double kUnbounded = 1e18;
 inline constexpr double kHalfPi = std::numbers::pi / 2;
 
@@ -29,8 +30,10 @@ struct Checker {
     const SceneLimits& limits;
     Report& report;
     CheckedJson out{};
-    // Number of items in each top-level array of the file, by the name of the array ("meshes").
+    // Number of items in each top-level array of the file, by the name of the array ("meshes"). The entry
+    // "lights" is the array of KHR_lights_punctual.
     std::map<std::string, size_t> sizes{};
+    // Lengths and strides of the buffer views in bytes; a stride of 0 means that the file gives none.
     std::vector<uint64_t> view_lengths{};
     std::vector<uint64_t> view_strides{};
     std::vector<AccessorShape> accessors{};

@@ -86,8 +86,8 @@ void check_sparse(Checker& c, const Fields& accessor, uint64_t accessor_count, u
     if (!sparse) return;
     const uint64_t max_count = std::min<uint64_t>(accessor_count, INT32_MAX);
     const uint64_t count = sparse->integer("count", Need::required, 1, max_count).value_or(0);
-    // The values are counted once per accessor. Several accessors may share the bytes of their indices, but
-    // every check of an accessor reads these bytes again and costs time.
+    // The limit applies to the sum of all accessors, to limit the time of check_sparse_indices(). Several
+    // accessors may share the bytes of their indices, but each check of an accessor reads these bytes again.
     c.sparse_values += count;
     if (c.sparse_values > c.limits.vertices && c.sparse_values - count <= c.limits.vertices)
         c.report.error("S107", sparse->pointer_to("count"),

@@ -77,7 +77,7 @@ bool is_known_extension(std::string_view name) {
 
 void check_header(Checker& c) {
     check_asset(c);
-    // A file of another glTF version would fail all further checks too, so checking stops here.
+    // A file of another glTF version would cause many more errors, so checking stops here.
     if (c.report.failed()) return;
     check_extensions(c);
     for (const char* name :

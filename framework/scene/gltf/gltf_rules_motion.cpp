@@ -16,7 +16,8 @@ std::vector<std::string> labels_of(const Checker& c, const char* array, const ch
     return labels;
 }
 
-// Returns the names of the first nodes, for example `node "hip", node "knee" and 3 more`.
+// Returns the labels of the first kMaxNamedNodes nodes and the number of the others. Example: `node "hip",
+// node "knee", node "toe", node 7 and 3 more`.
 std::string first_of(const std::set<uint32_t>& nodes, const std::vector<std::string>& labels) {
     std::string text;
     size_t named = 0;
@@ -80,8 +81,8 @@ void check_animations(Checker& c, const std::vector<std::string>& nodes) {
 }  // namespace
 
 void check_motion(Checker& c) {
-    // If an array has wrong items, the check ends here. The wrong items were already reported as errors, and
-    // the labels would not match the nodes and meshes.
+    // After an error the check ends here. If an array has wrong items, labels_of() skips them, so the labels
+    // would not match the nodes and meshes.
     if (c.report.failed()) return;
     const std::vector<std::string> nodes = labels_of(c, "nodes", "node");
     const std::vector<std::string> meshes = labels_of(c, "meshes", "mesh");

@@ -73,8 +73,8 @@ void check_camera(Checker& c, const Fields& camera, size_t self) {
     warn_of_unused(*perspective, near.value_or(0), c.report);
 }
 
-// Checks that the nodes form trees. Every node has at most one parent, so there is a cycle only if the path
-// from some node to its parents never ends.
+// Checks that the nodes form trees. Every node has at most one parent. So the nodes form trees if each path
+// from a node to its parent, to the parent of this parent, and so on, ends at a root.
 void check_forest(Checker& c, const std::vector<uint32_t>& parent) {
     // Depth of each node below its root, where a root has depth 1; 0 means that the depth is not computed
     // yet.
@@ -137,8 +137,8 @@ void check_scale(const Fields& node, Report& report) {
                 "give the node a scale above 0, or remove it");
 }
 
-// Warns of a matrix with an unusual last row or with the determinant 0. The matrix is column-major.
-// Translation, rotation and scale always result in the last row 0, 0, 0, 1.
+// Warns of a matrix whose last row is not 0, 0, 0, 1, and of a matrix with the determinant 0. The matrix is
+// column-major. Translation, rotation and scale always result in the last row 0, 0, 0, 1.
 void check_matrix(const Fields& node, Report& report) {
     const std::vector<double> m = node.numbers("matrix", 16);
     if (m.empty()) return;

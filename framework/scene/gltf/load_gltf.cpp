@@ -70,8 +70,8 @@ FileBytes read_scene_file(const fs::path& file, const SceneLimits& limits, Memor
 // Estimated memory in bytes, per byte of the JSON text and per JSON value, for the parsed JSON, the strings
 // copied from it and tinygltf's model. The estimate is larger than the largest measured use.
 constexpr uint64_t kBytesPerJsonByte = 3, kBytesPerJsonValue = 400;
-// A quarter of the memory for the JSON is the Document. It remains in use while build_scene() runs. The other
-// three quarters are released before build_scene() begins.
+// The Document uses 1 / kJsonPartOfDocument of the memory for the JSON. It remains in use while build_scene()
+// runs. The rest of this memory is released before build_scene() begins.
 constexpr uint64_t kJsonPartOfDocument = 4;
 
 // Adds a default material if a primitive has no material, and returns its index. Otherwise returns kNone.
@@ -95,7 +95,7 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     gltf::BuiltMeshes built = gltf::build_meshes(document, limits, options, memory, report);
     scene.materials = std::move(document.materials);
     scene.light_functions = std::move(document.light_functions);
-    // After an error, loading textures would only report once more that the memory is exhausted.
+    // After an error, no textures are loaded: if the memory is exhausted, they would only report it again.
     if (report.failed()) return scene;
     scene.textures = gltf::build_textures(document, limits, options, memory, report, scene.materials,
                                           scene.light_functions);
@@ -111,7 +111,8 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     return scene;
 }
 
-// Reads and checks the JSON only. The files that the JSON refers to are not opened.
+// Reads and checks the JSON only. The files that the JSON refers to are not opened. `taken_bytes` receives
+// the number of bytes that the JSON takes from `memory`.
 std::optional<gltf::CheckedJson> read_json(std::string_view json, const SceneLimits& limits,
                                            MemoryBudget& memory, uint64_t& taken_bytes,
                                            gltf::Report& report) {

@@ -30,9 +30,11 @@ bool reads_second_uvs(const Material& material) {
 
 // Bytes per vertex in main memory: positions, normals, tangents and uvs. Colours and second uvs are optional.
 constexpr uint64_t kHostBytesPerVertex = 12 + 12 + 16 + 8, kHostBytesPerColor = 16, kHostBytesPerSecondUv = 8;
-// Bytes per vertex in total: main memory, the copy on the GPU (16 + 24 bytes), and the staging buffer that
-// fills the copy (24 bytes).
+// Bytes per vertex in total: main memory, the position (16 bytes) and the other attributes (24 bytes) on the
+// GPU, and the staging buffer (24 bytes, because the positions and the attributes are uploaded in turn).
 constexpr uint64_t kBytesPerVertex = kHostBytesPerVertex + 16 + 24 + 24;
+// Main memory and the copy on the GPU: 8 bytes per colour or second uv, 4 bytes per index. The last 2 bytes
+// per index are a reserve.
 constexpr uint64_t kBytesPerColor = kHostBytesPerColor + 8, kBytesPerSecondUv = kHostBytesPerSecondUv + 8,
                    kBytesPerIndex = 4 + 4 + 2;
 
@@ -74,8 +76,8 @@ class Builder {
         return mesh;
     }
     // Gives the memory that was used to build `mesh` back to the budget. Then takes the bytes of the finished
-    // mesh and its name from the budget. Returns false after a limit was reached: then all later meshes would
-    // exceed the limit too.
+    // mesh and its name from the budget. Returns false after a limit was exceeded: then the caller builds no
+    // more meshes.
     bool settle(const Mesh& mesh, const std::string& pointer) {
         memory_.give_back(taken_bytes_);
         taken_bytes_ = 0;
@@ -198,7 +200,8 @@ class Builder {
         return triangle_list(primitive.mode, std::move(indices));
     }
 
-    // Counts the vertices of the primitive before memory is allocated for the vertices.
+    // Adds the vertices of the primitive to the total before memory is allocated for them. Returns false
+    // after it reported that the total exceeds the limit.
     bool within_limits(const std::vector<uint32_t>& indices, bool flat, const std::string& pointer) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         vertices_ += std::max<uint64_t>(uint64_t{*high} - *low + 1, flat ? indices.size() : 0);
@@ -234,8 +237,8 @@ class Builder {
     }
 
     // Renumbers `indices`, so that they refer only to vertices that the primitive uses. Returns the old
-    // indices of these vertices in ascending order. Without this, every primitive that uses a part of one
-    // large buffer would copy the whole buffer.
+    // indices of these vertices in ascending order. Otherwise every primitive that uses a part of one large
+    // buffer would copy the whole buffer.
     static std::vector<uint32_t> make_compact(std::vector<uint32_t>& indices) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         const uint32_t first = *low;

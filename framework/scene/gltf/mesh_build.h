@@ -1,7 +1,8 @@
-// Purpose: converts glTF primitives to meshes that contain only used vertices, have 32-bit indices, and have
-// every vertex stream filled. Errors: S104 an accessor past the end of its bytes, S107 over a limit, S111 an
-// index that is too large. Warnings: S151 a primitive that is not made of triangles, S152 a value that is not
-// finite, S156 no triangles remain.
+// Purpose: converts glTF primitives to meshes. The meshes contain only used vertices and have 32-bit indices,
+// positions, normals, tangents and uvs. Errors: S104 an accessor past the end of its bytes, S107 over a
+// limit, S111 an index that is too large. Warnings: S151 a primitive that is not made of triangles, S152 a
+// value that is not finite, S154 a colour that was clamped, S156 no positions or an incomplete last triangle,
+// S160 no second set of texture coordinates.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,8 @@ struct BuiltMeshes {
     std::vector<std::vector<BuiltPrimitive>> of_gltf_mesh;
 };
 
-// Builds a mesh from every primitive. A primitive with a fault is reported and skipped.
+// Builds a mesh from every primitive. A primitive with a fault is reported and skipped. After a limit is
+// exceeded, no more meshes are built.
 [[nodiscard]] BuiltMeshes build_meshes(const Document& document, const SceneLimits& limits,
                                        const LoadOptions& options, MemoryBudget& memory, Report& report);
 

@@ -1,5 +1,5 @@
 // Purpose: converts the node tree of a glTF to instances, lights and cameras in world space. Errors: S107 too
-// many instances, or too much memory. Warnings: S152 a transform that is not finite or has no extent.
+// many instances, or too much memory. Warnings: S152 a transform that is too large or not finite.
 #pragma once
 
 #include "scene/gltf/gltf_document.h"

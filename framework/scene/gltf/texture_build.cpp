@@ -18,7 +18,7 @@ namespace {
 struct Use {
     uint32_t image = kNone;
     TexelMeaning meaning = TexelMeaning::linear_data;
-    float alpha_cutoff = -1;
+    float alpha_cutoff = -1;  // Cutoff of an alpha mask for the texture alone; -1: no mask.
 
     friend bool operator<(const Use& a, const Use& b) {
         return std::tie(a.image, a.meaning, a.alpha_cutoff) < std::tie(b.image, b.meaning, b.alpha_cutoff);
@@ -85,8 +85,8 @@ uint64_t mip_bytes(ImageSize size) {
     }
 }
 
-// Returns the temporary memory in bytes while one texture is made: the memory of the decoder, and that of the
-// first mips as floats.
+// Returns the temporary memory in bytes while one texture is made: the memory of the decoder, and that of
+// mips 1 and 2 as floats (about 6 bytes per texel of mip 0).
 uint64_t scratch_bytes(const ImageSize& size) {
     return saturating_add(size.decoder_bytes, saturating_mul(size.texels(), 6));
 }
@@ -95,9 +95,9 @@ uint64_t scratch_bytes(const ImageSize& size) {
 // the limit.
 constexpr uint64_t kInHandBytes = 64ull << 20;
 
-// Computes the peak memory of all textures. Decoded textures stay in memory. They are uploaded one at a time,
-// and each is freed after its upload. So the largest texture exists three times at the peak: decoded, in
-// staging, and on the GPU.
+// Computes the peak memory of all textures. First all textures are decoded. Then they are uploaded one at a
+// time, and the decoded texture is freed after its upload. So at most one texture exists three times:
+// decoded, in the staging buffer, and on the GPU.
 class TextureMemory {
  public:
     void add(const ImageSize& size, size_t name_bytes) {
@@ -151,7 +151,8 @@ class ImageSizes {
     std::map<uint32_t, std::optional<ImageSize>> sizes_;
 };
 
-// Returns true when every image and the total memory stay within the limits. No image is decoded here.
+// Returns true when every image and the total memory stay within the limits. Then the memory is taken from
+// the budget. No image is decoded here.
 bool sizes_within_limits(const Document& document, const std::map<Use, uint32_t>& uses,
                          const SceneLimits& limits, MemoryBudget& memory, Report& report) {
     bool fine = true;
@@ -189,7 +190,7 @@ Texture make_texture(const std::string& name, const ImageSize& size, std::vector
 struct ImageJob {
     uint32_t image = kNone;
     std::vector<Use> uses;
-    size_t first_texture = 0;
+    size_t first_texture = 0;  // Index of the texture for uses[0]; the textures for the other uses follow.
     // Text of the fault, empty after success. Only the thread that runs the job writes this and the next
     // member.
     std::string error;

@@ -1,7 +1,7 @@
 // Purpose: decodes each image that materials and lights use, once per image, and makes one texture for each
 // kind of use. For example, an image that is used as colour and as data becomes an sRGB texture and a linear
 // texture. Errors: S106 an image over the limits or the remaining memory, S112 an image that cannot be
-// decoded.
+// decoded, X571 memory ran out.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // Purpose: reads the vertex attributes of a glTF primitive into the streams of a Mesh, for used vertices
 // only. Errors: S104 an accessor past the end of its bytes. Warnings: S152 a value that was replaced because
-// it was zero or not finite; S154 colours that were clamped.
+// it was zero, too large or not finite; S154 colours that were clamped.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@
 
 namespace weft::scene::gltf {
 
-// Largest usable coordinate in metres. With larger coordinates, differences of positions and areas would
-// overflow a float.
+// Largest usable coordinate of a position in metres; also the limit for texture coordinates. Within this
+// limit, the areas of triangles fit into a float.
 inline constexpr float kMaxCoordinateM = 1e12f;
 
 // Opens an accessor for reading. Returns nullopt if `accessor` is kNone, or after an error for the JSON value
@@ -28,12 +28,13 @@ struct StreamSource {
     Report& report;
     std::string mesh;        // Name of the mesh for messages, for example `mesh "Body"`.
     std::string attributes;  // JSON pointer of the primitive's `attributes`.
-    // Indices of the used vertices in the file. Each read function returns one element for each of these
+    // Indices of the used vertices in the file. The functions below read one element for each of these
     // vertices.
     const std::vector<uint32_t>& used;
 };
 
-// Returns texture coordinates, or an empty vector when the attribute is absent.
+// Returns texture coordinates, or an empty vector when the attribute is absent or cannot be read. `name` is
+// the name of the attribute, for example TEXCOORD_0.
 [[nodiscard]] std::vector<glm::vec2> read_uvs(const StreamSource& from, uint32_t accessor,
                                               const std::string& name);
 // Returns colours with values in [0, 1]. The vector is empty when the attribute is absent or when all colours

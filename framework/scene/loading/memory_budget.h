@@ -43,8 +43,8 @@ class MemoryBudget {
 
 namespace gltf {
 
-// A request for memory with the texts of its error message: `what` is the subject of the message ("the
-// mesh"), `remedy` is the help.
+// A request for memory with the parts of its error message: `pointer` is a JSON pointer, `what` names the
+// object that needs the memory ("the mesh"), `remedy` is the help text.
 struct MemoryRequest {
     uint64_t bytes = 0;
     const char* code = "S107";

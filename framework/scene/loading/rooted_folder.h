@@ -33,6 +33,7 @@ class RootedFolder {
     std::filesystem::path root_;  // Canonical path of the folder; empty when the folder does not exist.
 };
 
+// Reads a regular file of at most `max_bytes` bytes at any path: the rules of RootedFolder do not apply.
 [[nodiscard]] FileBytes read_plain_file(const std::filesystem::path& file, uint64_t max_bytes);
 
 // Decodes percent escapes ("%20" is a space). Returns nullopt when an escape is malformed or encodes a NUL

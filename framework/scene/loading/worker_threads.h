@@ -10,13 +10,15 @@
 
 namespace weft::scene {
 
-// Runs job(0) to job(count - 1) in parallel and starts them in this order. Uses `threads` threads, including
-// the caller's thread; 0 means one thread per processor. Returns when all jobs are done. Jobs must not throw.
+// Runs job(0) to job(count - 1) in parallel and starts them in this order. Uses at most `threads` threads,
+// including the caller's thread; 0 means one thread per processor. Returns when all jobs are done. Jobs must
+// not throw.
 void run_on_threads(size_t count, uint32_t threads, const std::function<void(size_t)>& job);
 
-// A limit on the temporary memory of all jobs together. A job takes bytes before it works and returns them
-// afterwards. A job that would exceed the limit waits until enough bytes are returned. A job that needs more
-// than the whole limit waits until no other job holds bytes, and then runs alone.
+// A limit on the temporary memory of all jobs together. A job creates a Share before it allocates its memory;
+// the destructor of the Share returns the bytes. A job that would exceed the limit waits until enough bytes
+// are returned. A job that needs more than the whole limit waits until no other job holds bytes, and then
+// runs alone.
 class ByteBudget {
  public:
     explicit ByteBudget(uint64_t limit_bytes) : limit_bytes_(limit_bytes) {}

@@ -7,7 +7,8 @@
 namespace weft::scene {
 namespace {
 
-// Upper limit for the intensity of a light. For comparison: the sun's disc has a luminance of 1.6e9 cd/m².
+// Upper limit for the intensity of a light, in cd, lx or cd/m² (see Light::intensity). For comparison: the
+// sun's disc has a luminance of 1.6e9 cd/m².
 constexpr float kMaxIntensity = 1e12f;
 constexpr float kMaxLength_m = 1e9f;
 constexpr float kMinHalfSize_m = 1e-4f;
@@ -15,7 +16,7 @@ constexpr float kMaxHalfSize_m = 1e6f;
 constexpr float kHalfPi = 1.5707963268f;
 constexpr float kMinSoftness = 1e-4f;
 constexpr float kMaxFactor = 1e6f;
-constexpr size_t kMaxNamed = 8;
+constexpr size_t kMaxNamed = 8;  // Number of faults that have their own warning.
 
 class Faults {
  public:
@@ -42,8 +43,8 @@ bool within_world(const glm::vec3& v) {
     return finite(v) && std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}) <= kMaxLength_m;
 }
 
-// Returns a unit vector perpendicular to the unit vector `direction`. The result is horizontal (y = 0); for
-// an almost vertical direction the result is +x.
+// Returns a horizontal unit vector (y = 0) perpendicular to the unit vector `direction`. If `direction` is
+// almost vertical, the result is +x.
 glm::vec3 across(const glm::vec3& direction) {
     const glm::vec3 level(-direction.z, 0, direction.x);
     const float length = glm::length(level);

@@ -1,6 +1,6 @@
-// Purpose: clamps the numbers of a light, because a file or a program may set them to any value. After
-// clamping, all values are finite and within limits, cone angles are at most 90° and directions are unit
-// vectors. Units: as in scene.h.
+// Purpose: clamps the numbers of lights and light functions, because a file or a program may set them to any
+// value. After clamping, all numbers that the light uses are finite and within limits, cone angles are at
+// most 90° and directions are unit vectors. Units: as in scene.h.
 #pragma once
 
 #include <span>
@@ -14,9 +14,9 @@ namespace weft::scene {
 inline constexpr uint32_t kMaxLights = 65'536;
 inline constexpr uint32_t kMaxLightPictures = 64;
 
-// Clamps the light. Returns a text for users that lists the corrected faults (such as "its range was out of
-// range"); the text is empty if there were no faults. A light that cannot be corrected gets an intensity of
-// 0.
+// Clamps a light or a light function. Returns a text for users that lists the corrected faults (such as "the
+// intensity was out of range"); the text is empty if there were no faults. If the position of a light is not
+// finite or too far away, its intensity becomes 0.
 [[nodiscard]] std::string clamp_light(Light& light);
 [[nodiscard]] std::string clamp_light_function(LightFunction& function);
 

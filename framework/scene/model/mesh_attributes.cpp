@@ -18,9 +18,8 @@ glm::vec3 normalized_or(const glm::vec3& v, const glm::vec3& fallback) {
     return scaled / std::sqrt(glm::dot(scaled, scaled));
 }
 
-// Returns a unit vector perpendicular to `n`: the cross product of `n` and the coordinate axis along which
-// `n` has its smallest component. Unlike Frisvad's branchless basis, this method needs no special case near
-// -z.
+// Returns a unit vector perpendicular to the unit vector `n`: the cross product of `n` and a coordinate axis,
+// scaled to length 1. The axis is the one along which `n` has its smallest component, regardless of the sign.
 glm::vec3 any_orthogonal(const glm::vec3& n) {
     const glm::vec3 a = glm::abs(n);
     const glm::vec3 axis = a.x <= a.y && a.x <= a.z ? glm::vec3(1, 0, 0)
@@ -31,8 +30,8 @@ glm::vec3 any_orthogonal(const glm::vec3& n) {
 
 // The directions of the uv coordinates on one triangle. All three corners of the triangle use them.
 struct UvFrame {
-    glm::vec3 tangent{0};  // Direction of increasing u on the triangle; zero when the uvs are degenerate.
-    bool mirrored = false;
+    glm::vec3 tangent{0};   // Direction of increasing u on the triangle; zero when the uvs are degenerate.
+    bool mirrored = false;  // True if v increases along cross(normal, tangent), see split_mirrored().
 };
 
 UvFrame uv_frame(const Mesh& mesh, const std::vector<glm::vec2>& uvs, const uint32_t* corner) {
@@ -66,8 +65,8 @@ void append_copy(std::vector<T>& stream, size_t from) {
     stream.push_back(copy);
 }
 
-// Appends a copy of the vertex to all streams of the mesh except the tangents. generate_tangents() fills the
-// tangents only after the vertices are split.
+// Appends a copy of the vertex to all streams of the mesh except the tangents, and returns its index.
+// generate_tangents() fills the tangents only after the vertices are split.
 uint32_t duplicate_vertex(Mesh& mesh, uint32_t vertex) {
     append_copy(mesh.positions, vertex);
     append_copy(mesh.normals, vertex);
@@ -145,8 +144,8 @@ void make_flat(Mesh& mesh) {
 glm::vec3 orthonormal_tangent(const glm::vec3& normal, const glm::vec3& tangent) {
     const glm::vec3 unit = normalized_or(tangent, glm::vec3(0));
     const glm::vec3 projected = unit - normal * glm::dot(normal, unit);
-    // A shorter vector is only floating-point noise without a useful direction, so any perpendicular vector
-    // is returned instead.
+    // A projection shorter than 1e-4 is mostly rounding error and has no useful direction, so any
+    // perpendicular vector is returned instead.
     if (!(glm::dot(projected, projected) > 1e-8f)) return any_orthogonal(normal);
     return normalized_or(projected, glm::vec3(1, 0, 0));
 }

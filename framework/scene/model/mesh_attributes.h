@@ -1,8 +1,9 @@
-// Purpose: computes missing vertex streams of a mesh: normals, tangents, bounds. Shapes: `positions`, `uvs`
-// (or empty) and `indices` are inputs; every index is below positions.size(). Convention: a tangent points
-// towards increasing u; cross(normal, tangent) * w points towards decreasing v, because glTF's v runs down
-// the image and the green channel of a normal map means "up". Source: M. Mikkelsen, "Simulation of Wrinkled
-// Surfaces Revisited", 2008 (angle-weighted, per-vertex tangents).
+// Purpose: computes data that a mesh may lack: normals, tangents and bounds. Shapes: the inputs are
+// `positions`, `uvs` (may be empty) and `indices`; every index is below positions.size(). Convention: a
+// tangent is (x, y, z, w), and w is 1 or -1. (x, y, z) points towards increasing u. cross(normal, tangent) *
+// w points towards decreasing v, because glTF's v runs down the image and the green channel of a normal map
+// means "up". Source: M. Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008 (angle-weighted,
+// per-vertex tangents).
 #pragma once
 
 #include "weft/scene/scene.h"
@@ -22,7 +23,7 @@ void make_flat(Mesh& mesh);
 void generate_tangents(Mesh& mesh, uint32_t uv_set = 0);
 
 // Returns the unit vector that is perpendicular to the unit vector `normal` and nearest to `tangent`. If
-// `tangent` is parallel to `normal`, the result is any perpendicular unit vector.
+// `tangent` is zero or parallel to `normal`, the result is any perpendicular unit vector.
 [[nodiscard]] glm::vec3 orthonormal_tangent(const glm::vec3& normal, const glm::vec3& tangent);
 
 void compute_bounds(Mesh& mesh);

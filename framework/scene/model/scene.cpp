@@ -71,11 +71,11 @@ Camera framing_camera(const Scene& scene, float aspect) {
     camera.transform =
         glm::mat4(glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0),
                   glm::vec4(centre + back * (kFramingDistance * radius), 1));
-    // Half of the horizontal field of view for a landscape picture: 22.5° in radians.
+    // Half of the horizontal field of view for a landscape or square picture: 22.5° in radians.
     constexpr float kHalfHorizontal = 0.39269908170f;
     // In a portrait picture the width limits the view: the horizontal field of view must contain the scene's
-    // bounding sphere. From a distance of 1.9 radii, half of the sphere appears under the angle asin(1 /
-    // 1.9).
+    // bounding sphere. From a distance of 1.9 radii, the angle between the centre of the sphere and its edge
+    // is asin(1 / 1.9).
     static const float kHalfSphere = std::asin(1 / kFramingDistance);
     const float half_horizontal = aspect < 1 ? kHalfSphere : kHalfHorizontal;
     camera.fov_y_rad = 2 * std::atan(std::tan(half_horizontal) / std::max(aspect, 1e-6f));

@@ -15,6 +15,7 @@ constexpr float kMostStored = 32768;
 // disc.
 constexpr float kMostScale = 65536;
 
+// Largest width in texels of the mip level that beams_of() converts to beams.
 constexpr uint32_t kBeamColumns = 32;
 
 struct PictureLevel {
@@ -67,8 +68,8 @@ PictureLevel half_of(uint32_t width_px, uint32_t height_px, std::span<const glm:
 }
 
 // Smooths the rows near the poles. There the texels cover narrow areas, which would show as a star in blurred
-// reflections. Each texel becomes the mean of its neighbours in the row; they cover together about the width
-// of a texel at the equator.
+// reflections. Each texel becomes the mean of itself and its neighbours in the row. Together these cover
+// about the width of a texel at the equator.
 PictureLevel evened_towards_poles(const PictureLevel& level) {
     PictureLevel even = level;
     const int64_t width = level.width_px;
@@ -98,10 +99,10 @@ std::vector<uint32_t> packed(std::span<const glm::vec3> texels, float scale) {
 }
 
 // The integrals of one row of texels along the azimuth. The integral of a basis function over a texel is a
-// product: an integral along the row times an integral down the column.
+// product: an integral over the azimuth times an integral over the polar angle.
 struct RowIntegrals {
-    // Each vector is the sum of radiance × f(azimuth) over the row, for f = 1, sin a, cos a, sin 2a and cos
-    // 2a.
+    // Each vector is the integral of radiance × f(a) over the azimuth a of the row. f(a) is 1, sin a, cos a,
+    // sin 2a or cos 2a.
     glm::dvec3 one{0}, sine{0}, cosine{0}, sine_twice{0}, cosine_twice{0};
 };
 
@@ -124,8 +125,9 @@ RowIntegrals integrate_row(std::span<const glm::vec3> row) {
     return sums;
 }
 
-// Adds one row of texels to the moments. A direction has x = sin θ · sin a, y = cos θ, z = −sin θ · cos a,
-// for the azimuth a and the polar angle θ.
+// Adds one row of texels to the moments. moments[i] is the integral of radiance × environment_basis()[i] over
+// the sphere. The row covers the polar angles from begin_rad to end_rad.
+// For the azimuth a and the polar angle θ, a direction is (sin θ · sin a, cos θ, −sin θ · cos a).
 void add_row(std::array<glm::dvec3, 9>& moments, const RowIntegrals& row, double begin_rad, double end_rad) {
     const auto between = [&](auto antiderivative) {
         return antiderivative(std::cos(end_rad), std::sin(end_rad), end_rad) -
@@ -169,8 +171,8 @@ struct Beam {
     glm::dvec3 flux{0};  // Radiance of one texel times the solid angle of the texel.
 };
 
-// Converts a mip level to beams, one per texel. The level is small: it has just enough texels to show the
-// directions of the light.
+// Converts a mip level to beams, one per texel. The level has at most kBeamColumns columns, which is enough
+// to show the directions of the light.
 std::vector<Beam> beams_of(const PictureLevel& level) {
     std::vector<Beam> beams;
     for (uint32_t y = 0; y < level.height_px; ++y) {
@@ -188,6 +190,7 @@ std::vector<Beam> beams_of(const PictureLevel& level) {
     return beams;
 }
 
+// Number of directions that side(i) returns: 8 rings with 16 directions each, spread over the whole sphere.
 constexpr int kSides = 128;
 glm::dvec3 side(int i) {
     constexpr int kColumns = 16;
@@ -207,6 +210,7 @@ glm::dvec3 darkest_side(const std::vector<Beam>& beams) {
     return least;
 }
 
+// Returns true if the harmonics give at least `least` in all directions side(i).
 bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec3& least) {
     for (int i = 0; i < kSides; ++i) {
         const std::array<float, 9> basis = environment_basis(glm::vec3(side(i)));
@@ -217,12 +221,13 @@ bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec
     return true;
 }
 
-// If a picture has a small bright sun, the sum of harmonics of three orders is negative in some directions
-// that face away from the sun. If these values were clamped to zero, the side away from the sun would have
-// only the colour of the sky. So the coefficients are multiplied by a window that reduces the orders 1 and 2
-// only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics", 2017.
+// If a picture has a small bright sun, the sum of harmonics of three orders can be negative in directions
+// that face away from the sun. Clamping each colour channel to zero there would give wrong colours. So the
+// coefficients are multiplied by a window that reduces the orders 1 and 2 only as much as needed: P.-P.
+// Sloan, "Deringing Spherical Harmonics", 2017.
 std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients,
                                          const PictureLevel& level) {
+    // The window is strong enough when the sum is nowhere below this share of the darkest side's irradiance.
     constexpr double kMostOfIt = 0.7;
     const glm::dvec3 least = darkest_side(beams_of(level)) * kMostOfIt;
     std::array<glm::vec3, 9> calm = coefficients;

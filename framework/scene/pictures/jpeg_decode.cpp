@@ -15,8 +15,7 @@ namespace {
 // Memory of libjpeg's pools and tables in bytes, in addition to the memory for rows and coefficients.
 constexpr uint64_t kJpegLibraryBytes = 1 << 20;
 // Upper limit for the scans of a progressive picture. Each scan processes the whole picture, so many scans
-// cost much time. Encoders write about ten scans. A separate scan for each of the 64 coefficients of three
-// channels would give fewer than 200 scans, and no encoder writes such a file.
+// cost much time. Encoders usually write about ten scans.
 constexpr int kMostScans = 100;
 
 // State of the decoder. libjpeg reports an error to fail(), which uses longjmp. longjmp calls no destructors.
@@ -97,8 +96,8 @@ void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
     }
 }
 
-// Decodes all rows; read_header() must have been called before. Returns false after a fault and stores the
-// text in `reader.error`.
+// Decodes all rows; read_header() must have been called before. `most_bytes` is the limit for the memory of
+// libjpeg. Returns false after a fault and stores the text in `reader.error`.
 bool decode_jpeg_rows(JpegReader& reader, uint64_t most_bytes) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg requires longjmp after an error
     jpeg_decompress_struct& info = reader.info;

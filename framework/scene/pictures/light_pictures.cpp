@@ -13,7 +13,8 @@ namespace {
 
 constexpr uint32_t kSize = kLightPictureSize_px;
 
-// Returns the index of the smallest mip level that is at least as large as a layer of the array texture.
+// Returns the index of the smallest mip level whose width and height are at least kSize; 0 if no level is so
+// large.
 uint32_t source_mip(const Texture& texture) {
     uint32_t mip = 0;
     while (mip + 1 < texture.mips.size() &&

@@ -9,10 +9,12 @@
 namespace weft::scene {
 namespace {
 
-// Peak memory while loading, in bytes per texel of the picture: 12 for the picture (three floats); 6 for two
-// levels of floats while the mips are made (each level has at most a quarter of the texels: 2 * 12 / 4); 6
-// for all finished mips (4 bytes * 4 / 3, rounded up). Copies in staging memory and on the GPU do not count,
-// because the picture is freed before they are made.
+// Peak memory while loading, in bytes per texel of the picture:
+// 12 for the decoded picture (three floats),
+// 6 for two mip levels as floats (each has at most a quarter of the texels: 2 * 12 / 4),
+// 6 for the packed texels of all mips (4 bytes * 4 / 3, rounded up).
+// Copies in staging memory and on the GPU do not count, because the decoded picture is freed before they are
+// made.
 constexpr uint64_t kBytesPerTexel = sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
 
 Diagnostic fault(const char* code, const std::filesystem::path& file, std::string message, std::string help) {

@@ -114,8 +114,8 @@ double coverage(const std::vector<uint8_t>& rgba, float cutoff) {
     return static_cast<double>(passing) / (static_cast<double>(rgba.size()) / 4);
 }
 
-// Returns the factor for the alpha values of a mip level. With this factor the same share of texels passes
-// the cutoff as in mip 0 (`wanted`).
+// Returns the factor for the alpha values of a mip level, at most 8. With this factor about the same share of
+// texels passes the cutoff as in mip 0 (`wanted`).
 float alpha_scale_for(const MipLevel& level, float cutoff, double wanted) {
     float low = 0;
     float high = 8;
@@ -147,8 +147,8 @@ std::vector<std::vector<uint8_t>> build_mip_chain(uint32_t width_px, uint32_t he
     MipLevel level{width_px, height_px, {}};
     while (level.width_px > 1 || level.height_px > 1) {
         if (mips.size() == 1) {
-            // Mip 0 is decoded texel by texel and stays in bytes. As floats it would need four times the
-            // memory of the largest image.
+            // Mip 0 is decoded texel by texel and stays in bytes. As floats it would need four times as much
+            // memory.
             level = halve(width_px, height_px, [&](uint32_t x, uint32_t y) {
                 return decoder.decode(&mips[0][(size_t{y} * width_px + x) * 4]);
             });

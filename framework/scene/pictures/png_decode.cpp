@@ -24,8 +24,8 @@ constexpr uint64_t kPngLibraryBytes = 256 << 10;
 // reads (PLTE, tRNS) have at most 768 bytes.
 constexpr png_alloc_size_t kChunkBytes = 64 << 10;
 
-// A file with less compressed data than this number of bytes is always accepted. In a short stream, the
-// tables of the compression may be larger than the data.
+// holds_more_than_its_size_needs() adds this number of bytes to its limit. In a short stream, the tables of
+// the compression may be larger than the data.
 constexpr uint64_t kLeastDataBytes = 512;
 
 uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
@@ -33,8 +33,8 @@ uint32_t big_endian(std::span<const uint8_t> encoded, size_t at) {
            uint32_t{encoded[at + 3]};
 }
 
-// Returns the size of the inflated picture in bytes: each row has one extra byte for its filter. The function
-// adds five bytes per row instead of one, because an interlaced picture has more and shorter rows.
+// Returns an upper limit for the inflated picture in bytes. Each row has one extra byte for its filter. The
+// function adds five bytes per row instead of one, because an interlaced picture has more and shorter rows.
 uint64_t inflated_bytes(std::span<const uint8_t> encoded, const ImageSize& size) {
     constexpr std::array<uint64_t, 7> kChannels{1, 0, 3, 1, 2, 0, 4};
     const uint8_t color_type = encoded[kColorTypeAt];
@@ -111,7 +111,7 @@ void ask_for_rgba8(png_structp png) {
 // Decodes all rows into `reader.rgba`. The caller has allocated `reader.rgba` for `width` and `height`, the
 // values from the header. Returns false after a fault and stores the text in `reader.error`.
 bool decode_png_rows(PngReader& reader, uint32_t width, uint32_t height) {
-    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng's way
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng reports errors with longjmp
     limit(reader.png);
     png_set_read_fn(reader.png, &reader, read_bytes);
     png_read_info(reader.png, reader.info);

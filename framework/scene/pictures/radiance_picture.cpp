@@ -13,6 +13,7 @@ namespace {
 // Only rows with a number of texels from kShortestCoded to kLongestCoded may be run-length encoded.
 constexpr uint32_t kShortestCoded = 8, kLongestCoded = 32767;
 constexpr size_t kMaxHeaderBytes = 65536;
+// EXPOSURE lines with a factor outside (1 / kMostExposure, kMostExposure) are ignored.
 constexpr float kMostExposure = 1e8f;
 
 class Lines {
@@ -104,9 +105,9 @@ class Source {
 
 using Rgbe = std::array<uint8_t, 4>;
 
-// Reads a run-length encoded row. The row stores each channel separately, as runs. A run begins with a count:
-// if the count is above 128, one byte follows, which is repeated count - 128 times. Otherwise `count` bytes
-// follow.
+// Reads a run-length encoded row. Its first four bytes are skipped, because read_row() has checked them.
+// After them the row stores each channel separately, as runs. A run begins with a byte `code`. If `code` is
+// above 128, one byte follows, which is repeated code - 128 times. Otherwise `code` bytes follow.
 bool read_coded_row(Source& source, std::vector<Rgbe>& row) {
     for (int i = 0; i < 4; ++i) source.next();
     for (size_t channel = 0; channel < 4; ++channel) {
@@ -124,6 +125,7 @@ bool read_coded_row(Source& source, std::vector<Rgbe>& row) {
 
 bool read_row(Source& source, std::vector<Rgbe>& row) {
     const size_t width = row.size();
+    // An encoded row begins with the bytes 2 and 2 and the width as a 16-bit big-endian number.
     const bool coded = width >= kShortestCoded && width <= kLongestCoded && source.peek(0) == 2 &&
                        source.peek(1) == 2 && source.peek(2) == width >> 8 && source.peek(3) == (width & 255);
     if (coded) return read_coded_row(source, row);
@@ -134,6 +136,7 @@ bool read_row(Source& source, std::vector<Rgbe>& row) {
 
 glm::vec3 radiance_of(const Rgbe& texel, float exposure) {
     if (texel[3] == 0) return glm::vec3(0);
+    // The stored exponent has a bias of 128, and the mantissas are fractions of 256 = 2^8: 128 + 8 = 136.
     const float unit = std::ldexp(1.0f, int{texel[3]} - 136) / exposure;
     return glm::vec3(texel[0], texel[1], texel[2]) * unit;
 }

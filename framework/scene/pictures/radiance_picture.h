@@ -1,9 +1,9 @@
-// Purpose: decodes Radiance pictures ("#?RADIANCE", 32-bit_rle_rgbe) to linear RGB; rows may be flat or
-// run-length encoded. The library stb also reads this format, but its decoder does not return when a file
-// ends early. Shapes: row 0 is the top row. Only the orientation "-Y height +X width" is accepted, because
-// other programs write only this one. Texels are divided by the factors of the EXPOSURE lines in the header.
-// Errors: `error` contains the reason, and there are no texels. The format cannot store NaN or infinity.
-// Source: G. Ward, "Real Pixels", in "Graphics Gems II", 1991.
+// Purpose: decodes Radiance pictures ("#?RADIANCE", 32-bit_rle_rgbe) to linear RGB; rows may be uncompressed
+// or run-length encoded. The library stb also reads this format, but its decoder does not return when a file
+// ends early. Shapes: row 0 is the top row. Only the orientation "-Y height +X width" is accepted, which is
+// the usual one. Texels are divided by the factors of the EXPOSURE lines in the header. Errors: `error`
+// contains the reason, and there are no texels. The format cannot store NaN or infinity. Source: G. Ward,
+// "Real Pixels", in "Graphics Gems II", 1991.
 #pragma once
 
 #include <cstddef>

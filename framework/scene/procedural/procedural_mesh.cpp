@@ -16,7 +16,7 @@ constexpr float kCreaseCosine = 0.82f;
 struct ProfileRun {
     Profile points;
     std::vector<glm::vec2> normals;
-    float start_m = 0;
+    float start_m = 0;  // Distance along the profile from its first point to this part.
 };
 
 glm::vec2 segment_normal(glm::vec2 from, glm::vec2 to) {
@@ -70,8 +70,9 @@ glm::vec3 any_perpendicular(glm::vec3 direction) {
     return glm::normalize(glm::cross(axis, direction));
 }
 
-// Returns the direction in which a point of the profile is offset at a corner of the path. The vector is
-// longer than 1, so that the surfaces of both path segments meet at the corner.
+// Returns the vector by which a profile point with an outward offset of 1 is moved at a corner of the path.
+// `before` and `after` are the directions of the two path segments. At a bend the vector is longer than 1, so
+// that the surfaces of both segments meet at the corner.
 glm::vec3 mitre(glm::vec3 before, glm::vec3 after) {
     const glm::vec3 up{0, 1, 0};
     const glm::vec3 a = glm::cross(before, up);

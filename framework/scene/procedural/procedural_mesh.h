@@ -1,11 +1,12 @@
 // Purpose: builds indexed triangle meshes from a few shapes: rectangles, bevelled boxes, turned (lathe) and
 // swept profiles, tubes, grids and cards. Every shape has positions, normals and texture coordinates;
 // finish() adds tangents and bounds.
-// Units: metres; texture coordinates are in metres too (a material's texture transform sets the repeat),
-// except for cards, which cover a given rectangle of the texture. v increases downwards.
+// Units: metres; texture coordinates are in metres too (a material's texture transform sets the repeat).
+// Exceptions: a card covers a given rectangle of the texture, and the caller sets the coordinates of a grid.
+// v increases downwards.
 // Conventions: front faces are counter-clockwise. The front of a surface is on the right-hand side of its
 // profile's direction: profiles go upwards on the outside of a turned shape and downwards on its inside.
-// Corners sharper than about 35° stay sharp.
+// Corners of a profile with an angle above about 35° stay sharp.
 #pragma once
 
 #include <functional>
@@ -17,7 +18,8 @@
 
 namespace weft::scene {
 
-// Points of a profile: x is the radius or the outward offset, y is the height.
+// Points of a profile in metres: x is the radius (add_lathe) or the outward offset (add_sweep), y is the
+// height.
 using Profile = std::vector<glm::vec2>;
 
 struct GridPoint {
@@ -27,13 +29,14 @@ struct GridPoint {
 
 struct LatheShape {
     uint32_t segments = 20;
+    // The turn starts and ends at these angles around the y axis: 0 is +z, π/2 is +x.
     float from_rad = 0;
     float to_rad = 6.283185307f;
-    // Length in metres after which the texture repeats. A full turn around the shape has a whole number of
-    // repeats, so that no seam is visible.
+    // Length in metres after which the texture repeats. It is used only if u_span_m is 0: the texture then
+    // has a whole number of repeats around the shape, so that no seam is visible.
     float period_m = 1;
-    // Length of the texture around the shape in metres; 0 selects the mean circumference of the shape,
-    // rounded to whole repeats.
+    // Length of the texture around the shape in metres; 0 selects the mean length of the turn, rounded to a
+    // multiple of period_m.
     float u_span_m = 0;
 };
 
@@ -45,10 +48,11 @@ struct TubeShape {
 
 struct Card {
     glm::vec3 center{0};
-    // Half of the card's extent to the right: the card reaches from center - right to center + right.
+    // Half of the card's extent to the right: the card reaches from center - right to center + right. In the
+    // same way, `up` is half of the extent upwards.
     glm::vec3 right{1, 0, 0};
     glm::vec3 up{0, 1, 0};
-    // If `soft_normals` is set, the normals of the card point away from this point.
+    // If `soft_normals` is set, the normals of the card mostly point away from this point.
     glm::vec3 normal_center{0};
     bool soft_normals = false;
     glm::vec2 uv_min{0};
@@ -69,11 +73,14 @@ class MeshBuilder {
     // neighbouring rectangle.
     void add_rectangle(glm::vec3 origin, glm::vec3 right, glm::vec3 up);
     // Adds a flat strip between the two rows of points `low` and `high`. Both rows have the same number of
-    // points and run from left to right, seen from the front.
+    // points and run from left to right, seen from the front. u increases along `right`, v decreases along
+    // `up`, and the normal is cross(right, up).
     void add_strip(const std::vector<glm::vec3>& low, const std::vector<glm::vec3>& high, glm::vec3 right,
                    glm::vec3 up);
-    // Adds a smooth surface through cols × rows points. Its front side faces cross(d/dcol, d/drow).
+    // Adds a smooth surface through cols × rows points; point(col, row) returns a point. The front side faces
+    // cross(d/dcol, d/drow).
     void add_grid(uint32_t cols, uint32_t rows, const std::function<GridPoint(uint32_t, uint32_t)>& point);
+    // Turns a profile around the y axis.
     void add_lathe(const Profile& profile, const LatheShape& shape);
     // Sweeps a profile along a horizontal path of at least two points. The profile's offsets point to the
     // right of the path: cross(direction, up). Corners of the path are mitred.
@@ -82,6 +89,8 @@ class MeshBuilder {
     void add_bevelled_box(glm::vec3 low, glm::vec3 high, float bevel_m);
     void add_tube(const std::vector<glm::vec3>& path, const TubeShape& shape);
     void add_sphere(glm::vec3 center, float radius_m, uint32_t segments, uint32_t rings);
+    // Adds a torus around the y axis. `radius_m` is the radius of the circle in the middle of the tube,
+    // `tube_m` the radius of the tube.
     void add_torus(float radius_m, float tube_m, uint32_t segments, uint32_t tube_segments);
     void add_card(const Card& card);
 
@@ -91,7 +100,7 @@ class MeshBuilder {
     struct BoxExtent {
         glm::vec3 center;
         glm::vec3 half;
-        glm::vec3 inner;  // Half of the box's extents minus the width of the bevel.
+        glm::vec3 inner;  // `half` minus the width of the bevel.
     };
 
     uint32_t add_vertex(glm::vec3 position, glm::vec3 normal, glm::vec2 uv);

@@ -117,8 +117,9 @@ void MeshBuilder::add_card(const Card& card) {
         const glm::vec3 position = card.center + card.right * x + card.up * y;
         glm::vec3 normal = flat;
         if (card.soft_normals) {
-            // The normal mostly points away from the middle of the plant, so that all cards of a crown
-            // together are shaded like one round body. The normal must stay on the front side of the card.
+            // The normal mostly points away from `normal_center`, for example the middle of a plant. So all
+            // cards of a crown together are shaded like one round body. The normal must stay on the front
+            // side of the card.
             const glm::vec3 away = glm::normalize(position - card.normal_center);
             normal = glm::normalize(flat * 0.6f + away);
             if (glm::dot(normal, flat) < 0.15f)

@@ -1,9 +1,8 @@
-// Purpose: seeded, tileable noise for textures made at start-up. Every run gives the same numbers: only
-// integer hashes and plain float arithmetic are used, not the random numbers of the C++ standard library.
-// Shapes: a Field is a square of floats that wraps at its edges. Noise values lie in about 0..1 with mean
-// 0.5. Sources: integer mixer by Wellons ("Prospecting for Hash Functions", 2018); gradient noise after
-// Perlin, "Improving Noise" (SIGGRAPH 2002); cells after Worley, "A Cellular Texture Basis Function"
-// (SIGGRAPH 1996).
+// Purpose: seeded, tileable noise for textures made at start-up. Every run gives the same numbers: they come
+// from integer hashes, not from the random numbers of the C++ standard library. Shapes: a Field is a square
+// of floats that wraps at its edges. The values of fractal_noise() are in 0..1 with a mean of about 0.5.
+// Sources: integer mixer by Wellons ("Prospecting for Hash Functions", 2018); gradient noise after Perlin,
+// "Improving Noise" (SIGGRAPH 2002); cells after Worley, "A Cellular Texture Basis Function" (SIGGRAPH 1996).
 #pragma once
 
 #include <cstdint>
@@ -38,8 +37,9 @@ struct Field {
     }
 };
 
-// Parameters of fractal gradient noise. The first octave has cells_x × cells_y lattice cells; each further
-// octave has twice as many cells along each side, and its amplitude is multiplied by `gain`.
+// Parameters of fractal gradient noise. The first octave has cells_x × cells_y lattice cells. Each further
+// octave has twice as many cells along each side (at most one per texel), and its amplitude is multiplied by
+// `gain`.
 struct FractalShape {
     uint32_t cells_x = 4;
     uint32_t cells_y = 4;
@@ -56,6 +56,7 @@ struct Cell {
     float second = 0;
     uint32_t id = 0;
 };
+// `position` is in cells. The pattern repeats after cells_x × cells_y cells.
 [[nodiscard]] Cell worley(glm::vec2 position, uint32_t cells_x, uint32_t cells_y, uint32_t seed);
 
 // Noise fields that all materials read at different offsets, so that a scene computes the fields only once.

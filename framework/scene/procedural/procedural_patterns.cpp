@@ -25,7 +25,8 @@ float leaf_half_width(LeafShape shape, float t) {
 }
 
 // Outline of an ivy leaf: five lobes around a point near the stalk. The result is positive inside the leaf.
-// `along` is in 0..1, `across` in -0.5..0.5.
+// `along` and `across` are fractions of the leaf's length and width; `across` is 0 on the midrib. They may be
+// outside 0..1 and -0.5..0.5, because the lobes are larger than the nominal size.
 float ivy_inside(float along, float across) {
     const glm::vec2 p{along - 0.32f, across};
     const float angle = std::atan2(p.y, p.x);

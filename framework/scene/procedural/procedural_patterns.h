@@ -1,5 +1,5 @@
-// Purpose: building blocks for texture recipes: rows of blocks, marble veins, planks, weaves and leaf
-// outlines. Units: positions are in texels, on a surface of `size` × `size` texels, unless stated otherwise;
+// Purpose: building blocks for texture recipes: rows of blocks, marble veins, weaves, stars, diamonds and
+// leaves. Units: positions are in texels, on a surface of `size` × `size` texels, unless stated otherwise;
 // colours are display-encoded.
 #pragma once
 
@@ -22,10 +22,11 @@ struct BlockLayout {
 struct Block {
     glm::vec2 local{0};  // Position inside the block; both coordinates go from 0 to 1.
     float edge_m = 0;    // Distance to the centre line of the nearest joint between blocks, in metres.
-    uint32_t id = 0;
+    uint32_t id = 0;     // Hash of `column` and `row`.
     uint32_t column = 0;
     uint32_t row = 0;
 };
+// Returns the block at texel (x, y). `period_m` is the side of the whole texture in metres.
 [[nodiscard]] Block block_at(const BlockLayout& layout, uint32_t x, uint32_t y, uint32_t size,
                              float period_m);
 
@@ -36,8 +37,10 @@ struct Block {
 // Returns the height (0..1) of a plain weave at a texel. The surface has `threads` threads per side.
 [[nodiscard]] float weave_height(uint32_t x, uint32_t y, uint32_t size, uint32_t threads);
 
-// Returns the signed distance from `p` to the outline of an eight-pointed star made of two squares, in the
-// unit of `p`; negative inside. diamond_distance() does the same for a diamond.
+// Returns the distance from `p` to the outline of an eight-pointed star made of two squares, in the unit of
+// `p`; negative inside. The star has its centre at (0, 0), and `radius` is the distance from the centre to a
+// tip. diamond_distance() does the same for a diamond. Near the tips, outside the shape, the results are
+// smaller than the true distance.
 [[nodiscard]] float star_distance(glm::vec2 p, float radius);
 [[nodiscard]] float diamond_distance(glm::vec2 p, float radius);
 

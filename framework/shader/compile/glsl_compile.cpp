@@ -52,13 +52,14 @@ std::optional<GlslOutcome> outcome_of(Message answer) {
 }  // namespace
 
 // Sends a stage to the worker and answers the include requests of the worker. Returns the last message of the
-// worker.
+// worker; nullopt if the worker has stopped.
 std::optional<Message> StageCompiler::converse(ShaderStage stage, const SourceText& source,
                                                const IncludeReader& includes) {
     const Message request{MessageKind::compile, static_cast<uint64_t>(stage), {source.name, source.text}};
     if (!worker_->send(request)) return std::nullopt;
     std::optional<Message> said = worker_->receive();
     for (; said && said->kind == MessageKind::include && said->texts.size() == 2; said = worker_->receive()) {
+        // The number of the request is 2 × depth, plus 1 for #include "x".
         IncludeAnswer answer =
             includes({said->texts[0], said->texts[1], said->number / 2, said->number % 2 == 1});
         Message reply{MessageKind::no_source, 0, {answer.text}};

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr std::string_view kMagic = "WEFTSHD1";
-constexpr size_t kHeaderBytes = 24;
+constexpr size_t kHeaderBytes = 24;  // Magic, payload length and hash: 8 bytes each.
 constexpr uintmax_t kMaxFileBytes = 64u << 20;
 }  // namespace
 

@@ -1,7 +1,7 @@
 // Purpose: reads and writes small binary files of the cache. A file that is not complete is ignored. Layout,
 // little-endian:
 //   8 bytes magic "WEFTSHD1" | u64 payload length | u64 hash of the payload | payload
-// A file is written under a temporary name and then renamed, so that a reader never sees an incomplete file.
+// write_file() replaces a file in one step, so a reader does not see a file that is only partly written.
 #pragma once
 
 #include <filesystem>

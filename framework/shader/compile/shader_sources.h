@@ -17,11 +17,11 @@
 
 namespace weft::shader {
 
-// The result of searching a file below one root folder: the hash of its text, or that the file does not
+// The result of a search for a file below one root folder: the hash of its text, or that the file does not
 // exist.
 struct SourceProbe {
-    size_t root = 0;
-    std::string relative;
+    size_t root = 0;       // Index of the root folder.
+    std::string relative;  // Path below the root folder.
     bool present = false;
     uint64_t text_hash = 0;
 };
@@ -55,8 +55,8 @@ class SourceReader {
     [[nodiscard]] const std::vector<std::filesystem::path>& places() const { return places_; }
     [[nodiscard]] std::vector<const SourceText*> sources() const;
     [[nodiscard]] const SourceText* find(std::string_view name) const;
-    // Returns the references to all shaders with this file extension below the root folders, for "did you
-    // mean ...?".
+    // Returns references to shaders with this file extension below the root folders, for "did you mean ...?".
+    // The search stops at 3 levels of subfolders and at 2000 entries per root folder.
     [[nodiscard]] std::vector<std::string> known_references(const std::string& extension) const;
 
  private:

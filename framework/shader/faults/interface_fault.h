@@ -10,7 +10,7 @@
 namespace weft::shader {
 
 struct InterfaceFault {
-    // Code of the error: W205 the stages do not match, W206 the interface is not supported, W208 and W209 the
+    // Code of the error. W205: the stages do not match. W206: the interface is not supported. W208, W209: the
     // SPIR-V gate rejects the module.
     std::string code;
     ShaderStage stage = ShaderStage::compute;

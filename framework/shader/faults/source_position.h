@@ -13,8 +13,9 @@
 namespace weft::shader {
 
 struct SourceText {
-    // Name under which glslang knows the file: its path below the root folder. If another file of the program
-    // has the same name, "@" and the index of the root folder are added, such as "noise.glsl@1".
+    // Name under which glslang knows the file: its path below the root folder. If the program has already
+    // read another file with this name, "@" and the index of the root folder are added, such as
+    // "noise.glsl@1".
     std::string name;
     std::string path;  // Path of the file in messages to the user.
     std::string text;
@@ -32,18 +33,18 @@ struct SourcePosition {
 };
 
 // Finds the position where a name is declared, by searching the text. The function takes the first occurrence
-// of the name that is a whole word outside comments, and that ";", "[", "=" or "{" follows. It searches
+// of the name that is a whole word outside comments and is followed by ";", "[", "=" or "{". It searches
 // `first`, then the other files. If it finds nothing, it returns `first` with line 0.
 [[nodiscard]] SourcePosition find_declaration(const std::string& name, const SourceText* first,
                                               const std::vector<const SourceText*>& others);
 
-// The position and length of a word that find_words() found. find_words() searches `first`, then the other
-// files, for any of the words, outside comments. `words` are separated by spaces; a word that ends in "*" is
-// a prefix.
+// Position and length of a word that find_words() found.
 struct FoundWord {
     SourcePosition position;
     uint32_t length = 0;
 };
+// Searches `first`, then the other files, for any of the `words` outside comments. `words` are separated by
+// spaces; a word that ends in "*" is a prefix. If nothing is found, the result is `first` with line 0.
 [[nodiscard]] FoundWord find_words(const std::string& words, const SourceText* first,
                                    const std::vector<const SourceText*>& others);
 

@@ -72,8 +72,8 @@ constexpr std::array kTable{
     free_row(SpvCapabilityStorageImageExtendedFormats, "StorageImageExtendedFormats"),
     free_row(SpvCapabilityStorageImageWriteWithoutFormat, "StorageImageWriteWithoutFormat"),
     free_row(SpvCapabilityDemoteToHelperInvocation, "DemoteToHelperInvocation"),
-    // Every Vulkan device supports these capabilities. Whether a pass can bind such a declaration is checked
-    // later, by the interface check (W206).
+    // Every Vulkan device supports the next five capabilities. The interface check (W206) tests later whether
+    // a pass can bind resources of these kinds.
     free_row(SpvCapabilitySampled1D, "Sampled1D"),
     free_row(SpvCapabilityImage1D, "Image1D"),
     free_row(SpvCapabilitySampledBuffer, "SampledBuffer"),

@@ -1,6 +1,6 @@
-// Purpose: lists the SPIR-V capabilities that glslang 12 can produce, and which of them a shader may use. The
-// SPIR-V gate uses only this table, and docs/shaders.md shows it. A capability that is not in the table is
-// rejected.
+// Purpose: lists the SPIR-V capabilities that glslang 12 can produce, and says which of them a shader may
+// use. The SPIR-V gate uses only this table, and docs/shaders.md shows it. A capability that is not in the
+// table is rejected.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,10 @@
 namespace weft::shader {
 
 enum class CapabilityRule : uint8_t {
-    always,  // The capability is enabled on every device that Weft creates.
-    device,  // The capability is allowed if the device supports the feature `needs`.
+    always,  // The capability is allowed, because every device that Weft can use supports it.
+    // The capability is allowed if the device supports the feature `needs`. Exception: for
+    // StorageImageReadWithoutFormat, ShaderTarget::storage_read_without_format decides.
+    device,
     // The capability is allowed only in compute stages. If `needs` is not 0, the device must support this
     // feature.
     compute,

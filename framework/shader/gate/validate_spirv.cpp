@@ -12,8 +12,8 @@ std::optional<std::string> spirv_fault(const std::vector<uint32_t>& spirv) {
     const std::unique_ptr<spv_validator_options_t, decltype(&spvValidatorOptionsDestroy)> options(
         spvValidatorOptionsCreate(), &spvValidatorOptionsDestroy);
     if (context == nullptr || options == nullptr) return "spirv-val is out of memory";
-    // Allow LocalSizeId, which needs the device feature maintenance4. In SPIR-V 1.6, it is the only way to
-    // set a work group size by specialisation constants.
+    // Allow LocalSizeId, which needs the device feature maintenance4. glslang uses it for SPIR-V 1.6 if
+    // specialisation constants set the work group size.
     spvValidatorOptionsSetAllowLocalSizeId(options.get(), true);
 
     spv_const_binary_t binary{spirv.data(), spirv.size()};

@@ -1,6 +1,6 @@
 // Purpose: computes the interface of a program from the final SPIR-V of its stages. Declarations that no
-// stage uses are left out. Faults: W205 two stages declare the same name differently, W206 no pass can
-// provide the interface.
+// stage uses are left out. Fault W205: declarations conflict, for example if two stages declare the same name
+// differently, or if two resources have the same binding. Fault W206: no pass can provide the interface.
 #pragma once
 
 #include <vector>

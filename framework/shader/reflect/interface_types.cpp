@@ -101,8 +101,8 @@ uint32_t array_count(spvc_compiler compiler, spvc_type type, bool& is_runtime) {
 namespace {
 
 // Returns the distance in bytes from one array element to the next. For an array of arrays, SPIRV-Cross
-// returns the stride of the outermost dimension. The function divides this stride by the lengths of the inner
-// dimensions.
+// returns the stride of the outermost dimension. element_stride() divides this stride by the lengths of the
+// inner dimensions.
 uint32_t element_stride(spvc_compiler compiler, spvc_type block, spvc_type type, unsigned index) {
     const unsigned dimensions = spvc_type_get_num_array_dimensions(type);
     unsigned stride = 0;

@@ -12,16 +12,16 @@
 
 namespace weft::shader {
 
-// Returns the scalar type, or nullopt for types that blocks and stage variables in Weft cannot have (16 and
-// 64 bits, pointers, opaque types).
+// Returns the scalar type, or nullopt for every type that is neither a 32-bit number nor bool. Examples:
+// structs, 16-bit and 64-bit numbers, pointers, opaque types.
 [[nodiscard]] std::optional<ScalarType> to_scalar(spvc_basetype type);
 [[nodiscard]] std::optional<ImageDim> to_dim(SpvDim dim);
 // Returns the format of a storage image. Returns `undefined` if the shader declares no format, or a format
 // that Weft does not support.
 [[nodiscard]] Format to_format(SpvImageFormat format);
 
-// Returns the members of a block. The names of members with unsupported types are added to `foreign`, in the
-// form "block.member".
+// Returns the members of a block or struct. The names of members with unsupported types are added to
+// `foreign`, in the form "block.member" or "struct.member".
 [[nodiscard]] std::vector<BlockMember> block_members(spvc_compiler compiler, spvc_type_id block,
                                                      std::vector<std::string>& foreign);
 

@@ -6,7 +6,7 @@
 namespace weft::shader {
 namespace {
 
-// All declarations of the local size begin with this text, such as local_size_x = 8 and local_size_x_id = 0.
+// All declarations of the local size begin with this text. Examples: local_size_x = 8, local_size_x_id = 0.
 constexpr std::string_view kWord = "local_size_";
 
 // Returns the end of the comment that begins at offset `at`, or `at` itself if no comment begins there.

@@ -1,5 +1,5 @@
-// Purpose: finds out whether a compute shader declares its local size. SPIR-V does not tell this: a missing
-// declaration and an explicit size of 1 × 1 × 1 give the same module.
+// Purpose: finds out whether a compute shader declares its local size. SPIR-V does not contain this
+// information: a missing declaration and an explicit size of 1 × 1 × 1 give the same module.
 #pragma once
 
 #include <span>

@@ -104,8 +104,8 @@ void Reflector::reflect_spec_constants() {
         spec.name = spvc_compiler_get_name(compiler_, constant.id);
         spec.id = constant.constant_id;
         spec.default_bits = spvc_constant_get_scalar_u32(value, 0, 0);
-        // The constants that GLSL makes for local_size_x_id have no name. They are skipped, because the local
-        // size is not a constant that a pass can set.
+        // The constants that glslang creates for local_size_x_id have no name. They are skipped, because a
+        // pass cannot set the local size.
         if (spec.name.empty()) continue;
         if (const auto scalar = to_scalar(spvc_type_get_basetype(type))) {
             spec.type = *scalar;

@@ -1,7 +1,7 @@
 // Purpose: reads the declarations in the SPIR-V of one stage with SPIRV-Cross: resources, parameters,
-// specialisation constants, stage inputs and outputs. Also finds the words of the SPIR-V that contain their
-// binding numbers and locations, so that link_stages() can change them. Error W206: Weft does not support the
-// declaration. The SPIR-V must come from the compiler, or must have passed spirv-val.
+// specialisation constants, stage inputs and outputs. It also finds the words of the SPIR-V that contain the
+// set and binding numbers and the locations, so that link_stages() can change them. Error W206: Weft does not
+// support the declaration. The SPIR-V must come from the compiler, or must have passed spirv-val.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ using WordIndex = std::optional<uint32_t>;
 struct ReflectedBinding {
     ShaderBinding binding;
     bool is_params = false;  // True for a uniform block that is named Params.
-    // True if main() uses the resource, directly or in a function that it calls. A use in a branch that only
-    // some values of a specialisation constant take counts, too.
+    // True if main() uses the resource, directly or in a function that main() calls. A use also counts if it
+    // is in a branch that runs only for some values of a specialisation constant.
     bool used = false;
     WordIndex set_word;
     WordIndex binding_word;
@@ -31,8 +31,8 @@ struct ReflectedBinding {
 // An input or output variable of a shader stage.
 struct ReflectedVariable {
     StageVariable variable;
-    uint32_t component = 0;
-    uint32_t columns = 1;
+    uint32_t component = 0;    // First component of the location that the variable uses: 0 to 3.
+    uint32_t columns = 1;      // Number of columns of a matrix; 1 for scalars and vectors.
     uint32_t array_count = 0;  // Number of array elements; 0 if the variable is not an array.
     bool used = false;
     WordIndex location_word;

@@ -1,7 +1,7 @@
-// Checks the memory of a module's variables, and the depth of its types and calls. So a driver never gets an
-// array such as `float s[1 << 28]` or a chain of 50,000 functions. Private memory is counted for one
-// invocation. A function counts once for each call, because drivers inline calls. Sums that exceed 64 bits
-// become UINT64_MAX.
+// Checks the memory of a module's variables, the nesting depth of its types and calls, and the size of its
+// inlined code. Examples of rejected modules: an array `float s[1 << 28]`, a chain of 50,000 function calls.
+// Private memory is counted for one invocation. A function counts once for each call, because drivers inline
+// calls. Sums that exceed 64 bits become UINT64_MAX.
 #include <spirv.h>
 
 #include <algorithm>
@@ -30,8 +30,8 @@ uint64_t times(uint64_t a, uint64_t b) {
 
 struct TypeSize {
     uint64_t bytes = 0;
-    uint32_t depth = 0;
-    bool specialised = false;  // True if a specialisation constant is the length of the array.
+    uint32_t depth = 0;        // Nesting levels of vectors, matrices, arrays and structs; 0 for a scalar.
+    bool specialised = false;  // True if the length of an array in the type is a specialisation constant.
 };
 
 struct Variable {
@@ -45,7 +45,7 @@ struct Function {
     std::vector<uint32_t> calls;
     // Sums over the function and all functions that it calls. A function that is called twice counts twice.
     uint64_t bytes = 0, code_bytes = 0;
-    uint32_t depth = 0;
+    uint32_t depth = 0;  // Number of calls in the longest call chain that begins here; 0 without calls.
     enum class State : uint8_t { unseen, open, done } state = State::unseen;
 };
 
@@ -169,10 +169,10 @@ class StorageCheck {
         }
     }
 
-    // Counts a loaded value as private memory: copying a whole array or struct needs a temporary copy of that
-    // size.
+    // Counts a large loaded value as private memory: the shader needs a temporary copy of the whole array or
+    // struct.
     void value(const TypeSize& size) {
-        constexpr uint64_t kMostInRegisters = 64;  // A value up to the size of a mat4 is in registers.
+        constexpr uint64_t kMostInRegisters = 64;  // Size of a mat4, in bytes.
         if (size.bytes <= kMostInRegisters) return;
         uint64_t& own = functions_[function_].own_bytes;
         own = plus(own, size.bytes);
@@ -265,8 +265,8 @@ class StorageCheck {
                                raise_limit_text("shader.sharedBytes");
     }
 
-    // Reports an error if the variables of a storage class need more bytes than `limit`. The error is shown
-    // at the largest variable.
+    // Reports an error if `bytes`, the memory of a storage class, exceeds `limit`. The error names the
+    // largest variable. The memory of class Function includes the variables of class Private.
     void report(uint32_t storage, const std::string& what, uint64_t limit, std::string help, uint64_t bytes) {
         if (bytes <= limit) return;
         const Variable* largest = nullptr;

@@ -17,9 +17,9 @@
 namespace weft::shader {
 
 struct IncludeRequest {
-    std::string name;      // The file name between the quotes of the #include.
+    std::string name;      // The file name between the quotes or angle brackets of the #include.
     std::string includer;  // Name of the file that contains the #include.
-    size_t depth = 1;
+    size_t depth = 1;      // Nesting depth of the #include; 1 in the shader file itself.
     // True for #include "x", which is searched beside the including file first; false for <x>.
     bool beside = false;
 };
@@ -41,8 +41,8 @@ struct GlslOutcome {
 [[nodiscard]] GlslOutcome run_glslang(ShaderStage stage, const std::string& name, const std::string& text,
                                       const IncludeReader& includes);
 
-// Returns a text that changes whenever the same GLSL may compile to different SPIR-V. The shader cache uses
-// it as part of its keys.
+// Returns a text with the versions of glslang and of Weft's compiler options. Two builds with different texts
+// may compile the same GLSL to different SPIR-V. The shader cache uses the text as part of its keys.
 [[nodiscard]] std::string compiler_version();
 
 }  // namespace weft::shader

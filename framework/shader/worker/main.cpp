@@ -1,7 +1,7 @@
 // weft-shader-worker MEMORY_BYTES STAGE_MS: compiles GLSL in a separate process, isolated from the program
 // that starts it. The worker sets its own limits before it reads any input. It opens no file and gets all
-// data through file descriptor 0. Exit codes: 0 the caller closed the connection, 2 wrong arguments, 86 out
-// of memory.
+// data through file descriptor 0. Exit codes: 0 if the connection to the caller has ended, 2 for wrong
+// arguments or a wrong request, 86 if an allocation failed.
 #include <sys/resource.h>
 #include <sys/time.h>
 #include <unistd.h>
@@ -20,8 +20,8 @@
 namespace weft::shader {
 namespace {
 
-// Largest size in bytes of a message from the parent process. The worker trusts the parent process, so this
-// limit only catches mistakes.
+// Largest accepted size in bytes of a message from the parent process. The worker ends if it receives a
+// larger one.
 constexpr uint64_t kMostFrameBytes = 1ull << 31;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -49,9 +49,9 @@ bool set_limit(int resource, uint64_t soft, uint64_t hard) {
     return setrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0;
 }
 
-// Limits the processor time for the next stage. The limit is the time that the process has used so far plus
-// the time for one stage. Only the soft limit is set, because a process can raise its soft limit again for
-// the next stage, up to the hard limit.
+// Limits the processor time for the next stage. The limit is the time that the process has used so far, plus
+// the time for one stage, plus 2 s, because the used time is rounded down. Only the soft limit is set,
+// because a process can raise its soft limit again for the next stage, up to the hard limit.
 bool limit_cpu_time(const WorkerLimits& limits) {
     rusage used{};
     rlimit limit{};

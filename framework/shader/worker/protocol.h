@@ -17,8 +17,8 @@ namespace weft::shader {
 enum class MessageKind : uint64_t {
     hello,    // The worker has started. Text: compiler_version().
     compile,  // Request to compile. Number: the stage; texts: name and source text.
-    // The worker asks for an included file. Number: 2 × depth, plus 1 if the file may be beside the including
-    // file; texts: the name in the #include, and the name of the including file.
+    // The worker asks for an included file. Number: 2 × IncludeRequest::depth, plus 1 for #include "x";
+    // texts: the name in the #include, and the name of the including file.
     include,
     source,     // Answer to `include`. Texts: name and source text.
     no_source,  // Answer to `include`: the file cannot be included. Text: the reason.
@@ -34,6 +34,7 @@ struct Message {
 
 inline constexpr size_t kFrameHeaderBytes = 8;
 inline constexpr int kOutOfMemoryExit = 86;  // Exit code of the worker when an allocation fails.
+// Maximum size of the log in `failed`. The rest of a longer log is cut off.
 inline constexpr size_t kMostLogBytes = 64 << 10;
 
 [[nodiscard]] std::string to_frame(const Message& message);

@@ -101,8 +101,8 @@ void WorkerProcess::kill() {
     kill_for(WorkerEnd::protocol_error);
 }
 
-// Kills the worker and stores the reason of its end. If the worker had already ended by itself, the reason
-// follows from its exit status instead of the argument.
+// Kills the worker and stores the reason of its end. If the worker has already ended because of its own
+// memory limit or processor time limit, that reason is stored instead of the argument.
 void WorkerProcess::kill_for(WorkerEnd reason) {
     if (pid_ < 0) return;
     close(socket_);
@@ -158,8 +158,9 @@ std::chrono::milliseconds WorkerProcess::used() {
     return used_;
 }
 
-// Waits until the socket can be read or written. After each step of 20 ms, the function checks the memory and
-// time of the worker and kills the worker if it has exceeded them. Returns false if the worker has ended.
+// Waits until one of `events` (POLLIN, POLLOUT) occurs on the socket. After every 20 ms without an event, the
+// function compares the memory and time of the worker with their limits, and kills the worker if it exceeds
+// one of them. Returns false if the worker has ended.
 bool WorkerProcess::ready(short events) {
     while (pid_ >= 0) {
         pollfd socket{socket_, events, 0};

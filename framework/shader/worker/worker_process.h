@@ -33,7 +33,7 @@ class WorkerProcess {
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-    // Sets the time that the worker may use from now on.
+    // Sets the processor time that the worker may use from now on. The worker may also sleep for this time.
     void allow(std::chrono::milliseconds time);
     // Returns the processor time that the worker has used since its start.
     [[nodiscard]] std::chrono::milliseconds used();

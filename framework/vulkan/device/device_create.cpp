@@ -15,7 +15,7 @@ namespace weft::vk {
 namespace {
 
 // Returns, for each queue family of the device, the number of queues to create for `count` logical queues of
-// a plan. A family that has fewer queues gives all that it has.
+// a plan. The number for a family is at most the number of queues that the family has.
 std::vector<uint32_t> queue_counts(const DeviceProfile& profile, uint32_t main_family, uint32_t count) {
     std::vector<uint32_t> counts(profile.queue_families.size(), 0);
     counts[main_family] = 1;

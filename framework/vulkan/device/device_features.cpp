@@ -33,9 +33,9 @@ constexpr std::array kRequired12{
     Feature<F12>{"separateDepthStencilLayouts", &F12::separateDepthStencilLayouts},
     Feature<F12>{"uniformBufferStandardLayout", &F12::uniformBufferStandardLayout},
 };
-// Weft needs `maintenance4` because SPIR-V 1.6 modules use LocalSizeId. It needs the last two features
-// of this table because shader compilers translate GLSL's `discard` to an instruction that requires one of
-// them.
+// Weft needs `maintenance4` because glslang uses LocalSizeId if specialisation constants set a work group
+// size. Weft needs the last two features of this table because shader compilers translate GLSL's `discard` to
+// an instruction that requires one of them.
 constexpr std::array kRequired13{
     Feature<F13>{"dynamicRendering", &F13::dynamicRendering},
     Feature<F13>{"synchronization2", &F13::synchronization2},

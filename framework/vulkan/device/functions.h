@@ -1,7 +1,7 @@
 // Purpose: Vulkan's functions as plain tables, one per instance and one per device. Weft does not link to
-// libvulkan's symbols, defines none of their names, and has no global table. So two devices, a fault
-// injector, and a program that links to libvulkan can coexist. Errors: load_loader() returns an empty
-// optional if there is no loader library; functions that do not exist are null in the tables.
+// libvulkan's symbols, defines none of their names, and has no global table. So the program may link to
+// libvulkan, and each device has its own table, in which a test can replace functions. Errors: load_loader()
+// returns nullopt if no usable loader library is found; functions that do not exist are null in the tables.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -42,7 +42,8 @@ struct InstanceFunctions {
     PFN_vkCmdEndDebugUtilsLabelEXT vkCmdEndDebugUtilsLabelEXT = nullptr;
 };
 
-// All device functions that Weft calls. clang-format off
+// All device functions that Weft calls.
+// clang-format off
 #define WEFT_DEVICE_FUNCTIONS(X)           \
     X(vkAllocateCommandBuffers)            \
     X(vkAllocateDescriptorSets)            \

@@ -1,5 +1,5 @@
-// Purpose: a Handle owns one Vulkan object, and destroys it through the device's function table. A Handle can
-// be moved but not copied. The Device must outlive it.
+// Purpose: a Handle owns one Vulkan object, and destroys it through the device's function table. After
+// Device::abandon(), it destroys nothing. A Handle can be moved but not copied. The Device must outlive it.
 #pragma once
 
 #include <utility>

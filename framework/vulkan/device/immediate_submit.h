@@ -11,7 +11,7 @@
 namespace weft::vk {
 
 // Records commands with `record`, submits them to the main queue, and waits until they have finished. `what`
-// names the work in error messages, such as "reading image \"output\"".
+// names the work in error messages, such as "reading image \"output\"". A time-out abandons the device.
 [[nodiscard]] Status immediate_submit(Device& device, const std::string& what,
                                       const std::function<void(VkCommandBuffer)>& record);
 

@@ -1,6 +1,6 @@
 // Purpose: describes the devices of this machine as plain data, and chooses one of them with a pure function.
-// Errors: V402 (no device), V403 (no device has the wanted name), V404 (the device lacks a feature that Weft
-// requires).
+// Errors: V402 (no device), V403 (no device has the wanted name or index), V404 (the device lacks a feature
+// that Weft requires).
 #pragma once
 
 #include <string>
@@ -26,11 +26,12 @@ struct Candidate {
 [[nodiscard]] Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical);
 [[nodiscard]] std::vector<Candidate> list_devices(const InstanceFunctions& fn, VkInstance instance);
 // Chooses a device. `wanted` is an index into `candidates`, part of a device name, or empty. If `wanted` is
-// empty, a discrete GPU is preferred to an integrated GPU, and both to a virtual GPU or a CPU.
+// empty, the function chooses among the usable devices, in this order of preference: discrete GPU, integrated
+// GPU, virtual GPU, CPU, other.
 [[nodiscard]] Result<Candidate> choose_device(const std::vector<Candidate>& candidates,
                                               const std::string& wanted);
-// Returns the capabilities of each queue family. The lists of queues are empty, because no VkDevice exists
-// yet.
+// Returns the capabilities of each queue family. QueueFamily::queues is empty, because a physical device has
+// no VkQueue handles.
 [[nodiscard]] std::vector<QueueFamily> describe_families(const InstanceFunctions& fn,
                                                          VkPhysicalDevice physical);
 // Returns error V404, which names the features that `candidate` lacks.
@@ -41,7 +42,8 @@ struct Candidate {
 // Sets the members of `profile` that depend on optional features. `enabled` says which of these features the
 // device has enabled.
 void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profile);
-// Converts the properties of a physical device to a DeviceProfile, from which the compiler makes plans.
+// Converts the properties of a physical device to a DeviceProfile, which Weft's graph compiler needs to make
+// plans.
 [[nodiscard]] DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physical);
 
 }  // namespace weft::vk

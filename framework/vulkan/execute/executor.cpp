@@ -12,8 +12,8 @@
 namespace weft::vk {
 namespace {
 
-// Maximum number of frame timings that wait until the program reads them. Without this limit, a program that
-// never reads them would use more and more memory.
+// Maximum number of frame timings that wait until the program reads them; older ones are dropped. Without
+// this limit, a program that never reads them would use more and more memory.
 constexpr size_t kMostTimings = 32;
 
 class Stopwatch {

@@ -54,14 +54,14 @@ Status ReplayExecutor::be_followed(const FramePlan& next) {
         if (Status started = start_without_frame(); !started) return started;
     }
     followed_ = true;
-    // If each plan has only one batch per frame, both plans use the same queue, which runs the old and the
-    // new frames in order. With several queues, the host must wait for the old frames.
+    // If each of the two plans has only one batch per frame, both use the same queue, which runs the old and
+    // the new frames in order. Otherwise, the host must wait for the old frames.
     const bool one_queue = plan().submissions.batches.size() <= 1 && next.submissions.batches.size() <= 1;
     return one_queue ? Status(Unit{}) : finish();
 }
 
-// Writes the first contents of this executor's persistent resources. Needed if another executor replaces this
-// one before this one has run a frame, because the other executor copies these contents.
+// Writes the initial contents of this executor's persistent resources. This is needed if this executor is
+// replaced before its first frame, because the new executor copies these contents.
 Status ReplayExecutor::start_without_frame() {
     Status started = immediate_submit(device_, "writing the initial content of persistent resources",
                                       [&](VkCommandBuffer commands) { record_start(commands); });
@@ -93,8 +93,8 @@ Status ReplayExecutor::complete_predecessor(uint32_t slot) {
     return completed;
 }
 
-// Destroys the replaced executor. Called after the first frame of this executor has finished, because that
-// frame copies contents from the resources of the replaced executor.
+// Destroys the replaced executor. Call this only after the commands of record_start() have finished, because
+// they copy contents from the resources of the replaced executor.
 Status ReplayExecutor::retire_predecessor() {
     if (!predecessor_) return Unit{};
     Status finished = predecessor_->executor->finish();

@@ -52,9 +52,9 @@ VkResult wait_for(const Device& device, const std::vector<TimelinePoint>& points
     return device.fn().vkWaitSemaphores(device.handle(), &info, device.timeout_ns());
 }
 
-// Records a command that does nothing useful at the start or end of a command buffer. lavapipe (Mesa 22.3)
-// ignores barriers that are the first or last commands of a command buffer, although earlier submissions may
-// still be running.
+// Records a command that has no effect. It is used at the start and end of a command buffer, because lavapipe
+// (Mesa 22.3) ignores barriers that are the first or last commands of a command buffer, although earlier
+// submissions may still be running. Queues without graphics do not support the command, so they get none.
 void fence_off_barriers(const Device& device, VkCommandBuffer commands, uint32_t family) {
     if ((device.families()[family].flags & VK_QUEUE_GRAPHICS_BIT) == 0) return;
     const VkRect2D anywhere{{0, 0}, {1, 1}};

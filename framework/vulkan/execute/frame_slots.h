@@ -1,6 +1,6 @@
 // Purpose: manages the frame slots of the frames in flight: command buffers for the batches of each frame (a
 // batch is one submission to a queue), their submission, and the check whether a frame has finished. Errors:
-// V418; the executor changes the code to V407 for a time-out and to V408 for a lost device.
+// V418, except that time-outs, lost devices and exhausted memory have the codes of vk_result.h.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ class FrameSlots {
     [[nodiscard]] VkResult wait(uint32_t slot);
     // Waits until the queues are idle. Call this after all frames have finished and before the semaphores are
     // destroyed, because lavapipe (Mesa 22.3) signals the end of a submission slightly before it releases the
-    // semaphores. The call is not needed if other work was submitted to the queues after these
-    // frames, for example by an executor that replaced this one.
+    // semaphores. The call is not needed if another executor has replaced this one and submits its frames to
+    // the same queues.
     void let_go() const;
     // True if the frame in `slot` has finished, or if the device is lost. This function does not wait.
     [[nodiscard]] bool is_over(uint32_t slot) const;

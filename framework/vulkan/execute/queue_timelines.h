@@ -1,6 +1,7 @@
-// Purpose: the timeline semaphores of a plan, one per logical queue, and the values that each batch waits for
-// and signals. A batch is one submission of a frame to a queue. A plan with only one batch needs no
-// semaphores. Frames count from 0. Errors: V418 (a semaphore could not be created).
+// Purpose: the timeline semaphores of a plan (one per logical queue, and one for the prologue of frame 0),
+// and the values that each batch waits for and signals. A batch is one submission of a frame to a queue. A
+// plan with only one batch needs no semaphores. Frames count from 0. Errors: V418 (a semaphore could not be
+// created).
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace weft::vk {
 
-// A point on the timeline of one queue. It is reached when `semaphore` has the value `value`.
+// A point on the timeline of one queue. It is reached when the value of `semaphore` is at least `value`.
 struct TimelinePoint {
     VkSemaphore semaphore = VK_NULL_HANDLE;
     uint64_t value = 0;
@@ -22,6 +23,7 @@ class QueueTimelines {
     [[nodiscard]] static Result<QueueTimelines> create(Device& device, const FramePlan& plan);
 
     [[nodiscard]] bool in_use() const { return !semaphores_.empty(); }
+    // Returns the point that a batch signals when it has finished.
     [[nodiscard]] TimelinePoint end_of(uint32_t batch, uint64_t frame) const;
     // Returns the points that a batch waits for: the ends of other batches of the same frame or of the
     // previous frame. In frame 0, every batch also waits for all earlier work of queue 0: the prologue, and

@@ -81,6 +81,7 @@ class ReplayExecutor final : public Executor {
     std::vector<UnitInput> unit_inputs_;
     std::vector<Wake> wakes_;
     std::array<InFlight, kFramesInFlight> in_flight_;
+    // Number of frames that have begun. It continues the count of the executor that this one replaces.
     uint64_t frames_begun_ = 0;
     // Frame slot of the frame that has begun but not run yet; kNoId if there is none.
     uint32_t slot_ = kNoId;
@@ -89,9 +90,10 @@ class ReplayExecutor final : public Executor {
     std::vector<Retired> retired_;
     std::vector<FrameTiming> timings_;
     std::vector<ReadbackData> readbacks_;
-    // The error of a time-out, a lost device, or a frame that was submitted only in part. If not empty, no
-    // further frame runs.
+    // The error after which no further frame runs: a time-out, a lost device, a frame that was submitted only
+    // in part, or a failure of take_over(). Empty if frames can run.
     Diagnostics lost_;
+    // True after a time-out and after the loss of the device.
     bool timed_out_ = false;
     // True if another executor has replaced this one.
     bool followed_ = false;

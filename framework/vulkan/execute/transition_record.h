@@ -7,8 +7,9 @@
 
 namespace weft::vk {
 
-// One of the two plans of a transition (the old or the new one), and the Vulkan objects of its resources in
-// its next frame. The old plan does not run that frame any more; for the new plan it is frame 0.
+// One of the two plans of a transition, and the Vulkan objects of its resources in one frame. For the new
+// plan this is frame 0. For the old plan it is the frame after its last one: this frame never runs, but it
+// would read the contents that are copied.
 struct PlanSide {
     const FramePlan& plan;
     FrameResources resources;

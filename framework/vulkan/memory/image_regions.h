@@ -24,7 +24,7 @@ struct ImageRegions {
 };
 
 // Returns one copy region for each mip level and aspect of `range`. The buffer offsets of the regions start
-// at `base_bytes`, which must be a multiple of 16.
+// at `base_bytes`, which must be a multiple of 16, the size of the largest texels in bytes.
 [[nodiscard]] ImageRegions image_regions(const ResourceDecl& decl, const SubresourceRange& range,
                                          uint64_t base_bytes);
 // Returns the texels of all regions without gaps. The buffer offsets of the regions are offsets into

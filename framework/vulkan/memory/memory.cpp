@@ -133,8 +133,8 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     }
     // The flag VK_IMAGE_CREATE_ALIAS_BIT is never set. It promises that images in the same memory share their
     // texels, but in Weft a resource that takes over memory always starts with undefined content. With the
-    // flag, the validation layer would also treat equal images at the same place as one image, and would miss
-    // the barriers of a third resource that used the memory in between.
+    // flag, the validation layer would also treat equal images at the same place as one image. It would then
+    // ignore the barriers of a third resource that used the memory in between.
     info.imageType = image_type_to_vk(decl.image_kind);
     info.format = to_vk(decl.format);
     info.extent = to_vk(decl.extent);

@@ -43,7 +43,8 @@ class ReadbackMemory {
 };
 
 // Copies an image to the host and waits for the copy. The image must be in the transfer_src layout. Errors:
-// V407 (time-out), V408 (device lost), V410 (out of memory), V418 (any other failure of the submission).
+// V407 (time-out), V408 (device lost), V410 (out of memory), V409 (any other failure to create the buffer),
+// V418 (any other failure of the submission).
 [[nodiscard]] Result<ReadbackData> read_image_now(Device& device, const Image& image);
 
 }  // namespace weft::vk

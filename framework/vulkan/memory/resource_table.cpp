@@ -40,8 +40,8 @@ Status bind_import(const FramePlan& plan, ResourceId id, const ImportBindings& b
     return Unit{};
 }
 
-// Returns a list with 1 for each resource that a pass or barrier of the plan uses. The program need not
-// provide an import that is used only by passes that the compiler has removed.
+// Returns a list by ResourceId: 1 if a live pass, the prologue or the epilogue uses the resource, else 0. The
+// program need not provide an import that is used only by passes that the compiler has removed.
 std::vector<uint8_t> used_resources(const FramePlan& plan) {
     std::vector<uint8_t> used(plan.graph.resources.size(), 0);
     for (const PassId pass : plan.schedule.order)

@@ -1,6 +1,6 @@
-// Purpose: maps every resource of a plan to a Vulkan object. Transient and persistent resources come from the
-// plan's heaps, imports from the program. Errors: V414 if an import is missing, or if its format, size, mip
-// levels, layers or samples differ from those in the resolved graph.
+// Purpose: maps each resource that a plan uses to a Vulkan object. Transient and persistent resources come
+// from the plan's heaps, imports from the program. Errors: V414 if an import is missing, or if the format,
+// size, mip levels, layers or samples of an imported image differ from those in the resolved graph.
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ struct ResourceTable {
     Rings rings;
 };
 
-// The resource table as one frame uses it. A resource with history has several copies, and in every frame
-// another copy is current; this class finds the copy for its frame.
+// The resource table as one frame uses it. A resource with history has several copies in memory, whose roles
+// (content of this frame, of the previous frame, and so on) rotate. This class finds the copy for its frame.
 class FrameResources {
  public:
     FrameResources(const ResourceTable& table, uint64_t frame) : table_(&table), frame_(frame) {}

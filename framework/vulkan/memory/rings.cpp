@@ -50,8 +50,8 @@ void Rings::inherit(const Rings& old, uint64_t frames, const TransitionPlan& tra
     for (const ContentCopy& carry : transition.carried) {
         const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
         if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
-        // The old ring kept at most its history length of past frames. If the new history is longer, the ages
-        // beyond that are not valid yet.
+        // An old ring of N + 1 copies has the contents of at most N past frames. If the new history is longer
+        // than N, its ages above N are not valid yet.
         inherited_[ring] =
             std::min<uint64_t>(frames + old.inherited_[old_ring], old.roles_[old_ring].size() - 1);
     }

@@ -1,5 +1,5 @@
-// Purpose: host-visible buffers. Each frame slot has its own buffer, so that the host and the device never
-// use one buffer at the same time. Errors: those of Buffer::create().
+// Purpose: host-visible buffers. Each frame slot has its own buffer, so that the host can use one buffer
+// while the device uses another. Errors: those of Buffer::create().
 #pragma once
 
 #include <array>

@@ -46,8 +46,8 @@ MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
             exclusive.type_bits & concurrent.type_bits};
 }
 
-// True if the memory of `resource` must be accessible to several queue families. A resource with history has
-// several copies that rotate. So if the plan shares one of them, all of them are shared.
+// True if several queue families must be able to access `resource`. A resource with history has several
+// copies that rotate. So if the plan shares one of them, all of them are shared.
 bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resource) {
     const std::vector<uint8_t>& concurrent = plan.barriers.concurrent;
     const std::vector<ResourceId> roles = rings.roles(resource);

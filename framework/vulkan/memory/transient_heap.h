@@ -18,7 +18,8 @@ class TransientHeap {
  public:
     [[nodiscard]] static Result<TransientHeap> create(Device& device, const FramePlan& plan);
 
-    // Returns VK_NULL_HANDLE for buffers and for resources that are not in the plan's heaps, such as imports.
+    // Both functions return VK_NULL_HANDLE for resources of the other kind, and for resources that are not in
+    // the plan's heaps, such as imports.
     [[nodiscard]] VkImage image(ResourceId resource) const { return images_[resource].get(); }
     [[nodiscard]] VkBuffer buffer(ResourceId resource) const { return buffers_[resource].get(); }
     // Returns the size of the transient heaps in bytes; heaps of persistent resources do not count.
@@ -34,9 +35,9 @@ class TransientHeap {
     // The memory is declared before the images and buffers bound to it. Members are destroyed in reverse
     // order, so the memory is freed last.
     std::vector<MemoryHandle> memory_;
-    // One image for each ResourceId; empty for buffers and imports.
+    // One image for each ResourceId; empty for buffers, imports and unused resources.
     std::vector<ImageHandle> images_;
-    // One buffer for each ResourceId; empty for images and imports.
+    // One buffer for each ResourceId; empty for images, imports and unused resources.
     std::vector<BufferHandle> buffers_;
     uint64_t bytes_ = 0;
 };

@@ -14,7 +14,7 @@ namespace weft::vk {
 namespace {
 
 // Alignment of each mip level in staging memory, in bytes. Copy offsets must be multiples of the texel size
-// and of 4, and no texel is larger than 16 bytes.
+// (1, 2, 4, 8 or 16 bytes); for depth and stencil, also multiples of 4.
 constexpr uint64_t kStagingAlignmentBytes = 16;
 // The data for a buffer is uploaded in pieces of at most 16 MiB.
 constexpr size_t kStagingBytes = 16 << 20;

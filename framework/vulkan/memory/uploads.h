@@ -40,10 +40,11 @@ class UploadMemory {
                 const PassDecl& pass, uint32_t slot, const FrameResources& resources) const;
 
  private:
-    // The upload memory of each port of a pass: places_[position of the pass in the execution order][n].
+    // The upload memory of the n-th port of a pass, counting only ports that have upload memory:
+    // places_[position of the pass in the execution order][n].
     std::vector<std::vector<UploadPlace>> places_;
     // Number of bytes that the pass has put into a port's upload memory for the current frame of a slot:
-    // filled_bytes_[slot][position of the pass in the execution order][n].
+    // filled_bytes_[slot][position of the pass in the execution order][n], with n as in places_.
     std::array<std::vector<std::vector<uint64_t>>, kFramesInFlight> filled_bytes_;
     SlotBuffers memory_;
 };

@@ -1,6 +1,6 @@
-// Purpose: creates image views for all uses of images. Range, aspect and dimension of a view are those that
-// the shader's binding or the attachment needs. Equal views are created only once. Errors: V411 (a view could
-// not be created).
+// Purpose: creates the image views for shader bindings and attachments. Range, aspect and dimension of a view
+// are those that the binding or the attachment needs. Equal views are created only once. Errors: V411 (a view
+// could not be created).
 #pragma once
 
 #include <map>
@@ -24,8 +24,8 @@ class ViewCache {
 
  private:
     using Key = std::tuple<ResourceId, SubresourceRange, VkImageViewType>;
-    // `copy` is the resource whose memory contains the content in the current frame. For a resource with
-    // history this changes from frame to frame; see Rings::copy().
+    // `copy` is a result of Rings::copy(): the resource whose memory the view shows. For a resource with
+    // history, it changes from frame to frame.
     [[nodiscard]] Result<VkImageView> get(ResourceId copy, const SubresourceRange& range,
                                           VkImageViewType type);
 

@@ -1,8 +1,9 @@
 // Purpose: the descriptor sets for the ports of passes (set 1). The bindings of a pass never change during
-// the lifetime of a plan, except for resources with history. Their copies rotate: after a number of frames,
-// the period, the pass uses the same copies again. A pass has one set for each frame of its period and each
-// frame slot, and each set is written only once. Sets of different slots differ only in the memory of their
-// Params block. Errors: V411 (view), V413 (pool or set).
+// the lifetime of a plan, except for resources with history. The copies of such a resource rotate. The period
+// of a pass is the number of frames after which it uses the same copies again. A pass has one set for each
+// frame of its period and each frame slot, and each set is written only once. Sets of different slots differ
+// only in the memory of their Params block. Errors: V411 (an image view could not be created), V413 (a pool,
+// set or sampler could not be created), those of DummyDescriptors.
 #pragma once
 
 #include <array>
@@ -30,8 +31,8 @@ struct DescriptorSources {
 // The descriptor sets that one pass needs from the pool.
 struct SetDemand {
     const ShaderInterface* interface = nullptr;
-    // Number of frames after which the pass uses the same copies of resources with history again. Each of
-    // these frames needs a set for every frame slot.
+    // The period of the pass: the number of frames after which it uses the same copies of its resources
+    // again. Each frame of the period needs one set for every frame slot.
     uint32_t ring_phases = 1;
 };
 [[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device,

@@ -1,7 +1,7 @@
 // Purpose: dummy descriptors for bindings that a graph leaves unconnected. For an unconnected binding `x`,
 // the shader's constant HAS_x is false, so the shader does not access the binding. But Vulkan requires a
-// valid descriptor for every binding that a shader uses statically. Errors: V410 (out of memory), V409 (any
-// other failure).
+// valid descriptor for every binding that a shader uses statically. Errors: V410 (out of memory), V421 (the
+// device does not support the dummy image), V409 (any other failure).
 #pragma once
 
 #include <deque>

@@ -9,8 +9,8 @@
 namespace weft::vk {
 namespace {
 
-// A SPIR-V 1.6 module has a header of five words; word 3 (counted from 0) is an upper bound of all ids. Each
-// instruction is a word with its length and opcode, followed by its operands.
+// A SPIR-V 1.6 module has a header of five words. Word 3 (counted from 0) is the bound: all ids are smaller
+// than it. Each instruction is a word with its length and opcode, followed by its operands.
 constexpr size_t kHeaderWords = 5, kBoundWord = 3;
 enum Opcode : uint32_t {
     kOpLine = 8,
@@ -115,7 +115,8 @@ class Rewriter {
         if (at.opcode == kOpTypePointer && at.words[2] == kPushConstant) out_[start + 2] = kUniform;
     }
 
-    // Declares the push constant that is always 0, and its types and constants.
+    // Declares the push constant that is always 0, and its types and constants. Also gives a descriptor set
+    // and binding to the shader's own push constants, which become a uniform block.
     void declare() {
         declared_ = true;
         emit(kOpDecorate, {index_struct_, kBlock});
@@ -171,7 +172,7 @@ class Rewriter {
     std::span<const uint32_t> spirv_;
     BlockPlace place_;
     uint32_t bound_;
-    // The type that each pointer type points to; both are ids of types.
+    // Maps the id of each pointer type to the id of the type to which it points.
     std::map<uint32_t, uint32_t> pointees_;
     // The ids of all array types.
     std::set<uint32_t> arrays_;

@@ -1,12 +1,13 @@
 // Purpose: rewrites shaders so that the driver cannot treat uniform values as compile-time constants.
 //
-// llvmpipe compiles a uniform value into the machine code as a constant if a branch or loop depends on it,
-// and compiles the shader again when the value changes; a frame index, for example, changes in every frame.
-// Mesa 22.3 also compiles again when only a buffer is bound again. llvmpipe never frees the compiled code, so
+// If a branch or loop depends on a uniform value, llvmpipe compiles the value into the machine code as a
+// constant. It compiles the shader again when the value changes; a frame index changes in every frame. Mesa
+// 22.3 also compiles again when only a buffer is bound again. llvmpipe never frees the compiled code, so
 // memory grows until the process ends. This affects push constants, and uniform blocks with a constant
-// descriptor index. So on llvmpipe every block becomes an array of one block whose index is a push constant
-// that is always 0, and push constants become a uniform block. The bound buffers do not change. Other drivers
-// get the original shaders.
+// descriptor index. So on llvmpipe, push constants become a uniform block, and each uniform block becomes an
+// array of one block, unless it is an array already. The index into a new array is a push constant that is
+// always 0; for an old array, this push constant is added to the index. The bound buffers do not change.
+// Other drivers get the original shaders.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,9 @@ struct BlockPlace {
 [[nodiscard]] std::vector<uint32_t> with_opaque_uniforms(std::span<const uint32_t> spirv,
                                                          const BlockPlace& push_constants);
 
-// Applies the function above to all modules of a program, so that llvmpipe does not compile a shader again
-// for each value of a uniform. Push constants become a uniform block at the first free binding of set 1.
+// Applies the function above to all modules of a program. Push constants become a uniform block at the
+// binding after the last one in set 1. Returns the program unchanged if can_hide_uniforms() is false for any
+// of its modules.
 [[nodiscard]] ShaderProgram with_opaque_uniforms(ShaderProgram program);
 
 // Returns the shaders of a plan in the form that `device` needs: on llvmpipe `changed`, which this function

@@ -1,6 +1,6 @@
 // Purpose: makes the pipeline layout of a pass: set 1 from the shader's ports, sets 0 (frame), 2 (material)
 // and 3 (draw) from the draw source if the shader uses them, and the range of push constants. Errors: V413 (a
-// layout could not be created), V415 (the draw source does not have the set).
+// layout could not be created), V415 (the draw source does not have a set that the shader uses).
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Purpose: makes the pipelines of a pass: one per variant of each draw list if the pass has draw lists,
 // otherwise one. A pipeline that is already in the store is reused. Errors: V412 (a pipeline could not be
-// created), V416 (a vertex input is missing).
+// created), V414 (the program has no such draw list), V416 (the draw list lacks a vertex input).
 #pragma once
 
 #include <string>
@@ -17,6 +17,7 @@ namespace weft::vk {
 struct DrawPipeline {
     // Name of the draw list, such as "opaque"; empty if the pass has no draw lists.
     std::string list;
+    // Index into ImportDecl::variants of the draw list; 0 if the pass has no draw lists.
     uint32_t variant = 0;
     PipelineLease pipeline;
 };
@@ -33,8 +34,8 @@ struct PipelineRequest {
     PipelineCounts& counts;
 };
 
-// Returns the pipelines in drawing order: the draw lists in the order of the pass, and the variants of each
-// list.
+// Returns the pipelines in drawing order: list by list in the order of PassDecl::draw_lists, and within a
+// list in the order of its variants.
 [[nodiscard]] Result<std::vector<DrawPipeline>> make_pipelines(Device& device,
                                                                const PipelineRequest& request);
 [[nodiscard]] Result<PipelineCacheHandle> make_pipeline_cache(Device& device);

@@ -10,9 +10,9 @@
 namespace weft::vk {
 namespace {
 
-// Largest allowed period of a pass: the number of frames after which its resources with history are in the
-// same copies again. Each of these frames needs descriptor sets of its own. 840 is a multiple of all ring
-// lengths from 1 to 8.
+// Largest allowed period of a pass: the number of frames after which the pass uses the same copies of its
+// resources with history again. Each of these frames needs descriptor sets of its own. 840 is the least
+// common multiple of 1 to 8, so rings of up to 8 copies cannot exceed the limit.
 constexpr uint64_t kMaxRingPhases = 840;
 
 bool runs_shader(PassKind kind) {
@@ -79,7 +79,8 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
     return errors;
 }
 
-// Creates the memory of a plan, and the other objects that depend only on the plan.
+// Creates the objects of a plan that do not depend on shaders: heaps, the resource table, memory for host
+// data, and timestamp queries.
 Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& objects) {
     Result<TransientHeap> heap = TransientHeap::create(device, objects.plan);
     if (!heap) return heap.take_errors();
@@ -102,9 +103,9 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     return Unit{};
 }
 
-// Makes the descriptor sets and the rendering scope of the pass at index `position` of the execution order,
-// for frame `frame` of the period of the pass. After one period, the pass uses the same copies of its
-// resources with history again.
+// Makes the descriptor sets of the pass at index `position` of the execution order, and its rendering scope
+// if it draws. They are for frame `frame` of the period of the pass. After one period, the pass uses the same
+// copies of its resources with history again.
 Status prepare_ring_phase(Device& device, PlanObjects& objects, Position position,
                           const ShaderInterface& interface, uint64_t frame) {
     PreparedPass& prepared = objects.passes[position];

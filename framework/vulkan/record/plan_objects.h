@@ -1,6 +1,6 @@
 // Purpose: all Vulkan objects of a plan: heaps, views, layouts, descriptor sets, pipelines, and memory for
-// transfers between host and device. They are created once; frames only use them. Errors: V409 to V418; all
-// errors of a plan are reported together.
+// transfers between host and device. They are created once; frames only use them. Errors: V409 to V418, V421.
+// Faults of several passes are reported together.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@ namespace weft::vk {
 // The Vulkan objects needed to record one pass. The kind of the pass determines which members are set.
 struct PreparedPass {
     PassLayout layout;
-    // port_sets and scopes have one element for each frame of the period of the pass. After that number of
-    // frames, all resources with history are back in the same copies.
+    // port_sets and scopes have one element for each frame of the period of the pass. After one period, the
+    // pass uses the same copies of its resources with history again.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
     std::vector<DrawPipeline> pipelines;

@@ -31,7 +31,7 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
                           bytes.data());
 }
 
-// Draws a number of vertices without vertex buffers. The shader gets only the vertex index.
+// Draws a number of vertices without vertex buffers. The shader gets only the vertex and instance indices.
 void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                    uint32_t vertices, uint32_t instances) {
     const DeviceFunctions& fn = context.device.fn();

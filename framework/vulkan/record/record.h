@@ -1,4 +1,4 @@
-// Purpose: records the commands of one pass in a frame, with one function for each kind of pass.
+// Purpose: records the commands of one pass in a frame.
 #pragma once
 
 #include "vulkan/record/plan_objects.h"
@@ -16,7 +16,8 @@ struct RecordContext {
     FrameResources resources;
 };
 
-// Records the pass at index `position` of the execution order, without its barriers.
+// Records the pass at index `position` of the execution order, without its barriers. Calls one of the
+// functions below, or for readback and custom passes ReadbackMemory::record() or UploadMemory::record().
 void record_pass(const RecordContext& context, Position position);
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);

@@ -16,7 +16,7 @@ struct RenderingScope {
     VkRenderingAttachmentInfo stencil{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     VkRect2D area{};
     uint32_t layers = 1;
-    // False if the pass continues the rendering scope of the previous pass.
+    // False if the pass continues the rendering scope of the previous pass on the queue.
     bool begins = true;
     // False if the next pass on the queue continues the rendering scope.
     bool ends = true;

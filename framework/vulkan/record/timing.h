@@ -14,8 +14,8 @@ namespace weft::vk {
 
 class PassTimer {
  public:
-    // If `enabled` is false, the timer does nothing. A pass on a queue without timestamps gets a negative
-    // time.
+    // If `enabled` is false, the timer records nothing. A pass gets a negative time if the timer is disabled,
+    // or if the queue of the pass has no timestamps.
     [[nodiscard]] static Result<PassTimer> create(Device& device, const FramePlan& plan, bool enabled);
 
     // Resets the queries of a frame slot. Call this after the slot's last frame has finished.
@@ -35,8 +35,10 @@ class PassTimer {
         uint64_t available = 0;
     };
     void write(VkCommandBuffer commands, uint32_t slot, uint32_t query, bool inside_scope) const;
-    // Reads all queries of a frame slot; returns an empty list if the timer is disabled.
+    // Reads all queries of a frame slot. Returns an empty list if there are none or if reading fails.
     [[nodiscard]] std::vector<Stamp> stamps(uint32_t slot) const;
+    // Returns the index of the query at the end of the pass at index `position` of the execution order. The
+    // queries before these are for the starts of the batches: query i for batch i.
     [[nodiscard]] uint32_t end_query(size_t position) const;
 
     Device* device_ = nullptr;
@@ -44,8 +46,8 @@ class PassTimer {
     std::vector<uint8_t> batch_timed_;
     // For each pass, in execution order, 1 if the next pass continues the same rendering scope.
     std::vector<uint8_t> inside_scope_;
-    // For each pass, in execution order, the last query before the pass on its queue. The time of the pass
-    // counts from this query. kNoId if the pass is not timed.
+    // For each pass, in execution order, the index of the query from which its time counts: the end of the
+    // previous pass in its batch, or else the start of the batch. kNoId if the pass is not timed.
     std::vector<uint32_t> before_;
     std::array<QueryPoolHandle, kFramesInFlight> pools_;
 };

@@ -1,5 +1,6 @@
-// Contents of descriptor set 0: constants of the frame, and the view of a pass. Units: metres, cd/m². Clip space is
-// Vulkan's; `projection` contains the flip of y. Depth is reversed: 1 at the distance `near_m`.
+// Contents of bindings 0 and 1 of descriptor set 0: constants of the frame, and the view of a pass. Units: metres,
+// cd/m². Clip space is Vulkan's; `projection` contains the flip of y. Depth is reversed: 1 at the distance `near_m`,
+// 0 at infinity.
 #ifndef WEFT_SHARED_FRAME
 #define WEFT_SHARED_FRAME
 #include "begin.glsl"
@@ -14,7 +15,7 @@ struct FrameConstants {
     float pre_exposure;       // Pre-exposure: factor for radiance before it is stored in hdr.
     float prev_pre_exposure;
     float delta_time_s;
-    float environment_scale;  // Factor for texels of the environment picture; 0: the gradient sky is used.
+    float environment_scale;  // Factor for texels of the environment picture; 0 if the scene has no picture.
     uint directional_count;   // Number of directional lights, which are the first lights in the list.
     uint plain_count;         // Number of lights before the first with an area or a light function.
     uint reserved0;
@@ -33,7 +34,7 @@ struct ViewConstants {
     float near_m;
     vec2 viewport_px;
     vec2 inverse_viewport;
-    vec2 jitter_uv;               // Offset of the picture by the jitter in `projection`; 0 without "jitter".
+    vec2 jitter_uv;               // Offset of the picture by the jitter in `projection`; 0 if no "jitter" is set.
     vec2 reserved0;
 };
 

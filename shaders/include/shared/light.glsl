@@ -15,10 +15,10 @@ struct Light {
     float range_m;       // Range, from the nearest point of the light's shape; 0: no limit.
     vec3 intensity;      // Colour × intensity in the unit of the light type, Rec.709.
     uint type;
-    vec3 direction;      // Unit vector in which the light travels; for a capsule, its axis.
+    vec3 direction;      // Unit vector along which the light travels; for a capsule, its axis.
     float cone_scale;    // Spot: saturate(cos(angle) · scale + offset)², as in KHR_lights_punctual.
     vec3 side;           // Unit vector perpendicular to `direction`: the width axis of a rectangle, and of the doors
-                         // and the picture of the light.
+                         // and the picture of the light. For a capsule: the direction that its doors and picture face.
     float cone_offset;
     vec2 half_size_m;    // Rectangle: half width, half height; capsule: half length without caps, radius.
     uint function;       // 0: no light function; otherwise 1 + the index of the light function.

@@ -1,14 +1,16 @@
 // A light function shapes a light with barn doors, a picture (gobo) and a falloff curve. Lights refer to it by index.
-// Source: Barzel 1997, "Lighting Controls for Computer Cinematography". Lengths are tangents of angles from the light's
-// direction. Directional lights have no such angles, so their lengths are metres.
+// Source: Barzel 1997, "Lighting Controls for Computer Cinematography". Doors, pictures and soft edges are
+// measured on the plane at distance 1 in front of the light, so their lengths are tangents of angles. For directional
+// lights, these lengths are in metres.
 #ifndef WEFT_SHARED_LIGHT_FUNCTION
 #define WEFT_SHARED_LIGHT_FUNCTION
 #include "begin.glsl"
 
 struct LightFunction {
     vec4 curve;             // Factor over distance: 4 Bézier ordinates from distance 0 to reach_m.
-    // Positions of the four barn doors: left, right, bottom, top. Each is the distance from the light's direction to the
-    // edge of the door, along the axis `width` or `up` of the light. Light beyond the edge is blocked. kNoDoor: no door.
+    // Positions of the four barn doors: left, right, bottom, top. Each is the distance from the light's direction to
+    // the edge of the door, along the axis `width` or `up` (LightFrame). Light beyond the edge is blocked. kNoDoor: no
+    // door.
     vec4 doors;
     vec2 picture_scale;     // 1 / (half the size of the picture).
     float reach_m;

@@ -1,11 +1,11 @@
-// Cascades of the sun's shadow maps, in descriptor set 0. The cascades are nested parts of the view; each has its own
-// shadow map. Units: metres.
+// Cascades of the sun's shadow maps, in descriptor set 0. A cascade is used for points between two distances from
+// the eye, and has its own shadow map. Cascade 0 is the nearest. Units: metres.
 #ifndef WEFT_SHARED_SUN
 #define WEFT_SHARED_SUN
 #include "begin.glsl"
 
 const int kMostSunCascades = 4;
-// At the end of a cascade, this share of its length is blended with the next cascade.
+// A cascade is blended with the next one over the last part of its range. This part has the length kSunBlend × end_m.
 const float kSunBlend = 0.1f;
 
 struct SunCascade {

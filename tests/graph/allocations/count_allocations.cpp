@@ -1,6 +1,6 @@
-// Holds the number of times that the compiler and the checker allocate memory. Unlike a time, this number
-// does not depend on the load of the machine. This file replaces operator new for its whole program, so it is
-// a program of its own.
+// Tests limits for the number of memory allocations in the compiler and the checker. Unlike a time, this
+// number does not depend on the load of the machine. This file replaces operator new for its whole program,
+// so these tests have their own program.
 #include <gtest/gtest.h>
 
 #include <atomic>

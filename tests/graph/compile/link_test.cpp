@@ -12,7 +12,7 @@ namespace {
 constexpr AccessState kExit{stage::kCopy, access::kTransferRead, Layout::transfer_src};
 
 // Returns results of all stages of compile(), made by hand, for three images: `a` and `c` are imports, and
-// `b` is kept from frame to frame.
+// `b` is kept from frame to frame. `c` is not live.
 StageResults results() {
     GraphBuilder builder;
     const ResourceId a = builder.image("a"), b = builder.image("b"), c = builder.image("c");

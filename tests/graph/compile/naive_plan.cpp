@@ -70,9 +70,10 @@ class Layouts {
     }
 
  private:
+    // One mip level of one array layer.
     struct Cell {
         Layout layout = Layout::undefined;
-        bool fresh = false;  // True for a transient resource that the frame has not used yet.
+        bool fresh = false;  // True if the resource is transient and the frame has not used this cell yet.
     };
 
     const ResolvedGraph& graph_;
@@ -141,8 +142,8 @@ void plan_barriers(FramePlan& plan) {
     plan.barriers.emitted += static_cast<uint32_t>(plan.barriers.epilogue.size());
 }
 
-// Sets load and store operations: attachments that are read are loaded, attachments that are only written are
-// cleared, and all attachments are stored.
+// Sets load and store operations. Attachments that are only written are cleared, the others are loaded. All
+// attachments are stored, except depth attachments that are only read.
 void plan_attachments(FramePlan& plan) {
     for (PassStep& step : plan.barriers.steps) {
         const PassDecl& pass = plan.graph.passes[step.pass];

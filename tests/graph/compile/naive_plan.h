@@ -1,7 +1,7 @@
 // Purpose: makes a trivially correct plan, so that tests can compare the compiler's plan with it. The plan
-// runs all passes in topological order and culls none. Every resource has separate memory, and before each
-// pass stands a barrier from all stages to all stages. The code shares nothing with the stages of the
-// compiler.
+// runs all passes in topological order and culls none. Every resource has separate memory. Before each pass,
+// every resource that the pass uses has a barrier from all device stages to all device stages. The code
+// shares nothing with the stages of the compiler.
 #pragma once
 
 #include "weft/plan.h"

@@ -91,8 +91,8 @@ TEST(PlanProperties, TheSameFrameGivesTheSamePlan) {
               plan_hash(compile(two, content_needs(two), {})));
 }
 
-// Removes each barrier in turn and expects an error from the checker. This shows two things: the plan has no
-// unnecessary barrier, and the checker notices every missing barrier.
+// Removes each barrier before a pass in turn and expects an error from the checker. This shows two things:
+// none of these barriers is unnecessary, and the checker notices if one of them is missing.
 TEST(PlanProperties, EveryBarrierIsNeeded) {
     for (uint32_t seed = 0; seed < 15; ++seed) {
         const ResolvedGraph graph = random_graph(seed, {5, 25});

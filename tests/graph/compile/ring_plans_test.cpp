@@ -79,8 +79,8 @@ void add_kept(ResolvedGraph& graph) {
     graph.edges.push_back({first, PassId(first + 1), EdgeKind::raw, kept.ring, {}});
 }
 
-// Returns true if every part of the resource is written before it is read. Only such a resource can become a
-// ring.
+// Returns true if the resource is transient, has one mip and one layer, and a pass writes it. Only such
+// resources become rings in these tests, because then no part of a ring stays unwritten.
 bool wholly_written(const ResolvedGraph& graph, ResourceId id) {
     const ResourceDecl& resource = graph.resources[id];
     if (resource.lifetime != ResourceLifetime::transient || resource.mips * resource.layers != 1)
@@ -141,8 +141,8 @@ TEST(RingPlans, AForgottenPrologueIsAFault) {
     EXPECT_FALSE(check_plan(plan).empty());
 }
 
-// No pass writes the ring here, for example because `if` removed the writer. Then every frame must read the
-// initial value that the prologue has written to the ring.
+// No pass writes the ring here. (In a graph file, this happens if the key "if" removes the writing pass.)
+// Every frame must read the initial value that the prologue has written to the ring.
 TEST(RingPlans, APastThatNobodyWritesStaysAsItWasAtFirst) {
     for (const uint32_t history : {1u, 2u}) {
         GraphBuilder builder;

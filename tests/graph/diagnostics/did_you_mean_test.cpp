@@ -43,7 +43,7 @@ std::vector<std::string> nearest_names(const std::string& name, const std::vecto
     return names;
 }
 
-// Makes names of few letters, so that many are similar.
+// Makes a name of the letters a, b and c. So few letters give many similar names.
 std::string random_name(std::mt19937& random, size_t most_bytes) {
     std::string name(1 + random() % most_bytes, 'a');
     for (char& c : name) c = static_cast<char>('a' + random() % 3);

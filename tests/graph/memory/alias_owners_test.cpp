@@ -8,8 +8,8 @@
 namespace weft::test {
 namespace {
 
-// Takes bytes in both ways, at random places, and compares the old owners of all takes. Owners of
-// neighbouring bytes that are the same count once.
+// Takes random byte ranges, both from an OwnerMap and from a list of single bytes, and compares the old
+// owners that each take finds. Consecutive bytes with the same owner count once.
 void compare(uint32_t seed, uint64_t heap_bytes, uint64_t most_bytes) {
     std::mt19937 random(seed);
     OwnerMap map;
@@ -37,7 +37,7 @@ void compare(uint32_t seed, uint64_t heap_bytes, uint64_t most_bytes) {
 TEST(OwnerMap, KnowsTheLastOwnerOfEveryByte) {
     for (uint32_t seed = 1; seed <= 20; ++seed) {
         compare(seed, 60, 20);
-        // Several hundred ranges, so that the list is divided into parts.
+        // The map then has several hundred ranges, so that it divides its list of ranges into parts.
         compare(seed, 4000, 12);
         compare(seed, 4000, 1500);
     }

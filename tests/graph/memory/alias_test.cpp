@@ -130,8 +130,8 @@ TEST(Alias, WhatNoPassUsesOrNeedsNoMemoryHasNoPlace) {
 }
 
 TEST(AliasTransitions, FollowTheBytes) {
-    // One heap has 100 bytes. Resource 0 uses the first bytes, then resource 1 does, and resource 2 lives
-    // beside both. Then resource 3 takes over the memory of 1 and 2.
+    // One heap has 100 bytes. Resource 0 uses bytes 0 to 59. Later, resource 1 uses bytes 0 to 49, and at the
+    // same time resource 2 uses bytes 50 to 99. Then resource 3 uses all 100 bytes.
     const std::vector<Placement> placements{{0, 0, 0, 60}, {1, 0, 0, 50}, {2, 0, 50, 50}, {3, 0, 0, 100}};
     const std::vector<AliasTransition> wanted{{3, 0, true}, {0, 1, false}, {0, 2, false},
                                               {3, 2, true}, {1, 3, false}, {2, 3, false}};

@@ -1,5 +1,6 @@
-// Tests the lifetimes for several queues against their definition: resource a is over before resource b
-// begins if, according to the vector clocks, each pass that uses b runs after all passes that use a.
+// Tests QueueTimes, which says whether the lifetimes of two resources overlap if the frame has several
+// queues. Definition: resource a is over before resource b begins if each pass that uses b runs after all
+// passes that use a. The vector clocks tell which passes surely run after which.
 #include "graph/memory/alias_times.h"
 
 #include <gtest/gtest.h>

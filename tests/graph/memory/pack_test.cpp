@@ -62,8 +62,8 @@ TEST(Pack, NothingThatLivesTogetherSharesBytes) {
     }
 }
 
-// B is placed above A, so the four bytes of C, which is alive together with B, fit only above B. With a
-// target of six bytes, C takes the place of B, and B is placed above C.
+// Items A, B and C have 2, 2 and 4 bytes. B is alive together with A and with C. B is placed above A, so C
+// fits only above B. With a target of six bytes, C takes the place of B, and B is placed above C.
 TEST(Pack, AnItemThatDoesNotFitTakesThePlaceOfAnother) {
     const std::vector<PackItem> a_b_c{{2, 1, 0, 0}, {2, 1, 0, 1}, {4, 1, 1, 1}};
     Conflicts conflicts(a_b_c);
@@ -75,8 +75,9 @@ TEST(Pack, AnItemThatDoesNotFitTakesThePlaceOfAnother) {
     EXPECT_EQ(below.height_bytes, 6u);
 }
 
-// Eight items that are alive together are stored without lists of conflicts (dense). Among 40 items, two that
-// are alive together have lists.
+// Tests both forms of Conflicts. If eight items are all alive together, Conflicts is dense: it has no lists.
+// If 40 items are alive in pairs, Conflicts is sparse: each item has a list of the items that are alive with
+// it.
 TEST(Conflicts, ARemovedItemTakesNoBytes) {
     std::vector<PackItem> together(8, {4, 1, 0, 0}), apart;
     for (uint32_t i = 0; i < 40; ++i) apart.push_back({4, 1, i / 2, i / 2});
@@ -115,8 +116,8 @@ TEST(Pack, EjectionReachesTheTargetOrPlacesTheRestAboveIt) {
     EXPECT_GT(smaller, 30u);
 }
 
-// The packing of the test above has C on top, above the target. Only C is placed again, and B is removed for
-// it. Without removals, C stays above the target.
+// The same items as in AnItemThatDoesNotFitTakesThePlaceOfAnother. Only C ends above the target of six bytes,
+// so only C is placed again, and B is removed for it. If no removal is allowed, C stays above the target.
 TEST(Pack, LoweringPlacesOnlyItemsAboveTheTargetAgain) {
     const std::vector<PackItem> a_b_c{{2, 1, 0, 0}, {2, 1, 0, 1}, {4, 1, 1, 1}};
     Conflicts conflicts(a_b_c);

@@ -24,9 +24,9 @@ std::string text(const AccessState& state) {
     return stages_text(state.stages) + " " + access_text(state.access) + " " + layout_text(state.layout);
 }
 
-// The expected stages, access bits and layout of each kind of access to a color image. Accesses by a shader
-// are by a compute shader here. Source: the table of access types of VK_KHR_synchronization2 in the Vulkan
-// specification, "Access Types".
+// The expected stages, access bits and layout of each kind of access, separated by spaces. The aspect is
+// colour, and accesses by a shader are by a compute shader here. Source: the table of access types of
+// VK_KHR_synchronization2 in the Vulkan specification, "Access Types".
 TEST(AccessTable, ImagesHaveTheStatesOfSynchronization2) {
     const std::map<std::string, std::string> expected{
         {"none", "none none undefined"},

@@ -1,4 +1,5 @@
-// Tests that the compiler rejects the id of one table where the id of another table is needed.
+// Tests that the C++ compiler rejects one type of id (such as ResourceId) where another type (such as PassId)
+// is needed.
 #include "weft/id.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Tests the errors for faults in the top level of a graph file and in its resources.
+// Tests the errors for faults in the top level of a graph file and in its resources. "$$" marks the place of
+// each expected error; the tests remove the marks before they parse the text.
 #include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {

@@ -1,4 +1,5 @@
-// Tests the errors for faults in passes and in their pipeline states.
+// Tests the errors for faults in passes and in their pipeline states. "$$" marks the place of each expected
+// error; the tests remove the marks before they parse the text.
 #include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {

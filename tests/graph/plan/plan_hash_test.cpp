@@ -1,5 +1,5 @@
-// Tests that equal plans have equal hashes, and that a change of any field changes the hash. Only places in
-// the graph file (line and column) do not count.
+// Tests that equal plans have equal hashes, and that changed plans have other hashes. plan_hash() ignores
+// only ParamCost and the places in the graph file (line and column).
 #include <gtest/gtest.h>
 
 #include <string>
@@ -38,7 +38,8 @@ TEST(PlanHash, NoticesEveryFieldButProvenance) {
     EXPECT_EQ(plan_hash(other), hash);
 }
 
-// Every member of a plan belongs to exactly one of the two hashes: to the structure or to the values.
+// Each change in this test must change exactly one of two hashes: structure_hash() or values_hash().
+// is_value() returns true if the change leaves structure_hash() the same.
 TEST(PlanHash, AMemberBelongsToTheStructureOrToTheValues) {
     FramePlan plan = some_plan();
     PassDecl& first = plan.graph.passes[0];
@@ -68,8 +69,8 @@ TEST(PlanHash, AMemberBelongsToTheStructureOrToTheValues) {
     EXPECT_FALSE(is_value([](PassDecl&, FramePlan& other) { ++other.memory.heaps[0].size_bytes; }));
 }
 
-// Hashes a name that is longer than the 4096-byte buffer of the hash function, and names that end close to
-// the end of that buffer. A change of one letter must change the hash.
+// The hash function collects its input in a buffer of 4096 bytes. The test hashes a name that is longer than
+// the buffer, and names that end close to the end of the buffer. A change of one letter must change the hash.
 TEST(PlanHash, LongNamesAreHashedWhole) {
     FramePlan plan;
     plan.graph.passes.resize(1);

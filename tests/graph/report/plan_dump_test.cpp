@@ -12,8 +12,8 @@
 namespace weft::test {
 namespace {
 
-// Returns a small frame. The frame is the same for all seeds, but its passes and resources are declared in a
-// random order.
+// Returns a small frame. It is the same for all seeds, except for the order in which its resources are
+// declared. Seed 0 keeps the order of `names`; all other seeds give a random order.
 GraphBuilder shuffled_frame(uint32_t seed) {
     std::vector<std::string> names{"depth", "color", "blurred", "unused"};
     std::mt19937 random(seed);

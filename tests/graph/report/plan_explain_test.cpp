@@ -1,4 +1,5 @@
-// Tests that the answers of `weft explain` about random plans agree with the plans, on one to four queues.
+// Tests that the answers of `weft explain`, the differences of diff_plans() and the text of plan_to_text()
+// agree with random plans on one to four queues.
 #include "weft/report/plan_explain.h"
 
 #include <gtest/gtest.h>

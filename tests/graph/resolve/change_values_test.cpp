@@ -1,5 +1,5 @@
-// Tests that change_values() returns exactly the graph that resolve() returns, and that it refuses changes
-// that need more than new values.
+// Tests that change_values() returns the same graph as resolve(). Also tests that only_values_differ()
+// returns false for changes that need more than new values.
 #include "graph/resolve/change_values.h"
 
 #include <random>
@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string> kNames{"a", "b", "c", "d"};
 
-// Refuses an upload with a limit of 3.
+// The check of pass type "upload". Returns an error if the parameter "limit" of the pass is 3.
 Status refuse_three(const PassDecl& pass, const ResolvedGraph&) {
     if (pass.custom_params.empty() || pass.custom_params[0].value != 3) return Unit{};
     Diagnostic d;
@@ -53,7 +53,8 @@ class ChangeValues : public ResolveTest {
                 return "k + " + name();
         }
     }
-    // Returns a number or, rarely, an expression. With an expression, a parameter decides more than a value.
+    // Returns `number` or, with a probability of 1/8, an expression with a parameter. The expression replaces
+    // the size of a resource or the condition of a pass, so a change of the parameter needs a new resolve().
     std::string rarely(const char* number) {
         return random_() % 8 == 0 ? "\"1 + " + kNames[random_() % kNames.size()] + "\"" : number;
     }

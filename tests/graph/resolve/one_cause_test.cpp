@@ -1,4 +1,5 @@
-// Tests that each fault in a graph gives one message only, in the order of the file, with a useful help text.
+// Tests the errors of resolve(): each fault in a graph gives only one message, messages of the same kind are
+// in the order of the file, and the help text names a remedy.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {

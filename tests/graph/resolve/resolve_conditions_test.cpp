@@ -15,7 +15,8 @@ class ResolveConditions : public ResolveTest {
         shaders["add.frag"] = fragment({"color"});
     }
 
-    // Returns a graph in which pass "maker" writes x if parameter "on" is true. Pass "reader" reads `src`.
+    // Returns a graph in which pass "maker" writes x if parameter "on" is true. `src` is the JSON text of the
+    // input of pass "reader", and `more` contains further passes.
     std::string graph(const std::string& src, const std::string& more = "",
                       const std::string& shader = "copy.comp") {
         return R"j("params": {"on": false},
@@ -103,8 +104,8 @@ TEST_F(ResolveConditions, OptionalTakesASwitch) {
     const Diagnostic d = bad(graph(R"j({"ref": "z", "optional": true})j"));
     EXPECT_EQ(d.code, "W168");
     expect_help(d, "const bool HAS_src");
-    // The shader could run without the port, but the port is optional only if the author of the graph says
-    // so.
+    // The shader "maybe.comp" has the constant HAS_src and could run without the port "src". But the port is
+    // optional only if the graph contains "optional": true.
     EXPECT_EQ(bad(graph(R"j("x")j", "", "maybe.comp")).code, "W123");
     const Diagnostic copy = bad(R"j("resources": {"x": "rgba16f", "y": "rgba16f"}, "passes": {
       "c": {"type": "clear", "out": ["x"]},

@@ -38,7 +38,8 @@ inline ImportCatalog fake_imports() {
 }
 
 // Returns the profile of an imaginary device that supports all pipeline state and the usual features of each
-// format. For example, sRGB formats have no storage, and integer formats have no blending.
+// format. For example, sRGB formats do not support storage images, and integer formats do not support
+// blending.
 inline DeviceProfile fake_profile() {
     namespace ff = format_feature;
     DeviceProfile profile;
@@ -62,8 +63,8 @@ inline DeviceProfile fake_profile() {
 
 class ResolveTest : public ::testing::Test {
  protected:
-    // Parses a graph. `body` is the text between the outer braces of the graph; its first line is line 1 of
-    // "graph.json".
+    // Parses a graph. `body` contains the members of the graph except "version" and "name". Its first line is
+    // line 1 of the file "graph.json".
     static Result<GraphDesc> parsed(const std::string& body) {
         const std::string text = "{\"version\": 1, \"name\": \"test\"," + body + "}";
         const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };

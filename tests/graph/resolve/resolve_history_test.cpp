@@ -15,8 +15,8 @@ class ResolveHistory : public ResolveTest {
         shaders["add.frag"] = fragment({"color"});
     }
 
-    // Returns a graph in which pass "mix" reads `prev`, the history of "acc", and writes "acc". Pass "show"
-    // copies "acc" to "y".
+    // Returns a graph in which pass "mix" reads the reference `prev` at its port "prev", and writes "acc".
+    // Pass "show" copies "acc" to "y". `acc` contains further members of the image "acc".
     static std::string temporal(const std::string& acc = R"j("history": 1)j",
                                 const std::string& prev = "acc[-1]") {
         return R"j("resources": {"y": "rgba16f",
@@ -129,8 +129,8 @@ TEST_F(ResolveHistory, SomebodyMustWriteIt) {
         bad(R"j("resources": {"x": {"format": "rgba16f", "history": 1}, "y": "rgba16f"}, "passes": {
       "c": {"type": "compute", "shader": "copy.comp", "in": {"src": "x[-1]"}, "out": {"dst": "y"}}})j");
     EXPECT_EQ(d.code, "W110");
-    // No pass writes "acc", because the writer names it "accc". The misspelt name is the only error; no W110
-    // follows.
+    // No pass writes "acc", because pass "m" misspells the name as "accc". resolve() must report only the
+    // unknown name (W103), not also that no pass writes "acc" (W110).
     const Diagnostic near =
         bad(R"j("resources": {"acc": {"format": "rgba16f", "history": 1}, "y": "rgba16f"}, "passes": {
       "m": {"type": "compute", "shader": "make.comp", "out": {"dst": "accc"}},

@@ -27,7 +27,7 @@ TEST_F(ResolveInterface, PortWithoutBinding) {
     shaders["other.comp"] = compute({sampled("picture"), image_out("dst")});
     const Result<ResolvedGraph> r = run(filter_pass("other.comp"));
     ASSERT_FALSE(r.ok());
-    // There are two errors: port "dst" has no binding in the shader, and the shader's binding "picture" has
+    // There are two errors: port "src" has no binding in the shader, and the shader's binding "picture" has
     // no port.
     ASSERT_EQ(r.errors().size(), 2u) << to_text(r.errors());
     EXPECT_EQ(r.errors()[0].code, "W170");

@@ -1,4 +1,5 @@
-// Tests cube, array, 3D and multisampled images, and passes of the kinds resolve, blit and indirect dispatch.
+// Tests cube, array, 3D and multisampled images, resolves of attachments, blits, indirect dispatches and
+// indirect draws.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {
@@ -17,8 +18,8 @@ class ResolveKinds : public ResolveTest {
 "x": {"format": ")j" +
                format + R"j(", )j" + keys + R"j(}}, "passes": {"c": {"type": "clear", "out": ["x"]}})j";
     }
-    // Returns a graph in which pass "draw" writes the multisampled image "ms" and resolves it into the image
-    // "one".
+    // Returns a graph in which pass "draw" draws into the image "ms" and resolves "ms" into the image "one".
+    // `ms` and `one` contain the members of these images, and `more` contains further passes.
     std::string resolving(const std::string& ms, const std::string& one, const std::string& more = "") {
         return R"j("imports": {"opaque": "drawlist"}, "resources": {
 "ms": {)j" + ms +

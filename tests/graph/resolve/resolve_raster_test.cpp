@@ -1,4 +1,5 @@
-// Tests attachments of passes that draw: locations, first writes, blending, depth, extents and draw lists.
+// Tests passes that draw: the locations, first writes, blending, depth and extents of their attachments, and
+// their draw lists and views.
 #include "tests/graph/resolve/resolve_fixture.h"
 
 namespace weft::test {

@@ -15,8 +15,8 @@ class ResolveRepeat : public ResolveTest {
         shaders["fill.comp"] = compute({buffer("dst", false, true)});
     }
 
-    // Returns a graph with an image of 10 mip levels (640 px). Pass "make" writes level 0, and repeated pass
-    // "down" writes each further level from the one before.
+    // Returns a graph with the image "x" of 640x360 px and 10 mip levels. Pass "make" writes level 0.
+    // Repeated pass "down" writes level i in iteration i and, by default, reads level i - 1.
     static std::string pyramid(const std::string& repeat = R"j({"i": "1..mips(x)-1"})j",
                                const std::string& src = "x.mip(i-1)", const std::string& more = "") {
         return R"j("resources": {"x": {"format": "rgba16f", "mips": "full"}}, "passes": {

@@ -1,5 +1,6 @@
-// Tests requirements of shaders other than ports: descriptor sets, point sizes and local sizes. Also tests
-// that numbers fit their types.
+// Tests requirements of shaders that do not concern ports: descriptor sets, point sizes and local sizes. Also
+// tests viewports, the attachments that fullscreen passes must clear, and the conversion of numbers to other
+// types.
 #include "graph/diagnostics/whole_number.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 

@@ -80,8 +80,8 @@ class StageTest : public ::testing::Test {
         return bound[pass].uses.back();
     }
 
-    // Returns which resources, passes and uses already have an error, so that later stages report no
-    // follow-up errors for them.
+    // Returns the suspects: the resources, passes and uses for which later stages report no follow-up errors.
+    // Resources are suspect as in `shapes`. No pass and no use is suspect.
     Suspects suspects() {
         Suspects all = shapes.suspects;
         bound.resize(expansion.passes.size());
@@ -119,8 +119,7 @@ class StageTest : public ::testing::Test {
     std::vector<BoundPass> bound;
     std::list<PortDesc> described_ports;
 
-    // Returns the input of a stage. Each call makes it anew, so that it contains the current fields of the
-    // fixture.
+    // Returns the input of a stage, made from the current fields of the fixture.
     ResolveInput input() {
         return {.graph = graph,
                 .passes = passes,

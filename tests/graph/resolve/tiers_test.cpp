@@ -72,8 +72,8 @@ TEST(Tiers, AFileWithoutTiersSaysSo) {
     EXPECT_NE(joined_help(graph.errors().front()).find("no tiers"), std::string::npos);
 }
 
-// Resolves a small graph whose tier "t" has the text `tier`. Expects exactly one error, at the place that
-// "$$" marks in `tier`.
+// Parses a small graph whose tier "t" has the text `tier`. Expects exactly one error, at the place that "$$"
+// marks in `tier`.
 void expect_tier_fault(const std::string& tier, const std::string& code, const std::string& message,
                        const std::string& help) {
     const MarkedText marked = unmark(

@@ -1,4 +1,5 @@
-// Contains the text of a graph that uses every key of the graph format.
+// Contains the text of a graph that uses most keys of the graph format. It has no tiers, debug views or
+// tests.
 #pragma once
 
 namespace weft::test {

@@ -23,8 +23,8 @@ struct CellVersion {
     std::vector<PassId> readers;
 };
 
-// Visits the passes in program order. Finds, for each read, the passes that wrote the content. Also adds the
-// edges between passes.
+// Finds, for each read, the passes that wrote the content. Also adds the edges between passes. The caller
+// must call add() for each pass, in program order.
 class Versions {
  public:
     explicit Versions(ResolvedGraph& graph) : graph_(graph), cells_(graph.resources.size()) {

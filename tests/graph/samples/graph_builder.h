@@ -28,8 +28,8 @@ class GraphBuilder {
     ResourceId image(std::string name, Format format = Format::r32u, uint32_t side_px = 16, uint32_t mips = 1,
                      uint32_t layers = 1);
     ResourceId buffer(std::string name, uint64_t size_bytes = 1024);
-    // Gives access to all properties of the resource, such as samples and extent, for which the builder has
-    // no function. Call edit() before a pass uses the resource.
+    // Returns the declaration of the resource. A test can change properties in it for which the builder has
+    // no function, such as the number of samples. Call edit() before a pass uses the resource.
     [[nodiscard]] ResourceDecl& edit(ResourceId id) { return graph_.resources[id]; }
     // Changes the resource to an import with these states before and after the frame.
     void import_as(ResourceId resource, const AccessState& entry, const AccessState& exit);

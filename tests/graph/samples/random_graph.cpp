@@ -12,7 +12,7 @@ class Generator : public RandomFeatures {
     using RandomFeatures::RandomFeatures;
 
     ResolvedGraph run() {
-        // 60 % of the passes are made at random. The others are left for fold(), which combines unread
+        // About 60 % of the passes are made at random. The others are left for fold(), which combines unread
         // results into the final result.
         const uint32_t wanted = between(options_.min_passes, options_.max_passes);
         const uint32_t body = std::max(2u, wanted * 6 / 10);

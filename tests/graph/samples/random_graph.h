@@ -1,7 +1,7 @@
 // Purpose: makes random frames for tests: 5 to 60 passes over images with mips and layers, buffers and
-// imports. Passes write parts of resources, modify content in place, overwrite content and share inputs. No
-// pass reads some of the results. Optional features add persistent resources, queue hints, mip chains and
-// more. A disabled option uses no random numbers, so a new option does not change old graphs.
+// imports. Passes write parts of resources, modify content in place, overwrite content and share inputs. Some
+// results stay unread. Optional features add persistent resources, queue hints, mip chains and more. A
+// disabled option uses no random numbers, so tests that do not enable a new option keep their graphs.
 //
 // The graphs can run on a device. All passes use exact integer arithmetic on r32u images and u32 buffers (and
 // one exact conversion to d32f). So any two correct plans of a graph give the same bytes. Clear, copy and
@@ -13,8 +13,8 @@
 // location 0. The push constants are `Params { uint seed; }`. A sampled port accesses one layer, with one mip
 // or all mips. A storage port accesses one mip of one layer.
 //
-// A graph may have these imports. The test program provides them with any content. A test that compares two
-// plans gives both the same content:
+// A graph may have these imports; a word is a u32. The test program provides them with any content. A test
+// that compares two plans gives both plans the same content:
 //   import_image  r32u, 32 px, stays in shader_read_only     import_words  256 words, only read
 //   state_words   256 words, modified in place by a pass with a side effect
 // The result of a graph is the data of its readback pass "read_back"; see random_graph_result().
@@ -55,7 +55,7 @@ struct RandomGraphOptions {
 
 [[nodiscard]] ResolvedGraph random_graph(uint32_t seed, const RandomGraphOptions& options = {});
 
-// Returns the image that the pass "read_back" reads as a whole.
+// Returns the image that the pass "read_back" reads. The pass reads the whole image.
 [[nodiscard]] ResourceId random_graph_result(const ResolvedGraph& graph);
 
 }  // namespace weft::test

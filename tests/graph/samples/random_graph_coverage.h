@@ -18,15 +18,16 @@ struct GraphCoverage {
     uint32_t waits = 0;
     // Frames with an ownership transfer between queue families.
     uint32_t transfers = 0;
-    // Frames in which a live pass uses content of earlier frames.
+    // Frames in which a live pass uses the history of a resource, such as "x[-1]".
     uint32_t history = 0;
+    // Frames in which a live pass uses a resource that keeps its content from frame to frame without history.
     uint32_t kept = 0;
     // Frames with a barrier on a part of an image.
     uint32_t ranges = 0;
     // Frames with a live iteration of a repeated pass.
     uint32_t repeats = 0;
-    // Frames with a live mip chain from RandomFeatures. Mip chains of random texts are repeats: see
-    // `repeats`.
+    // Frames with a live pass of a mip chain that the class RandomFeatures made. A mip chain of random_text()
+    // is a repeated pass and counts in `repeats`.
     uint32_t chains = 0;
     // Frames in which a condition removed a pass or changed an input.
     uint32_t conditionals = 0;

@@ -176,8 +176,9 @@ void RandomFeatures::test_against_input() {
     images_.push_back(cell);
 }
 
-// Adds a pass that covers a whole image, and passes that draw on parts of the image. Usually all of them have
-// the same inputs, so that no barrier is needed between them. Sometimes one pass has a different input.
+// Adds a pass that draws on a whole image, and one to three passes that draw on the left part of the image.
+// Usually all these passes have the same inputs, so that no barrier is needed between them. Sometimes a pass
+// has a different input.
 void RandomFeatures::draw_layers() {
     const std::vector<RandomCell> inputs = take(images_, between(1, 2));
     const RandomCell cell = new_image(16u * between(1, 3));

@@ -1,5 +1,6 @@
-// Purpose: adds the optional features to random frames: rings, kept resources, mip chains, clears and copies
-// of ranges, depth as an input, and several draws on one image.
+// Purpose: adds the optional features to random frames: resources with history, resources that keep their
+// content, mip chains, clears and copies of several mips, depth images as inputs, and several draws on one
+// image.
 #pragma once
 
 #include "tests/graph/samples/random_graph_passes.h"

@@ -20,11 +20,12 @@ inline constexpr AccessState kReadImport{stage::kComputeShader, access::kStorage
 inline constexpr AccessState kStateImport{stage::kComputeShader, access::kStorageRead | access::kStorageWrite,
                                           Layout::undefined};
 
-// Content that a pass reads or writes: one mip of one layer of an image, or a whole buffer.
+// Content that a pass reads or writes: a range of an image (usually one mip of one layer) or a whole buffer.
 struct RandomCell {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    // True if a pass has read the content since it was written.
+    // True if a pass has read the content since it was written, or if the content may stay unread. If false,
+    // the generator usually combines the content into the final result.
     bool read = false;
 };
 
@@ -33,14 +34,14 @@ class RandomFrame {
     RandomFrame(uint32_t seed, const RandomGraphOptions& options) : random_(seed), options_(options) {}
 
  protected:
-    // These functions replace the distributions of <random>, which give other numbers in each standard
-    // library. So a seed gives the same result everywhere.
+    // These functions replace the distributions of <random>, whose results differ between standard libraries.
+    // So a seed gives the same result everywhere.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
 
-    // Returns a random index below `count`. Usually picks recently written content, so that lifetimes are
-    // short and memory is reused.
+    // Returns a random index below `count`. Usually returns one of the last four indices, which mean recently
+    // written content. So lifetimes are short and memory is reused.
     size_t pick(size_t count) {
         const auto n = static_cast<uint32_t>(count);
         if (n > 4 && chance(75)) return n - 1 - below(4);
@@ -88,8 +89,8 @@ class RandomFrame {
                std::to_string(names_++);
     }
 
-    // Returns a cell that the next pass writes and that is not among `inputs`: an unwritten cell of an image,
-    // a cell that was already read, or a new image.
+    // Returns a cell that the next pass shall write and that is not among `inputs`: a cell that no pass has
+    // written, a cell whose content other passes have already read, or the first cell of a new image.
     RandomCell target(const std::vector<RandomCell>& inputs) {
         if (!unwritten_.empty() && chance(60)) {
             const size_t i = pick(unwritten_.size());

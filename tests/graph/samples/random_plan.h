@@ -1,4 +1,4 @@
-// Makes plans of random graphs with all optional features, for one to four queues.
+// Purpose: makes plans of random graphs with all optional features, for one to four queues.
 #pragma once
 
 #include "tests/graph/samples/random_graph.h"

@@ -60,8 +60,8 @@ class TextGenerator : public RandomTextFaults {
         }
     }
 
-    // Takes most of the results that no pass has read so far, and combines them into the final result. The
-    // other unread results stay unused, so that their passes are culled.
+    // Takes most of the colour images that no pass has read so far (at most 24), and combines them into the
+    // final result. The other unread images stay unused, so that their passes are culled.
     void fold() {
         std::vector<size_t> loose = values_that(
             [&](size_t v) { return kind_of(v) == ValueKind::color && !model_.values[v].read && chance(75); });

@@ -1,12 +1,14 @@
-// Purpose: makes random graphs as JSON texts, to test all stages from JSON to a plan. The texts contain
-// repeats (mip chains downwards and upwards, nested, backwards, empty, spread over frames), partial writes,
-// conditions with random parameters, `else` inputs and optional ports, conditional in-place writers, history,
-// kept content, parts of images, `after`, queue hints, and every type of pass except C++ passes. resolve()
-// must accept all texts.
+// Purpose: makes random graphs as JSON texts, to test all stages from JSON to a plan. resolve() must accept
+// each RandomText. The texts contain:
+// - repeats: over the mips of an image, nested, backwards, without iterations, and spread over frames;
+// - conditions that depend on random parameters, inputs with `else`, and optional inputs;
+// - passes that write a part of a resource, or modify a resource in place;
+// - history, kept content, `after` lists and queue hints;
+// - every type of pass except C++ passes.
 //
-// The order of declarations in a graph has no meaning, so a text lists passes and resources in random order.
-// The generator makes passes one after another, and each pass reads versions that exist already. Pins
-// ("image@pass") and `after` lists in the text tell resolve() this order.
+// The order of the passes in a text has no meaning, so a text lists its passes in random order. The generator
+// makes passes one after another, and each pass reads versions that exist already. Pins ("image@pass") and
+// `after` lists in the text state this order.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +22,14 @@ namespace weft::test {
 
 struct RandomText {
     std::string text;
-    // The same graph after the generator has evaluated all conditions. Passes with a false `if` are removed.
-    // Inputs without content are removed, or replaced with their `else` inputs. Repeats have numeric bounds.
+    // The same graph after the generator has evaluated all conditions. Passes with a false `if` are removed
+    // (exception: TextPass::stays). Inputs without content are removed, or replaced with their `else` inputs.
+    // The bounds of repeats contain no parameters.
     std::string plain;
-    // Values of the parameters by name, for `text` and for `plain`.
+    // Values of some parameters, by name, for `text` and for `plain`. The other parameters keep their
+    // defaults.
     std::map<std::string, double> params;
-    // True if a false `if` has removed a pass or changed an input.
+    // True if a false `if` has removed a pass or an iteration of a repeat, or has changed an input.
     bool omitted = false;
 };
 

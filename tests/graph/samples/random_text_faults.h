@@ -46,8 +46,8 @@ class RandomTextFaults : public RandomTextRepeats {
 
  private:
     // Adds a pass that writes only a part of a new resource (`partial`). No pass has written the other part,
-    // so it would contain old data of another resource in the same memory. The pass has no attachments,
-    // because Weft clears an attachment without earlier content.
+    // so it would contain old data of another resource in the same memory. The pass has no attachments.
+    // With an attachment there would be no fault, because Weft clears an attachment without earlier content.
     RandomFault part_of_nothing() {
         const uint32_t roll = below(5);
         const size_t target = roll == 3 ? new_words() : new_image("lone");

@@ -16,8 +16,8 @@ class RandomTextFrame {
     explicit RandomTextFrame(uint32_t seed) : random_(seed) {}
 
  protected:
-    // These functions replace the distributions of <random>, which give other numbers in each standard
-    // library. So a seed gives the same result everywhere.
+    // These functions replace the distributions of <random>, whose results differ between standard libraries.
+    // So a seed gives the same result everywhere.
     uint32_t below(uint32_t n) { return static_cast<uint32_t>(random_() % n); }
     uint32_t between(uint32_t low, uint32_t high) { return low + below(high - low + 1); }
     bool chance(uint32_t percent) { return below(100) < percent; }
@@ -116,8 +116,8 @@ class RandomTextFrame {
         }
         return found;
     }
-    // Picks a random value of the list. Usually picks recent values, so that lifetimes are short and memory
-    // is reused.
+    // Returns a random value of the list, or kNone if the list is empty. Usually returns one of the last
+    // four values, so that lifetimes are short and memory is reused.
     size_t pick(const std::vector<size_t>& from) {
         if (from.empty()) return kNone;
         const auto n = static_cast<uint32_t>(from.size());
@@ -138,7 +138,8 @@ class RandomTextFrame {
     }
 
     // Returns an input port that reads `value`, for a pass with this `condition`. A value with another
-    // condition may be missing when the pass runs. Then the port is optional or gets an `else` input.
+    // condition may be missing when the pass runs. Then the port gets an `else` input or, if `may_be_empty`
+    // is true, may be optional instead.
     TextPort input(const char* name, size_t value, size_t condition, bool may_be_empty) {
         TextPort port{name, last_version(value), {}, false, {}};
         bool nearest = resource_of(value).format == "r32f" || chance(20);
@@ -179,7 +180,8 @@ class RandomTextFrame {
         model_.passes.push_back(std::move(pass));
         return model_.passes.back();
     }
-    // Records that the last added pass writes the whole value through this output port.
+    // Records that the last added pass writes the value through the output port `port`. The first writer of
+    // a value gives the value its condition.
     void write(const char* port, size_t value) {
         TextValue& v = model_.values[value];
         TextPass& pass = model_.passes.back();

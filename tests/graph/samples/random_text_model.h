@@ -1,5 +1,5 @@
 // Purpose: describes a random graph as a model. The model records which passes write each value, and the
-// condition of each pass. text_of() converts the model to the two texts of RandomText.
+// condition of each pass. text_of() converts the model to RandomText::text or RandomText::plain.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +33,7 @@ struct TextResource {
     std::string verbatim;
 };
 
-// The content of a part of a resource, such as one mip or a whole buffer. `writers` lists the passes that
-// write this part, in the order in which they run.
+// The content of a part of a resource, such as one mip or a whole buffer.
 struct TextValue {
     size_t resource = kNone;
     // Suffix that selects the part in a reference, such as ".mip(1)".
@@ -42,14 +41,15 @@ struct TextValue {
     uint32_t side_px = 64;
     // True if the part is one mip of one layer.
     bool single = true;
-    // True if the first writer ignores the older content.
+    // True if the first writer ignores the content from before this write.
     bool fresh = true;
     // True if no further pass may write the part.
     bool closed = false;
     bool read = false;
     // Index of a condition; if it is false, no pass writes the part. kNone if the part is always written.
     size_t condition = kNone;
-    // Indices of the passes that write the part.
+    // Indices of the passes that write the part, in the order in which they run. May be empty if `closed` is
+    // true; then the generator has not recorded the writers.
     std::vector<size_t> writers;
 };
 

@@ -1,5 +1,5 @@
-// Purpose: adds the ordinary passes of random graph files. These passes mix, draw, modify in place, copy and
-// clear.
+// Purpose: adds the ordinary passes of random texts. These passes mix, draw, modify, copy and clear images
+// and buffers.
 #pragma once
 
 #include "tests/graph/samples/random_text_frame.h"
@@ -81,8 +81,8 @@ class RandomTextPasses : public RandomTextFrame {
         if (partial) model_.values[output].fresh = false;
     }
 
-    // Picks a value that passes may still modify. If the writers of the value depend on a condition, the
-    // caller gives the modifying pass the same condition.
+    // Picks a value that passes may still modify; kNone if there is none. If the writers of the value depend
+    // on a condition, the caller gives the modifying pass the same condition.
     template <class Accept>
     size_t changeable(Accept accept) {
         return pick_value([&](size_t v) {

@@ -39,8 +39,8 @@ class RandomTextRepeats : public RandomTextPasses {
         if (layers == 1) add_closed_value(image, "", false);
     }
 
-    // Adds a repeat that modifies a value in place. The repeat has several iterations, none, or an `if` that
-    // keeps every second iteration.
+    // Adds a repeat that modifies a value in place. The repeat has zero to four iterations. Sometimes an `if`
+    // removes every second iteration.
     void rounds() {
         const size_t v = changeable([&](size_t c) {
             return kind_of(c) == ValueKind::color && one_format(c) && model_.values[c].condition == kNone;
@@ -111,7 +111,8 @@ class RandomTextRepeats : public RandomTextPasses {
         write("dst", add_value(ring));
         if (!words) memories_.push_back({past, ring});
     }
-    // Adds one more pass that reads the history of an existing ring.
+    // Adds one more pass that reads the content of a ring (a resource with `history`) from an earlier frame.
+    // If there is no ring yet, calls remember(), which adds a ring.
     void recall() {
         if (memories_.empty()) return remember();
         const auto& [past, ring] = memories_[below(static_cast<uint32_t>(memories_.size()))];
@@ -175,9 +176,9 @@ class RandomTextRepeats : public RandomTextPasses {
         close_layers(next, rounds);
     }
 
-    // Adds a fault (W124): all iterations of the repeat "bake" write the same kept image, but they run in
-    // different frames (`perFrame`). So in some frames the pass "store" would read the result of an iteration
-    // from another frame.
+    // Adds a fault (W124): all iterations of the repeat "bake" write the same kept image, but not all of them
+    // run in the same frame (`perFrame`). So in some frames an iteration of the repeat "store" would read the
+    // result of a wrong iteration of "bake", which ran in an earlier frame.
     void chain_slices_wrongly() {
         const uint32_t rounds = between(2, 4);
         const size_t scratch = new_image("scratch"), kept = kept_layers("stored", rounds);

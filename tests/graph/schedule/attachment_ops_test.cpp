@@ -9,8 +9,8 @@
 namespace weft::test {
 namespace {
 
-// Returns the load and store operations of all attachments of the pass at this position, such as "clear/store
-// load/none".
+// Returns the load and store operations of all attachments of the pass at this position. Example for two
+// attachments: "clear/store load/none".
 std::string ops_at(const AttachmentTable& table, Position position) {
     std::string text;
     for (const AttachmentOps& ops : table[position])

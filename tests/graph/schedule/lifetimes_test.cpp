@@ -8,8 +8,8 @@
 namespace weft::test {
 namespace {
 
-// Returns a text such as "0..3": the first and last position of use, then the first and last position
-// on each queue. Returns "-" if there is no use.
+// Returns the first and last position of use, such as "0..3". If the schedule has several queues, adds the
+// first and last position on each queue: "0..3 q1:0..3 q0:1..1". Returns "-" if there is no use.
 std::string span_text(const LifetimeSpan& span) {
     if (span.first > span.last) return span.queues.empty() ? "-" : "- with queues";
     const auto range = [](uint32_t first, uint32_t last) {

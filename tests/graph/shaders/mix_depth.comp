@@ -1,4 +1,5 @@
-// Mixes the depth values of input a with the seed. The depth has 24 bits, which a float holds exactly.
+// Mixes the depth values of image a with the seed. The depth values from write_depth.frag have 24 bits, so a 32-bit
+// float holds them exactly.
 #version 460
 #include "mixing.glsl"
 

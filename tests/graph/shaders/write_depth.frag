@@ -1,4 +1,4 @@
-// Writes depth that depends on image a. The depth has 24 bits, which a float holds exactly.
+// Writes depth values that depend on image a and the seed. They have 24 bits, so a 32-bit float holds them exactly.
 #version 460
 #include "mixing.glsl"
 

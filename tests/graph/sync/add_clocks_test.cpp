@@ -8,7 +8,8 @@
 namespace weft::test {
 namespace {
 
-// Returns the clocks of two queues: one row for each position.
+// Returns the clocks for two queues. rows[p][q] is 1 + the latest position on queue q that surely runs before
+// position p, or 0 if there is none.
 ClockTable clock_table(const std::vector<std::array<uint32_t, 2>>& rows) {
     ClockTable table{2, {}};
     for (const std::array<uint32_t, 2>& row : rows)

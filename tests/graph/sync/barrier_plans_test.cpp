@@ -301,9 +301,9 @@ TEST(BarrierPlans, LoadAndStoreOperationsFollowTheReaders) {
     expect_ops("more", 0, LoadOp::load, StoreOp::store);
     expect_ops("more", 1, LoadOp::load, StoreOp::dont_care);
     expect_ops("screen", 0, LoadOp::dont_care, StoreOp::store);
-    // A load or store operation that discards the content counts as a write. `screen` discards the old content
-    // of its image when it begins, so it must wait for the earlier writes of `base` to the same memory. `base`
-    // discards its depth image when it ends, so `z`, which uses the same memory later, must wait for a write.
+    // A load or store operation that discards the content counts as a write. `screen` discards the old
+    // content of `extra` when it begins, so it must wait for the write of `base` to `extra`. `more` discards
+    // `z` when it ends, so `base`, which writes `z` in the next frame, must wait for a write.
     expect_state(barrier_before(plan, "screen", "extra").src,
                  {stage::kColorOutput, access::kColorWrite, Layout::color_attachment});
     EXPECT_TRUE(barrier_before(plan, "base", "z").src.access & access::kDepthStencilWrite);

@@ -1,4 +1,4 @@
-// Tests where barriers are placed, and the source states of a resource that takes over memory.
+// Tests where barriers are recorded, and the source states of barriers of resources that take over memory.
 #include "graph/sync/barriers.h"
 
 #include <gtest/gtest.h>
@@ -124,8 +124,8 @@ TEST(Barriers, MemoryOfAnotherQueueIsWaitedForAcrossTheFrameBoundaryOnly) {
     }
 }
 
-// Images a, b and c use the same bytes one after another. If b writes only a part of its memory, c must also
-// wait for the last uses of a.
+// Images a, b and c use the same bytes one after another. If pb writes only a part of b, pc must also wait
+// for the last uses of a.
 TEST(Barriers, EarlierOwnersCountWhereTheLastOneWroteOnlyAPart) {
     for (const bool part : {false, true}) {
         const ResolvedGraph graph =

@@ -1,5 +1,5 @@
-// Tests find_scopes(), which finds passes that could share a rendering scope, and the later stages, which
-// divide scopes at barriers and at the beginnings of batches.
+// Tests find_scopes(), which finds passes that could share a rendering scope. Also tests undivided() and
+// within_batches(), which divide scopes at barriers and at the beginnings of batches.
 #include <gtest/gtest.h>
 
 #include "graph/sync/scopes.h"
@@ -12,8 +12,8 @@ namespace {
 const AttachmentOps kLoads{0, LoadOp::load, StoreOp::store};
 const AttachmentOps kClears{0, LoadOp::clear, StoreOp::store};
 
-// Returns a graph in which the passes first, second and third draw on the same image. Pass far writes a
-// buffer and does not use the image.
+// Returns a graph in which the passes "first", "second" and "third" draw on the same image. Pass "far" writes
+// a buffer and does not use the image.
 ResolvedGraph layers() {
     GraphBuilder b;
     const ResourceId target = b.image("target"), words = b.buffer("words");

@@ -1,5 +1,5 @@
-// Tests plans for several queues: the checker must accept each plan, for any number of queues and queue
-// families.
+// Tests plans for one to four queues, of one or several queue families. The checker must accept each plan. No
+// semaphore wait and hardly any barrier may be unnecessary.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -21,7 +21,8 @@ std::vector<LogicalQueue> queues_of(uint32_t count, bool one_family) {
     return logical_queues(profile, count);
 }
 
-// Sets queue hints that depend only on the seed. About a third of the passes request each kind of queue.
+// Gives each pass a queue hint that follows from the pass id and the seed. About a third of the passes
+// request each kind of queue. Also lets all queue families use the imports.
 ResolvedGraph with_hints(ResolvedGraph graph, uint32_t seed) {
     for (PassId id(0); id < graph.passes.size(); ++id) {
         const uint32_t turn = (id * 2654435761u ^ seed * 40503u) >> 7;
@@ -98,7 +99,8 @@ TEST(QueuePlans, EveryWaitIsNeeded) {
     EXPECT_GE(dropped, 100u);
 }
 
-// Returns how many barriers of one step can be removed, each alone, without an error from the checker.
+// Removes one barrier at a time from a list of the step: the barriers before its pass, or those after it.
+// Returns how many barriers are unnecessary: without them, the checker reports no error.
 uint32_t count_redundant(const FramePlan& plan, size_t position, std::vector<BarrierDecl> PassStep::*list) {
     uint32_t redundant = 0;
     const PassStep& step = plan.barriers.steps[position];

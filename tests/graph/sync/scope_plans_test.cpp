@@ -13,8 +13,8 @@ namespace {
 
 constexpr uint32_t kSide = 16;
 
-// Builds a graph for these tests: pass "first" reads `input` and covers `target`. Each pass added by draw()
-// draws on `target`, and pass "read" reads the result.
+// Builds a graph for these tests. Pass "make" writes `input`. Pass "first" and all passes added by draw()
+// read `input` and draw on `target`. Pass "read" reads `target`.
 class Layers {
  public:
     explicit Layers(Format format = Format::rgba16f)
@@ -147,8 +147,8 @@ TEST(ScopePlans, AMultisampledTargetThatIsResolvedInBetween) {
     }
 }
 
-// Returns a plan with two passes that share a depth attachment. `first` and `second` say how each pass
-// accesses the depth.
+// Returns a plan in which the passes "first" and "second" use the same depth attachment, with the accesses
+// `first` and `second`. If `first` only reads the depth, a pass before it writes the depth.
 FramePlan depth_pair(Access first, Access second) {
     GraphBuilder b;
     const ResourceId target = b.image("target", Format::rgba16f, kSide);

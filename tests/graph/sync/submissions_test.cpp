@@ -20,8 +20,9 @@ Schedule on_queues(std::vector<QueueIndex> queue) {
     return order;
 }
 
-// Returns one line for each batch: the queue, the positions of the passes, the batches that it waits for
-// (with "-1" appended for a batch of the previous frame), and "end" if the batch ends the frame.
+// Returns one line for each batch, such as "q0: 2 3 after 1-1 end". In this example, the batch runs on queue
+// 0 and has the passes at positions 2 and 3. It waits for batch 1 of the previous frame ("-1"; without "-1":
+// of this frame), and it ends the frame.
 std::string submissions_text(const SubmissionPlan& plan) {
     std::string text;
     for (const Batch& batch : plan.batches) {

@@ -1,5 +1,5 @@
-// Tests synchronize(), which computes histories, dependencies and rendering scopes from the accesses of the
-// passes alone.
+// Tests synchronize(), which computes the barriers and last uses of each resource, the dependencies between
+// queues, and the rendering scopes. It does not consider resources that share memory.
 #include "graph/sync/synchronize.h"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,9 @@
 namespace weft::test {
 namespace {
 
-// Returns one line for each barrier, sorted by position, such as "0 none:none:undefined >
-// compute_shader:storage_write:general".
+// Returns one line for each barrier: the schedule position, the source state, ">" and the destination state.
+// A state is stages:access:layout, such as "compute_shader:storage_write:general". "after" at the beginning
+// means that the barrier is recorded after the pass. "from before" means that it waits for the frame before.
 std::string barriers_text(std::span<const PlacedBarrier> barriers) {
     const auto state = [](const AccessState& s) {
         return stages_text(s.stages) + ":" + access_text(s.access) + ":" + layout_text(s.layout);

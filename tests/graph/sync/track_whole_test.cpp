@@ -1,5 +1,5 @@
-// Compares WholeTracker with track_resource(), which gives the same histories in all cases, on the resources
-// of random graphs.
+// Tests WholeTracker, which handles only the usual case, with the resources of random graphs. It must give
+// the same histories as track_resource(), which handles all cases.
 #include "graph/sync/track_whole.h"
 
 #include <gtest/gtest.h>

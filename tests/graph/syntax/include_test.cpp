@@ -10,7 +10,8 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-// Graph files without the marks "$$" that show where errors are expected, and the places of the marks.
+// Graph files from which the marks "$$" are removed, and the places of the marks. A mark shows where an error
+// is expected.
 struct Marked {
     Files files;
     std::vector<std::string> places;

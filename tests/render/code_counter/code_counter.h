@@ -11,8 +11,9 @@ namespace weft::test {
 // with drivers that do not use LLVM.
 [[nodiscard]] uint64_t compiled_modules();
 
-// Name of an environment variable. If the variable contains the name of a file, the count is also stored in
-// that file, in eight bytes that another process may read at any time.
+// Name of an environment variable. If the variable contains the name of a file, the count is kept in the
+// first eight bytes of that file, and continues from the number in an existing file. Another process may read
+// these bytes at any time.
 inline constexpr const char* kCodeCountVariable = "WEFT_CODE_COUNT";
 
 }  // namespace weft::test

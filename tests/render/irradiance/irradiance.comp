@@ -1,5 +1,6 @@
 // Measures irradiance with light_reflection() of the shader library: a white diffuse surface reflects irradiance / π.
-// Also measures the highlights on a white metal.
+// Also measures the highlights on a white metal. Row y of the outputs is for light y, and column x is for one of 8 × 8
+// points of the plane y = 0. The channels of `highlight` are for four roughnesses of the metal.
 #version 460
 #include "brdf.glsl"
 #include "frame_set.glsl"

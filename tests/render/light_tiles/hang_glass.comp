@@ -1,4 +1,4 @@
-// Places glass panes in front of the scene. Writes the depth of each pixel's nearest pane, or 0 if there is none.
+// Places glass panes in front of the scene. Writes the depth of the pane in each pixel, or 0 if no pane is visible.
 #version 460
 #include "frame_set.glsl"
 

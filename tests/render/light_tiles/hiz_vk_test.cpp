@@ -1,5 +1,5 @@
 // Tests that every texel of every Hi-Z mip level is the exact depth range (nearest, farthest) of the pixels
-// that it covers, for pictures of any size.
+// that it covers. The test uses many picture sizes.
 #include <algorithm>
 #include <map>
 
@@ -10,6 +10,8 @@ namespace {
 
 constexpr uint32_t kMips = 7;
 
+// Depth is reversed: 1 at the near plane, 0 in the sky. Sky pixels do not count. The initial values are those
+// of an empty range.
 struct DepthRange {
     float nearest = 0, farthest = 1;
     void add(float z) {

@@ -235,8 +235,8 @@ TEST_P(ManyLightTiles, MissNoLightInAnyView) {
     const scene::Scene scene = scene_with(name, lights);
     for (const Extent3D& size : {kSize, Extent3D{641, 361, 1}, Extent3D{1366, 768, 1}})
         for (const scene::Camera& camera : cameras(scene, 5))
-            // The number of lights is limited to 4096, because longer lists would need larger buffers than
-            // some devices support.
+            // The length of each tile's list is limited to 4096 lights, because longer lists would need
+            // larger buffers than some devices support.
             expect_nothing_missed(frame_of(scene, camera, size, std::min(lights, 4096u)),
                                   std::string(name) + ", " + std::to_string(lights) + " lights, " +
                                       camera.name + ", " + std::to_string(size.width) + " × " +

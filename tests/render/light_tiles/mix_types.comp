@@ -1,5 +1,5 @@
-// Changes some point and spot lights to lights of other types. Some lights get no range limit, and some spot lights get
-// cones of more than 90°.
+// Changes some point and spot lights to capsule and rectangle lights. Some lights lose their range limit (range_m = 0).
+// Some spot lights get a cone whose half-angle is more than 90°.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"

@@ -72,7 +72,8 @@ const vec4 kSphere[kSpheres] = vec4[](  // centre in x, y, z; radius in w
     vec4(4.715811, -1.343897, -46.432091, 0.198927),
     vec4(3.239192, -0.389379, -37.159462, 0.543439));
 
-// Returns the distance along the view to the nearest wall, floor or ceiling. It is t in t * ray, with ray.z = -1.
+// Returns the smallest t for which the point t * ray lies on a wall, the floor or the ceiling. Because ray.z is -1,
+// t is the distance along -z.
 float planes_hit(vec3 ray) {
     float t = min(60.0, 8.0 / abs(ray.x));
     if (ray.y < 0.0) t = min(t, -2.0 / ray.y);

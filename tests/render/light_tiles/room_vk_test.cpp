@@ -1,6 +1,7 @@
 // Counts unnecessary entries of the light lists in a room at 1080p with 3,072 lights: floor, columns, spheres
-// and a far wall, with lights anywhere inside. The limits are the results of a culling method that tests each
-// light against one box per depth slice of a tile, for the slices that contain a pixel.
+// and a far wall, with lights anywhere inside. The limits (`most_in_vain_percent`) are the results of another
+// culling method. It divides each tile into depth slices, and tests each light against the box of each slice
+// that contains a pixel.
 #include <random>
 
 #include "tests/render/light_tiles/tile_fixture.h"

@@ -1,4 +1,4 @@
-// Writes random depths: neighbouring texels differ, and 30 % of them are sky. In odd frames 99 % are sky.
+// Writes a random depth to each texel. About 30 % of the texels are sky (depth 0) in even frames, 99 % in odd frames.
 #version 460
 #include "frame_set.glsl"
 

@@ -15,6 +15,7 @@ struct TileFrame {
     shared::ViewConstants view{};
     std::vector<float> depth, glass_depth;
     std::vector<shared::Light> lights;
+    // Number of directional lights. They are the first elements of `lights`.
     uint32_t directional = 0;
     // The words of the buffers as the GPU wrote them.
     std::vector<uint32_t> tile_lights, overflow, mask, glass_lights;

@@ -31,8 +31,8 @@ class FileWatching : public ::testing::Test {
     }
     // The limit of 600 s is long, so that it is reached only if a bug makes wait() wait forever.
     bool notices(const std::function<void()>& change) { return changes_within(600s, change); }
-    // Before a call that changes a file returns, the kernel has already queued the event. So waiting for one
-    // second is enough to see that nothing was reported.
+    // A call that changes a file returns only after the kernel has queued the event. So it is enough to wait
+    // one second for a report.
     bool ignores(const std::function<void()>& change) { return !changes_within(1s, change); }
 
     bool changes_within(std::chrono::seconds most, const std::function<void()>& change) {

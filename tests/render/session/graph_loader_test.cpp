@@ -20,9 +20,10 @@ namespace {
 using render::GraphLoader;
 using render::LoadedVersion;
 
-// A result in a form that can be compared: the hash of the plan with the warnings and the files, or the text
-// of the errors.
+// The result of a load, in a form that can be compared.
 struct Outcome {
+    // After success: the hash of the plan, the warnings, and the names of the files. After an error: the
+    // errors and the warnings.
     std::string text;
     uint64_t number = 0;  // LoadedVersion::number; 0 after an error.
     std::string plan;     // The hash of the plan.
@@ -46,7 +47,7 @@ class GraphLoaderTest : public ::testing::Test {
         return {profile_, std::move(settings), {}, render::scene_imports({64, 36, 1})};
     }
 
-    // Loads the graph like a caller that has the result `known`.
+    // Loads the graph for a caller that already has the result `known`.
     Outcome load(GraphLoader& loader, const Outcome& known = {}) const {
         Diagnostics warnings;
         std::set<std::filesystem::path> files;
@@ -67,7 +68,7 @@ class GraphLoaderTest : public ::testing::Test {
         return load(fresh);
     }
 
-    // Waits until a later change of a file surely gets another time than the changes so far.
+    // Waits long enough that the next change of a file gives it another modification time.
     static void let_files_age() { std::this_thread::sleep_for(std::chrono::milliseconds(80)); }
 
     LiveFolder folder_;
@@ -92,7 +93,7 @@ TEST_F(GraphLoaderTest, AnUnchangedGraphIsNotReadAgain) {
     EXPECT_EQ(loader.work().resolved, 1u);
 }
 
-// A caller that has an older result needs the graph.
+// A caller that has no result, or only an older one, gets the complete graph again. No file is read again.
 TEST_F(GraphLoaderTest, AnUnknownGraphIsLoadedAgain) {
     GraphLoader loader = this->loader();
     let_files_age();
@@ -133,20 +134,21 @@ TEST_F(GraphLoaderTest, AnotherValueResolvesNothing) {
     EXPECT_EQ(loader.work().read, 1u);
     EXPECT_EQ(loader.work().resolved, 1u);
     EXPECT_EQ(loader.work().changed_values, 4u);
-    // A value out of range is an error, as in a load from scratch. The last valid graph stays known.
+    // A value out of range is an error, as in a load from scratch. The loader keeps the last valid graph.
     request_.params["gain"] = 9;
     EXPECT_EQ(load(loader, running).text, load_from_scratch().text);
     request_.params["gain"] = 1;
     EXPECT_EQ(load(loader, running).text, load_from_scratch().text);
     EXPECT_EQ(loader.work().changed_values, 5u);
-    // Another size needs more than values.
+    // For another size, new values are not enough: the graph is resolved again.
     request_.size = {80, 36, 1};
     request_.params["gain"] = 3;
     EXPECT_EQ(load(loader, running).text, load_from_scratch().text);
     EXPECT_EQ(loader.work().changed_values, 5u);
 }
 
-// A file that was written shortly before it was read may change again without getting another time.
+// A file that was written shortly before it was read may change again without another modification time. So
+// the loader reads such a file again.
 TEST_F(GraphLoaderTest, AFreshFileIsReadAgain) {
     GraphLoader loader = this->loader();
     folder_.replace("live.json", "[0, 4]", "[0, 5]");
@@ -180,7 +182,7 @@ TEST_F(GraphLoaderTest, EveryKindOfChangeIsNoticed) {
     expect_read("a file is touched");
 }
 
-// An edit of the files, or a change of the request.
+// Makes one random edit of a file or one change of the request, or changes nothing.
 void edit(std::mt19937& random, LiveFolder& folder, GraphRequest& request) {
     const auto way = random() % 2 == 0 ? LiveFolder::Way::in_place : LiveFolder::Way::rename;
     const auto number = [&] { return std::to_string(1 + random() % 8); };

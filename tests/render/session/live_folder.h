@@ -27,7 +27,7 @@ class LiveFolder {
     // Replaces `from` by `to` in the wanted content of a file. The test fails if `from` does not occur.
     void replace(const std::string& name, const std::string& from, const std::string& to,
                  Way way = Way::rename);
-    // Writes other content to a file until restore() restores the wanted content of all files.
+    // Writes `text` to a file but does not change its wanted content, which restore() writes again.
     void spoil(const std::string& name, const std::string& text, Way way = Way::rename) const;
     void remove(const std::string& name) const;
     void restore() const;

@@ -17,8 +17,8 @@ constexpr Extent3D kReloadSize{64, 36, 1};
 // The number of frames after which the picture no longer changes: the longest history has 2 frames.
 constexpr uint32_t kSettlingFrames = 3;
 
-// A valid edit, which the test applies and undoes alternately. `cost` is the exact work that the edit must
-// cause: changed shaders, new pipelines, a new plan or new values.
+// A valid edit. apply() makes the edit if `there` is true, and undoes it if `there` is false. `cost` is the
+// exact work that the edit must cause: changed shaders, new pipelines, a new plan or new values.
 struct GoodEdit {
     const char* name;
     std::function<void(LiveFolder&, bool there)> apply;
@@ -263,8 +263,8 @@ TEST_F(ManyEdits, ShowTheLastGoodPictureAndLeaveNoObjectBehind) {
     extended() ? run(60, 500) : run(20, 60);
 }
 
-// Changes a parameter of the request. The picture and the plan are those of a fresh session whose graph file
-// has the same value as the default. No pipeline is made.
+// Changes a parameter of the request. The picture must be the same as that of a new session whose graph file
+// contains this value as the parameter's default. The plan must contain the value. No pipeline is made.
 TEST_F(ManyEdits, AnotherParameterValueIsOnlyAValue) {
     const std::vector<std::string> gains{"0.25", "1.5", "0.75"};
     std::vector<std::vector<std::byte>> pictures;
@@ -273,7 +273,8 @@ TEST_F(ManyEdits, AnotherParameterValueIsOnlyAValue) {
         pictures.push_back(wanted());
         folder_.replace("live.json", "\"default\": " + gain, "\"default\": 0.5");
     }
-    // A session uses the values-only path only for files that are older than the moment of reading.
+    // The session changes only values if the files are surely unchanged. It cannot be sure of files that were
+    // written shortly before it read them.
     std::this_thread::sleep_for(std::chrono::milliseconds(80));
     begin();
     render::Selection selection = live_->selection();
@@ -342,7 +343,8 @@ class ManyEditsUnwatched : public ManyEdits {
 TEST_F(ManyEditsUnwatched, LeaveNoMemoryBehind) {
     if (!extended()) GTEST_SKIP() << "runs with WEFT_EXTENDED=1";
     run(60, 500);
-    // The tolerance of 2 MiB is for memory that the allocator holds at one moment and not at the other.
+    // The allocator may keep more memory at the second measurement (over_) than at the first (settled_), so
+    // 2 MiB are allowed.
     EXPECT_LE(over_.bytes, settled_.bytes + (2u << 20));
 }
 

@@ -8,10 +8,10 @@
 namespace weft::test {
 namespace {
 
-// Returns the mean of `value` over half vectors h, weighted by D·(n·h), where D is the anisotropic GGX
-// distribution. The samples are uniform on the hemisphere (u = cos θ and φ), and their slopes are multiplied
-// by the two roughnesses. A sample has the weight 2 u, which gives the density D·(n·h). So grazing directions
-// count little; there, a `value` that divides by n·h is unbounded.
+// Returns the integral of value(h)·D·(n·h) over the hemisphere of half vectors h, where D is the anisotropic
+// GGX distribution. The samples are directions that are uniform in u = cos θ and φ. Their slopes are
+// multiplied by the two roughnesses. With the weight 2 u, the samples then have the density D·(n·h). A
+// `value` that divides by n·h is unbounded at grazing directions, but the weight is small there.
 template <class Value>
 double mean_over_normals(const Stretched& s, const Value& value) {
     constexpr int kSteps = 1200;
@@ -28,8 +28,8 @@ double mean_over_normals(const Stretched& s, const Value& value) {
 }
 
 TEST(ReferenceAnisotropy, DistributionIsNormalised) {
-    // The integral ∫ D·(n·h) dω must be 1. With x = tan θ cos φ and y = tan θ sin φ, it equals ∫ D·cos⁴θ dx
-    // dy.
+    // The integral ∫ D·(n·h) dω must be 1. With x = tan θ cos φ and y = tan θ sin φ, it equals
+    // ∫ D·cos⁴θ dx dy.
     for (const auto& [roughness, strength] :
          {std::pair{0.3, 0.0}, std::pair{0.3, 0.5}, std::pair{0.3, 1.0}, std::pair{0.6, 0.8}}) {
         const Stretched s = stretched(roughness, strength);

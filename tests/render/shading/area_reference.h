@@ -15,6 +15,7 @@ inline double window_of(double distance_m, double range_m) {
 }
 
 // Calls visit(direction, solid angle) for one patch of a light's surface, if the patch faces the point `at`.
+// The direction leads from `at` to the patch. `from` is the centre of the patch, and `facing` is its normal.
 template <class Visit>
 void visit_patch(const glm::dvec3& from, const glm::dvec3& facing, double area, const glm::dvec3& at,
                  const Visit& visit) {

@@ -18,8 +18,8 @@ TEST(ReferenceBrdf, SmithTermsAtAlphaHalfAndSixtyDegrees) {
 
 TEST(ReferenceBrdf, DistributionIsNormalised) {
     for (const double alpha : {0.05, 0.25, 0.5, 1.0}) {
-        // The integral ∫ D·(n·h) dω over the hemisphere must be 1. The substitution u = tan²θ resolves narrow
-        // lobes.
+        // The integral ∫ D·(n·h) dω over the hemisphere must be 1. It is computed as an integral over t
+        // from 0 to 1 with tan²θ = alpha²·t / (1 − t), because this resolves narrow lobes.
         double sum = 0;
         constexpr int kSteps = 200000;
         for (int i = 0; i < kSteps; ++i) {
@@ -48,7 +48,8 @@ ScaleBias directional_albedo(double roughness, double n_v) {
     ScaleBias sum;
     constexpr int kSamples = 1 << 19;
     for (int i = 0; i < kSamples; ++i) {
-        // The samples are Hammersley points. They are distributed evenly, so the error falls nearly as 1 / n.
+        // The samples are Hammersley points. They are distributed evenly, so the error is nearly proportional
+        // to 1 / kSamples.
         uint32_t bits = static_cast<uint32_t>(i);
         double mirrored = 0;
         for (double half = 0.5; bits != 0; bits >>= 1, half /= 2) mirrored += (bits & 1) * half;

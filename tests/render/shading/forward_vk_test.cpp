@@ -13,8 +13,8 @@ constexpr Extent3D kForwardSize{320, 180, 1};
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 constexpr const char* kForward = WEFT_SOURCE_DIR "/graphs/forward.json";
 
-// Returns the text of forward.json, changed so that it rounds material values to the precision of the
-// G-buffer.
+// Reads a file. In forward.json, it sets the constant `quantized` to 1: the graph then rounds material values
+// as the G-buffer does.
 std::optional<std::string> read_quantized(const std::string& path) {
     std::optional<std::string> text = read_text(path);
     const std::string off = "\"quantized\": 0", on = "\"quantized\": 1";
@@ -44,7 +44,8 @@ TEST_F(Forward, SeesWhatDeferredSees) {
         SCOPED_TRACE(name);
         Result<scene::Scene> scene = scene::make_builtin(name);
         ASSERT_TRUE(scene);
-        // The scenes are tested without transparent surfaces, because only forward.json draws these.
+        // Transparent surfaces are removed. Both graphs draw them with the same forward shader, so they would
+        // not test the G-buffer.
         std::erase_if(scene->instances, [&](const scene::Instance& i) {
             return scene->materials[i.material].alpha_mode == scene::AlphaMode::blend;
         });
@@ -56,8 +57,8 @@ TEST_F(Forward, SeesWhatDeferredSees) {
         int worst = 0;
         for (size_t i = 0; i < forward.size(); ++i) {
             if (i % 4 == 3) continue;
-            // The bits of non-negative half floats are compared as integers. The difference is the number of
-            // steps from one half float to the next between the two values.
+            // The bits of non-negative half floats are compared as integers. A difference of 1 means that the
+            // two values are neighbouring half floats.
             const int off = std::abs(int{deferred[i]} - int{forward[i]});
             differ += off > 0 ? 1 : 0;
             worst = std::max(worst, off);

@@ -1,5 +1,5 @@
-// Purpose: test fixture that measures the irradiance of lights at 8 × 8 points of the plane y = 0, which are
-// one metre apart, and the light that a white metal there reflects.
+// Purpose: test fixture that measures lights at 8 × 8 points of the plane y = 0. The points are one metre
+// apart. It measures the irradiance, and the light that a white metal at each point reflects.
 #pragma once
 
 #include <span>
@@ -56,13 +56,14 @@ inline scene::Light light_of(scene::LightType type, glm::vec3 position, glm::vec
     return light;
 }
 
+// The members that a test sets in a capsule or rectangle light; see scene::Light.
 struct Placement {
     const char* name;
     glm::vec3 position;
-    glm::vec3 direction;
-    glm::vec3 side;
-    glm::vec2 half_size_m;
-    float range_m = 0;
+    glm::vec3 direction;    // For a capsule, its axis.
+    glm::vec3 side;         // Direction of a rectangle's width.
+    glm::vec2 half_size_m;  // Rectangle: half width and half height. Capsule: half length and radius.
+    float range_m = 0;      // 0: unlimited.
 };
 
 inline std::vector<scene::Light> placed(scene::LightType type, std::span<const Placement> placements) {

@@ -38,8 +38,9 @@ TEST_F(Irradiance, OfLightsWithoutExtentIsTheirClosedForm) {
 }
 
 // Compares the irradiance of each light with `reference`. Points for which `reference` is negative are
-// skipped. The error is relative to the expected value, but at least to 3e-5. This is 1e-5 of the irradiance
-// from a whole sky of radiance 1, which is π. Lights beyond the number of placements are ignored.
+// skipped. The error is divided by the expected value, or by 3e-5 if the expected value is smaller. For
+// comparison: a whole sky of radiance 1 gives the irradiance π. Lights beyond the number of placements are
+// ignored.
 template <class Reference>
 void expect_close(const Measured& m, std::span<const Placement> placements, double tolerance,
                   const Reference& reference) {
@@ -122,8 +123,8 @@ scene::Light shaped(scene::LightType type, glm::vec3 position, glm::vec3 directi
     return light;
 }
 
-// Measures the factor by which a light function changes the light, with two equal lights of which only one
-// has the function.
+// Measures the factor by which a light function changes the light, at each point. It compares two equal
+// lights, of which only one has the function. The factor is -1 where the other light gives no light.
 class Functions : public Irradiance {
  protected:
     std::vector<double> factors(scene::Light light, const scene::LightFunction& function,
@@ -147,6 +148,7 @@ class Functions : public Irradiance {
 
 TEST_F(Functions, DoorsCutTheLightOffWhereTheyAre) {
     scene::LightFunction function;
+    // Angles in radians from the direction of the light to the left, right, bottom and top door.
     function.doors = {0.3f, 0.6f, scene::LightFunction::kNoDoor, 0.4f};
     function.softness = 0.02f;
     // The light faces down. Its width is along +x, and its height is along -z.

@@ -1,7 +1,7 @@
-// Compares all methods for finding the lights of a pixel with a loop over all lights. Tiled shading in one
-// pass must give exactly the same picture. Light volumes blend each light into an image of half floats, which
-// have 11 bits. So the sum of a pixel is rounded once for each light that reaches it, to nearest or towards
-// 0. No partial sum exceeds the total, so the error of a pixel has this bound:
+// Compares two methods for finding the lights of a pixel with a loop over all lights. Tiled shading in one
+// pass must give exactly the same picture. Light volumes blend each light into an image of half floats (11
+// significant bits). So the sum of a pixel is rounded once for each light that reaches it, to nearest or
+// towards 0. No partial sum exceeds the total, so the error of a pixel has this bound:
 // |blended − looped| ≤ (lights + 2) · 2⁻¹⁰ · looped + (lights + 2) · 2⁻²⁴
 // The 2 is for the rounding of the initial value and of the loop's result. The smallest half floats are 2⁻²⁴
 // apart, which gives the last term.

@@ -50,9 +50,9 @@ TEST_F(Lighting, EveryPixelOfTheSpheresFollowsFromTheGBuffer) {
         const glm::dvec3 expected =
             glm::dvec3(r.images.at("hdr@gbuffer")[i]) + reflected(s, eye, l) * e * double(r.pre_exposure);
         const glm::dvec3 found(r.images.at("hdr")[i]);
-        // Two absolute errors are subtracted before the relative error is computed. The half floats of the image
-        // have an error of up to 6e-8 (2⁻²⁴, the smallest positive half float). The shader computes n·l in
-        // float with an error of about 3e-7; the test allows 5e-7.
+        // Two absolute errors are subtracted before the relative error is computed. The half floats of the
+        // image have an error of up to 6e-8 (2⁻²⁴, the smallest positive half float). The shader computes n·l
+        // in float with an error of about 3e-7; the test allows 5e-7.
         const glm::dvec3 slack = glm::dvec3(6e-8) + e * double(r.pre_exposure) * 5e-7;
         for (int c = 0; c < 3; ++c) {
             const double stored = std::min(expected[c], 65000.0);

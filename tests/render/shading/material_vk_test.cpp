@@ -1,5 +1,5 @@
-// Tests materials in both shipped pipelines against closed forms: how each number and channel of glTF 2.0 and
-// its extensions changes the light that a square reflects to the camera.
+// Tests materials in deferred.json and forward.json against closed forms: how the numbers and texture
+// channels of glTF 2.0 and its extensions change the light that a square sends to the camera.
 #include <array>
 
 #include "tests/render/session_fixture.h"
@@ -26,9 +26,9 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
         return render::decode_texels(readbacks.at(0).format, readbacks[0].bytes);
     }
     glm::vec3 center(const scene::Scene& scene) { return radiance(scene)[8 * kQuadSize.width + 8]; }
-    // Expects that `found` is root² * scale, within the precision of the pictures. Half floats keep 11 bits.
-    // The G-buffer stores `root` in steps of 1/255, so its error is half a step. `slack` is an additional
-    // relative uncertainty of the expected value.
+    // Expects that `found` is root² * scale, within the precision of the pictures. Half floats have 11
+    // significant bits. With deferred.json, the G-buffer stores `root` in steps of 1/255, so the error of
+    // `root` is up to half a step. `slack` is an additional relative error that the test allows.
     static void expect_near(double found, double root, double scale, const std::string& what,
                             double slack = 0) {
         const double step = deferred() ? 0.5 / 255 : 0;
@@ -165,8 +165,8 @@ TEST_P(Materials, ReflectanceFollowsTheIndexOfRefractionAndTheSpecularFactors) {
         const Case& c = cases[i];
         for (int k = 0; k < 3; ++k) {
             const double f0 = std::min(std::pow((c.ior - 1) / (c.ior + 1), 2) * c.color[k], 1.0);
-            // At normal incidence, D = 1 / (π α²) and V = 1/4. The G-buffer stores the specular factor in
-            // steps of 1/255.
+            // At normal incidence, GGX gives D = 1 / (π α²), with α = 1 here, and V = 1/4. The G-buffer
+            // stores the specular factor in steps of 1/255.
             expect_near(strip(found, i, cases.size())[k], std::sqrt(f0), c.specular * 100 / (4 * kPi),
                         "ior " + std::to_string(c.ior), deferred() ? 0.5 / 255 / c.specular : 0);
         }

@@ -13,7 +13,8 @@ namespace {
 
 constexpr Extent3D kPrecisionSize{160, 90, 1};
 
-// The values that the G-buffer stores for one pixel, as shaders read them.
+// The values that the G-buffer stores for one pixel, as shaders read them. `base_root` and `f0_root` are the
+// square roots of the base colour and of the dielectric F0. `position` is computed from the depth.
 struct Stored {
     glm::dvec3 base_root{0};
     double occlusion = 1, roughness = 1, metalness = 0;
@@ -23,15 +24,15 @@ struct Stored {
     glm::dvec3 position{0};
 };
 
-// Errors of the stored values. kHalfStep: half a step of 8 bits. kNormalRad: error of an octahedral normal in
-// 16 bits, 0.0037° in radians. kDepthShare: relative error of a distance that is reconstructed from a float
-// depth through a matrix.
+// Largest errors of the stored values. kHalfStep: half a step of an 8-bit number. kNormalRad: 0.0037° for an
+// octahedral normal of two 16-bit numbers. kDepthShare: relative error of a distance that is computed from a
+// float depth with a matrix.
 constexpr double kHalfStep = 0.5 / 255, kNormalRad = 0.0037 * kPi / 180, kDepthShare = 4e-6;
 // Relative error of two roundings to half floats (2/2048), plus the error of about a hundred float operations
 // (2e-4).
 constexpr double kRounding = 2.0 / 2048 + 2e-4;
-// The bound adds the effects of changing one stored number at a time. This factor covers combined effects,
-// which are less than a quarter of the bound.
+// bound() changes one stored number at a time and adds the effects. If several numbers change together, the
+// effect can be larger than this sum. This factor allows a quarter more.
 constexpr double kTogether = 1.25;
 
 struct View {
@@ -53,7 +54,8 @@ glm::dvec3 matt_sky(const scene::Scene& scene, const glm::dvec3& n) {
     return glm::mix(glm::dvec3(scene.sky_horizon) * 0.25, above, 0.5 + 0.5 * n.y);
 }
 
-// Lazarov's approximation of the directional albedo: returns the scale and bias of f0 that the shaders use.
+// Lazarov's approximation of the directional albedo, as in shaders/include/sky.glsl. Returns the factor of F0
+// (x) and the factor of F90 (y).
 glm::dvec2 dfg(double roughness, double nv) {
     const double a = 1 - roughness, b = 0.0425 - 0.0275 * roughness, c = 1.04 - 0.572 * roughness,
                  d = 0.022 * roughness - 0.04;

@@ -1,5 +1,6 @@
-// Tests shading with light lists of tiles. The picture must be the same as with all lights, in deferred and
-// in forward shading. Each tile must be in exactly one tile list, that of its class (such as sky).
+// Tests shading with one light list per tile of 16 × 16 pixels, in deferred and in forward shading. The
+// picture must be nearly the same as with a loop over all lights. Each tile also has a class, such as "sky".
+// There is one list of tiles for each class, and each tile must be only in the list of its class.
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -12,6 +13,7 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kTileShadingSize{320, 180, 1};
+// kListBegin: index of the first tile in a list of tiles. The words before it are three workgroup counts.
 constexpr uint32_t kLights = 1024, kTilePx = 16, kListBegin = 3;
 constexpr size_t kTiles = size_t{(kTileShadingSize.width + kTilePx - 1) / kTilePx} *
                           ((kTileShadingSize.height + kTilePx - 1) / kTilePx);
@@ -44,8 +46,8 @@ class TileShading : public SessionTest {
     std::vector<uint16_t> hdr_of(const scene::Scene& scene, const std::string& graph) {
         return words<uint16_t>(bytes_of(scene, graph, {"hdr"})["hdr"]);
     }
-    // Splits a buffer of light lists into one list of light indices for each tile. In the buffer, all tiles
-    // have equally many words: the length of the list, the light indices, then unused words.
+    // Splits a buffer of light lists into one list of light indices for each tile. In the buffer, each tile
+    // has the same number of words: the length of its list, the light indices, then unused words.
     static std::vector<std::vector<uint32_t>> lists_in(const std::vector<std::byte>& bytes) {
         const std::vector<uint32_t> all = words<uint32_t>(bytes);
         const size_t stride = all.size() / kTiles;
@@ -64,8 +66,8 @@ class TileShading : public SessionTest {
         size_t differ = 0, lit = 0;
         int worst = 0;
         for (size_t i = 0; i < found.size(); ++i) {
-            // The bits of non-negative half floats are compared as integers. The difference is the number of
-            // steps from one half float to the next between the two values.
+            // The bits of non-negative half floats are compared as integers. A difference of 1 means that the
+            // two values are neighbouring half floats.
             const int off = std::abs(int{found[i]} - int{wanted[i]});
             differ += off > 0 ? 1 : 0;
             lit += i % 4 != 3 && wanted[i] > 0 ? 1 : 0;
@@ -78,7 +80,7 @@ class TileShading : public SessionTest {
     }
 };
 
-// Returns two scenes with very different depth ranges and about `kLights` lights each.
+// Returns two scenes with very different depth ranges. Each has kLights lights.
 std::vector<scene::Scene> crowded_scenes() {
     std::vector<scene::Scene> scenes;
     scene::BuiltinOptions options;
@@ -98,8 +100,9 @@ TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
     for (const scene::Scene& scene : crowded_scenes()) expect_same(scene, "forward_plus", "forward");
 }
 
-// Tests that both pipelines make the same light lists, although one takes the depth from the G-buffer and the
-// other from a separate depth pass. All cameras are tested only with WEFT_EXTENDED.
+// Tests that both graphs make the same light lists, although light_indexed.json takes the depth from the
+// G-buffer pass and forward_plus.json from a separate depth pass. Without the environment variable
+// WEFT_EXTENDED, only the first camera is tested.
 TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
     const scene::Scene scene = crowded_scenes()[0];
     const std::vector<std::string> names{"tileLights", "glassTileLights"};
@@ -121,8 +124,9 @@ TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
 }
 
 TEST_F(TileShading, EachTileIsInTheListOfItsClass) {
-    // The lamp lights only the middle of the ground. The upper part of the picture is sky, and the edge of
-    // the ground is out of the lamp's range, so three classes of tiles occur.
+    // The upper part of the picture is sky (skyTiles). The lamp lights only the middle of the ground
+    // (punctualTiles). The edge of the ground is out of its range (directionalTiles). anyTiles is for area
+    // lights and light functions, which this scene does not have.
     scene::Scene scene = std::move(scene::make_builtin("spheres")).value();
     scene.lights[0].range_m = 6;
     scene.cameras[0].transform = scene::framing_camera(scene, 16.0f / 9).transform;

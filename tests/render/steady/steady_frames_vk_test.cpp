@@ -19,9 +19,8 @@ constexpr Extent3D kSize{64, 36, 1};
 constexpr double kStep_s = 1.0 / 60;
 // Number of frames at the start in which the driver may still compile code.
 constexpr uint32_t kFirstFrames = 3;
-// Number of frames in which nothing may be compiled. Together with kFirstFrames, these are 12 frames. This is
-// more than the longest history of the graphs, and more than the 8 sub-pixel camera offsets (jitter) of
-// branches.json.
+// Number of frames in which nothing may be compiled. Together with kFirstFrames, these are 12 frames. No
+// graph keeps a history of so many frames, and branches.json has only 8 sub-pixel camera offsets (jitter).
 constexpr uint32_t kSteadyFrames = 9;
 constexpr int64_t kMiB = 1 << 20;
 
@@ -102,8 +101,8 @@ class Steady : public SessionTest {
 // not return the free memory at the end of such a heap, so resident_bytes() would count it.
 const int one_arena = mallopt(M_ARENA_MAX, 1);
 
-// Here llvmpipe renders on the calling thread, so that its memory use does not depend on how busy the machine
-// is.
+// Here llvmpipe starts no worker threads (LP_NUM_THREADS is 0), so that its memory use does not depend on how
+// busy the machine is.
 class SteadyMemory : public Steady {
  protected:
     void SetUp() override {
@@ -157,7 +156,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, SteadyGraph, testing::ValuesIn(shipped_graphs(
 INSTANTIATE_TEST_SUITE_P(Shipped, SteadyMemoryOfGraph, testing::ValuesIn(shipped_graphs()),
                          [](const auto& graph) { return graph.param; });
 
-// Tests shaders with branches and loops that depend on changing values, as authors of shaders may write them.
+// Tests shaders with branches on values that may change while frames are rendered, as authors may write them.
 class SteadyBranches : public Steady {
  protected:
     const std::string graph_ = WEFT_SOURCE_DIR "/tests/render/steady/branches.json";

@@ -1,5 +1,6 @@
-// Two branches of very different length. Without Weft's workaround (docs/shaders.md, "Branches on values that
-// change"), llvmpipe would compile a uniform in the condition as a constant, so only one branch would remain.
+// Returns the radiance of a sky, with one of two branches of very different length. If the condition depends on a
+// uniform, llvmpipe compiles the value of this uniform as a constant. Weft has a workaround against this
+// (docs/shaders.md, "Branches on values that change").
 #include "sky.glsl"
 
 vec4 two_skies(bool plain, vec2 at) {

@@ -1,4 +1,4 @@
-// Tests the positions of the sun's shadow maps for all movements of the camera.
+// Tests the positions, ranges and matrices of the sun's shadow maps, mostly with random cameras.
 #include "render/sun_cascades.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ class Random {
     std::mt19937 engine_;
 };
 
-// A random camera, and the bounds of a random scene of the size of a street.
+// A random camera, direction to the sun, and bounds of a scene (10 m to 120 m wide).
 struct Shot {
     render::SunScene scene;
     scene::Camera camera;
@@ -144,7 +144,8 @@ TEST(SunCascades, AreSeenFromTheSun) {
         EXPECT_NEAR(glm::length(again - clip), 0, 1e-4);
         const glm::vec4 back = sun.views[i].inverse_view_projection * clip;
         EXPECT_NEAR(glm::length(back - point), 0, 1e-4);
-        // A point one metre closer to the sun must be in the same texel and have a nearer depth.
+        // A point one metre closer to the sun must have the same position in the map, and a depth that is
+        // greater by one metre (the depth range 0 to 1 is depth_m metres).
         const glm::vec4 nearer =
             sun.constants.cascades[i].world_to_map * (point + glm::vec4(shot.scene.to_sun, 0));
         EXPECT_NEAR(glm::length(glm::vec2(nearer - place)), 0, 1e-5);

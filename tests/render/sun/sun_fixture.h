@@ -11,7 +11,8 @@ namespace weft::test {
 inline constexpr uint32_t kGrid = 384;
 inline const std::string kSunGraphs = WEFT_SOURCE_DIR "/tests/render/sun/";
 
-// A grid of world positions with kGrid rows and columns. The image `seen` in grid.json must have this size.
+// A grid of world positions with kGrid rows and columns. `right` and `down` are the steps to the next column
+// and to the next row. The image `seen` in grid.json must have kGrid × kGrid texels.
 struct Grid {
     glm::vec3 corner{0}, right{0}, down{0};
     [[nodiscard]] glm::vec3 at(uint32_t i) const {
@@ -34,7 +35,8 @@ inline void put(std::string& text, const std::string& word, const glm::vec3& val
 struct Seen {
     // Share of the sun's light that reaches each point, from 0 to 1.
     std::vector<float> share;
-    // Octahedral normals of the pixels; empty if the graph has no normals.
+    // Octahedral normals of the pixels. `normals` and `depths` are empty if the test does not observe these
+    // images.
     std::vector<glm::vec4> normals;
     // Depth of each pixel: the distance of the near plane divided by the distance of the surface. Both are
     // measured along the view direction.

@@ -9,18 +9,19 @@
 namespace weft::test {
 namespace {
 
-// Result of casting rays around the point in a pixel, over the area of the shadow filter: all rays reach the
-// sun, none does, or some do.
+// Result of casting rays around the point in a pixel, over the area of the shadow filter. `all`: all rays
+// reach the sun. `none`: all rays are blocked, see sunlight(). `some`: every other result.
 enum class Sunlight : uint8_t { all, none, some };
 
 struct Pixel {
     glm::dvec3 at{0}, normal{0};
 };
 
-// Casts up to `steps` × `steps` rays towards the sun, from points on the surface's plane up to `reach_m` away
-// from the pixel's point. A map may miss shadow casters that rise less than `lift_m` above the surface, so
-// these do not make a point dark. A ray that meets only masked surfaces (leaves) counts as neither lit nor
-// dark, because the holes of leaves are smaller than the texels of shadow maps.
+// Casts up to `steps` × `steps` rays towards the sun. They start on the plane of the surface. Seen from the
+// sun, the starting points form a square, which extends `reach_m` from the pixel's point to each side. A
+// shadow map may miss casters that rise less than `lift_m` above the surface, so such casters do not make a
+// point dark. A ray that meets only masked surfaces (leaves) counts as neither lit nor dark, because the
+// holes of leaves are smaller than the texels of shadow maps.
 Sunlight sunlight(const RayScene& rays, const Pixel& pixel, const glm::dvec3& to_sun, double reach_m,
                   double lift_m, int steps) {
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), to_sun)),

@@ -97,8 +97,9 @@ void expect_named_cameras_in_free_space(const Scene& scene) {
     }
 }
 
-// Returns the texels per metre of a material's normal map on one triangle. The result is computed from the
-// ratio of the areas in texels and in metres.
+// Returns how many texels per metre a texture has on one triangle: the square root of the triangle's area in
+// texels divided by its area in m². The texture is assumed to be square. `first` is the position of the
+// triangle's first index in mesh.indices. `area_m2` receives the area.
 float texel_density(const Mesh& mesh, size_t first, const TextureSlot& slot, const Texture& texture,
                     float* area_m2) {
     const auto position = [&](size_t k) { return mesh.positions[mesh.indices[first + k]]; };

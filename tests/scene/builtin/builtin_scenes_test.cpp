@@ -19,7 +19,7 @@ Scene make(const std::string& name) {
     return std::move(scene).value();
 }
 
-// Computes the FNV-1a hash of all scene data that affect a picture.
+// Computes the FNV-1a hash of bytes. digest_of() adds the meshes, textures, transforms and light positions.
 class Digest {
  public:
     void add(const void* data, size_t size_bytes) {

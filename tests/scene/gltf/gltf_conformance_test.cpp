@@ -10,7 +10,8 @@ namespace {
 
 class GltfConformance : public GltfTest {
  protected:
-    // Appends `bytes` to the buffer as a new buffer view. `more` contains further JSON members of the view.
+    // Appends `bytes` to the buffer as a new buffer view. `more` contains further JSON members of the view
+    // and begins with a comma.
     static void add_view(GltfText& text, const Bytes& bytes, const std::string& more = "") {
         while (text.buffer.size() % 4 != 0) text.buffer.push_back(0);
         const std::string offset = std::to_string(text.buffer.size());
@@ -50,8 +51,8 @@ TEST_F(GltfConformance, SparseAccessorsAreTheDenseOnes) {
 
     for (const auto& [type, indices] :
          std::map<int, Bytes>{{5121, {0, 1}}, {5123, {0, 0, 1, 0}}, {5125, {0, 0, 0, 0, 1, 0, 0, 0}}}) {
-        // Two sparse elements replace elements of buffer view 2. The second case has no buffer view for the
-        // base, so the base is zero.
+        // The sparse accessor replaces elements 0 and 1. Element 2 comes from the base: buffer view 2 in the
+        // first case. In the second case there is no base, so element 2 is zero.
         for (const char* base : {R"("bufferView":2,)", ""}) {
             GltfText sparse =
                 with_uvs("{" + std::string(base) + R"("componentType":5126,"count":3,"type":"VEC2",
@@ -73,10 +74,10 @@ TEST_F(GltfConformance, AnAccessorOfNothingIsZeros) {
 
 TEST_F(GltfConformance, QuantisedUvsAreTheirFloats) {
     struct Form {
-        int type;
+        int type;  // glTF component type. 5120: int8, 5121: uint8, 5122: int16, 5123: uint16.
         bool normalized;
-        // Divisor from the stored integer to the value: 255 for normalised 8-bit integers, 1 for integers
-        // that are not normalised.
+        // The value is the stored integer divided by `scale`: by the largest integer of the type if it is
+        // normalised, by 1 if it is not.
         double scale;
     };
     for (const Form& form : {Form{5121, true, 255}, Form{5123, true, 65535}, Form{5120, true, 127},

@@ -9,7 +9,7 @@ namespace {
 
 class GltfHostile : public GltfTest {
  protected:
-    // Returns a glTF file in which the first `from` in one member is replaced by `to`.
+    // Returns a glTF file in which `to` replaces the first `from` in the top-level JSON member `member`.
     static GltfText with(const std::string& member, const std::string& from, const std::string& to) {
         GltfText text;
         std::string& json = text.members.at(member);
@@ -318,7 +318,7 @@ TEST_F(GltfHostile, AFileOfTheFirstVersionIsNamedAsSuch) {
     EXPECT_NE(fault.message.find("glTF 1.0"), std::string::npos) << fault.message;
     EXPECT_NE(fault.help.at(0).find("convert"), std::string::npos);
     EXPECT_EQ(errors_.size(), 1u) << "all else is a consequence";
-    // In glTF 1.0, `asset` is optional. The error of a file without `asset` then names /asset.
+    // In glTF 1.0, `asset` is optional. If a file of this version has no `asset`, the error names /asset.
     write("older.gltf", R"({"meshes":{"a":{}},"nodes":{"b":{}}})");
     EXPECT_EQ(where(fail_file("older.gltf")), "S113 /asset");
     EXPECT_EQ(errors_.size(), 1u);

@@ -7,7 +7,8 @@ namespace {
 
 class GltfMaterial : public GltfTest {
  protected:
-    // Returns a glTF file with one image, textures that use the image, and one material.
+    // Returns a glTF file with one material and one image of 2 × 2 texels. Both textures use the image;
+    // texture 0 has no sampler, texture 1 has one.
     static GltfText with_material(const std::string& material, const Bytes& rgba = Bytes(16, 255)) {
         GltfText text;
         text.members["images"] = R"([{"name":"image","uri":")" + data_uri(png(2, 2, rgba)) + R"("}])";

@@ -139,7 +139,7 @@ TEST_F(GltfNodes, TheFramingCameraSeesTheWholeScene) {
 }
 
 // The whole bounding sphere must be visible: the angle between the view axis and the edge of the sphere must
-// fit into the smaller of the two fields of view.
+// be at most half of the smaller field of view, which is the horizontal one in a portrait.
 TEST_F(GltfNodes, TheFramingCameraOfAPortraitHoldsTheBoundingSphere) {
     const Scene scene = load(GltfText());
     const float radius = glm::length(scene.bounds.max - scene.bounds.min) / 2;

@@ -1,5 +1,5 @@
-// Purpose: makes random broken scenes. Each file uses every supported part of glTF and has some random
-// faults. The same seed gives the same scene on every machine.
+// Purpose: makes random broken scenes. Each file starts as one valid scene that uses most supported parts of
+// glTF; then random places are changed. The same seed gives the same scene on every machine.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ TEST(MeshAttributes, MirroredUvsSplitTheSeam) {
             const uint32_t v = mesh.indices[3 * t + k];
             EXPECT_NEAR(mesh.tangents[v].x, towards_u, 1e-5f);
             EXPECT_FLOAT_EQ(mesh.tangents[v].w, towards_u);
-            // The green channel of a normal map must point up (+y) on both sides of the mirrored edge.
+            // The bitangent (green axis of a normal map) must point up (+y) on both sides of the edge.
             const glm::vec3 up =
                 glm::cross(mesh.normals[v], glm::vec3(mesh.tangents[v])) * mesh.tangents[v].w;
             EXPECT_NEAR(up.y, 1, 1e-5f);

@@ -1,4 +1,4 @@
-// Purpose: compares the mips and the irradiance of environments with closed formulas.
+// Purpose: compares the mips and the irradiance of environments with values that are computed analytically.
 #include "weft/scene/environment.h"
 
 #include <gtest/gtest.h>
@@ -87,8 +87,9 @@ TEST(Environment, HalfTheSkyLightsByTheShareThatIsSeen) {
         [](glm::dvec3 n) { return (1 + n.y) / 2; }, 1e-6);
 }
 
-// The irradiance is stored as spherical harmonics. For a sun alone, they become negative in some directions,
-// down to -1/8 of the sun's light. A surface that faces such a direction must still receive the sky's light.
+// The irradiance is stored as spherical harmonics of the orders 0 to 2. For a small sun alone, their sum is
+// negative in some directions, down to -4 % of the value towards the sun. A surface that faces such a
+// direction must still receive the sky's light.
 TEST(Environment, ASunDoesNotDarkenTheOtherSides) {
     const glm::dvec3 sun = glm::normalize(glm::dvec3(1, 1, -1));
     const Environment environment = environment_of(128, 64, [&](glm::dvec3 w) {
@@ -122,8 +123,8 @@ TEST(Environment, TheLastMipIsTheMeanOverTheSphere) {
     }
 }
 
-// A texel near a pole covers a very narrow area. In a blurred mip, such a texel must not appear as a bright
-// spoke.
+// Texels near a pole cover very narrow areas. In a mip, neighbouring texels of the row at a pole must differ
+// little; otherwise bright and dark rays would be visible around the pole.
 TEST(Environment, MipsAreEvenAroundThePoles) {
     Environment environment =
         environment_of(128, 64, [](glm::dvec3 w) { return glm::dvec3(std::atan2(w.x, -w.z) > 0 ? 1 : 0); });

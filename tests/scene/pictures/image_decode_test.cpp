@@ -73,7 +73,8 @@ TEST(ImageDecode, APngOfMoreDataThanItsSizeNeedsIsRefusedBeforeItIsInflated) {
     EXPECT_EQ(cost.answer, 0);
     EXPECT_LE(cost.grown_bytes, 4 * kMiB);
     EXPECT_LE(cost.cpu_s, 0.05);
-    // A file with only 64 KB of data too many is accepted. The decoder inflates one row and ignores the rest.
+    // A file whose data inflate to only 64 KB is accepted, although one texel needs much less. The decoder
+    // inflates one row and ignores the rest.
     EXPECT_EQ(decode_image(bytes_of(test::swollen_png(64'000))).rgba.size(), 4u);
 }
 
@@ -93,8 +94,8 @@ TEST(ImageDecode, TextsAndProfilesAreNotInflated) {
     EXPECT_LE(cost.grown_bytes, 4 * kMiB);
 }
 
-// Each file of the corpus is decoded whole and cut off at every length. Decoding must need at most the memory
-// that was computed from the file's header.
+// Each listed file is decoded as a whole, and also truncated to every smaller length. Decoding must need at
+// most the memory that read_image_size() computes from the header, plus 2 MiB.
 TEST(ImageDecode, TakesNoMoreThanTheHeaderSays) {
     for (const char* name : {"rgba8.png", "rgba16.png", "interlaced.png", "palette4.png", "base.jpg",
                              "prog.jpg", "progressive.jpg", "cmyk.jpg", "gray.jpg", "sub.jpg"}) {

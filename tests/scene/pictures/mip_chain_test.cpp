@@ -21,8 +21,8 @@ TEST(MipChain, GoesDownToOneTexel) {
 }
 
 TEST(MipChain, AveragesLinearDataAsItIs) {
-    // A picture of 4 × 4 texels with the columns 0, 100, 200, 40. Pairs of columns average to 50 and 120, and
-    // the whole picture to 85.
+    // A picture of 4 × 4 texels whose columns have the values 0, 100, 200, 40. The average of the first two
+    // columns is 50, that of the last two columns is 120, and that of the whole picture is 85.
     Bytes rgba;
     for (int y = 0; y < 4; ++y) {
         for (const uint8_t value : {0, 100, 200, 40}) rgba.insert(rgba.end(), {value, value, value, 255});

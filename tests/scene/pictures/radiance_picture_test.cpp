@@ -1,5 +1,5 @@
-// Purpose: tests the decoder of Radiance pictures: flat and run-length encoded rows, and all kinds of broken
-// files.
+// Purpose: tests the decoder of Radiance pictures with uncompressed (flat) rows, run-length encoded rows and
+// broken files, and the loading of such a picture as an environment.
 #include "scene/pictures/radiance_picture.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ std::string row_start(uint8_t width) {
     return {'\2', '\2', '\0', char(width)};
 }
 
-// Returns a run-length encoded row of ten texels. Each channel has one run of four values, then six separate
-// values.
+// Returns a run-length encoded row of ten equal texels. Each channel has one run that repeats its value four
+// times, then six values that are stored one by one.
 std::string coded_row() {
     std::string row = row_start(10);
     for (const char value : {char(128), char(64), char(32), char(130)}) {

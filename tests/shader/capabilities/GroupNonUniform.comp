@@ -4,5 +4,5 @@
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;
 void main() {
-    data.items[0] = gl_SubgroupSize;  // expected error line
+    data.items[0] = gl_SubgroupSize;
 }

@@ -1,4 +1,4 @@
-// compute+device: the SPIR-V gate must accept this compute shader only if the device supports the capability.
+// compute+device: the SPIR-V gate must accept this shader only if the device supports GroupNonUniformClustered.
 #version 460
 #extension GL_KHR_shader_subgroup_clustered : require
 layout(local_size_x = 8) in;

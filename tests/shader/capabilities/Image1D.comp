@@ -1,4 +1,4 @@
-// interface: the SPIR-V gate must accept this shader on every device; it declares a variable.
+// interface: the SPIR-V gate and reflection must accept this shader and its variable on every device.
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;

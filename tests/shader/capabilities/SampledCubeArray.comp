@@ -1,4 +1,4 @@
-// device: the SPIR-V gate must accept this shader only if the device supports the capability.
+// device: the SPIR-V gate must accept this shader only if the device supports SampledCubeArray.
 #version 460
 layout(local_size_x = 8) in;
 buffer Data { uint items[]; } data;

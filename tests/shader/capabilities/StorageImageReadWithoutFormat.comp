@@ -1,4 +1,4 @@
-// device: the SPIR-V gate must accept this shader only if the device supports the capability.
+// device: the SPIR-V gate must accept this shader only if the device supports StorageImageReadWithoutFormat.
 #version 460
 #extension GL_EXT_shader_image_load_formatted : require
 layout(local_size_x = 8) in;

@@ -1,5 +1,6 @@
-// Tests that `weft` refuses faulty graphs with exit code 3, within 5 s and 1 GiB, and that the message names
-// the place of the fault and a remedy. diagnostics_test.cpp tests each kind of fault separately.
+// Tests that `weft` refuses faulty graphs with exit code 3, within 5 s of processor time and 1 GiB of memory.
+// The message must name the fault, and in most cases its place and a remedy.
+// tests/viewer/documentation/diagnostics_test.cpp tests each kind of fault separately.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/program.h"
@@ -44,8 +45,8 @@ TEST(BadGraph, AllFaultsAreReportedAtOnce) {
                          {"2:73: error[W102]", "3:24: error[W116]", "4:53: error[W101]"});
 }
 
-// The files of this test attack a parser: with deep nesting, with a large size, and with bytes that are not
-// text.
+// The files of this test are difficult for a parser: one has deep nesting, one is too large, one has bytes
+// that are not text, and one is empty.
 TEST(BadGraph, HostileFilesAreRefusedQuickly) {
     const ScratchFolder scratch;
     scratch.write("deep.json", std::string(200'000, '['));

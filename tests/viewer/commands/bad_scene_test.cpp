@@ -1,6 +1,6 @@
-// Tests that `weft` refuses faulty and hostile scenes with exit code 3, within 5 s and 1 GiB, and that the
-// message names the file, the JSON pointer and a remedy. No device is needed, because `weft` reads the scene
-// before it opens a device.
+// Tests that `weft` refuses faulty and hostile scenes with exit code 3, within 5 s of processor time and
+// 1 GiB of memory. For a faulty value, the message must name the file, the JSON pointer and a remedy. No
+// device is needed, because `weft` reads the scene before it opens a device.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -81,8 +81,8 @@ class BadSceneTest : public testing::TestWithParam<BadScene> {};
 TEST_P(BadSceneTest, IsRefusedByFileAndPointer) {
     const BadScene& bad = GetParam();
     const ScratchFolder scratch;
-    // The secret file is as large as the scene's buffer. So only a check of the path can stop `weft` from
-    // reading it.
+    // The secret file is large enough for the scene's buffer of 60 bytes. So only a check of the path can
+    // stop `weft` from reading the file.
     scratch.write("secret.bin", std::string(64, 's'));
     scratch.write("scene/a/keep", "");
     scratch.write("scene/scene.gltf", replaced(square_gltf(), bad.from, bad.to));

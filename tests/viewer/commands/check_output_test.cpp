@@ -78,7 +78,8 @@ TEST(CheckColors, AFileCannotBringItsOwn) {
     EXPECT_EQ(run.err.find("\x1b[31m"), std::string::npos) << run.text();
 }
 
-// Expects that a location in a SARIF log meets the requirements of the SARIF standard.
+// Expects that a location in a SARIF log has a URI without invalid characters, line and column numbers from
+// 1, and JSON pointers that begin with "/".
 void expect_location(const Json& location, const Json& run) {
     if (location.contains("physicalLocation")) {
         const Json& physical = location.at("physicalLocation");
@@ -175,8 +176,8 @@ TEST(CheckSarif, IsWellFormedForEveryBadFile) {
     EXPECT_GT(expect_log(run.out).at("runs")[0].at("results").size(), 5u);
 }
 
-// SARIF counts columns in UTF-16 units. The letter é has two bytes and one unit; 🎈 has four bytes and two
-// units.
+// The output of --json counts columns in bytes of UTF-8; the output of --sarif counts them in UTF-16 units.
+// The letter é has 2 bytes and 1 unit; 🎈 has 4 bytes and 2 units. So the columns after both differ by 3.
 TEST(CheckSarif, ColumnsAreUtf16AndPathsAreUris) {
     const ScratchFolder folder;
     folder.write("a b%ü.json", "{ \"version\": 1, /* \xC3\xA9 \xF0\x9F\x8E\x88 */ \"nmae\": 1 }\n");

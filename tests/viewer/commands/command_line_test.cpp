@@ -72,7 +72,8 @@ struct NumberFlag {
     std::vector<std::string> command;
     const char* flag;
     const char* range;
-    // A value slightly below the range.
+    // Texts that must be refused: a value below the range and a value above it. For a flag that takes a list,
+    // one number of the list is outside the range.
     const char* below;
     const char* above;
 };
@@ -317,7 +318,7 @@ TEST(NoDevice, AnUnknownDeviceIsOneToo) {
 TEST(TimeOut, IsExitCode7NamingThePassesInFlight) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    // Pass "turning" never ends. The remaining passes need only a thousandth of the time limit.
+    // The loop of pass "turning" is practically endless, so the frame exceeds the time limit of 2 s.
     folder.write("endless.comp", R"(#version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 writeonly uniform image2D x;

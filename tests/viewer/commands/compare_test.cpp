@@ -1,4 +1,4 @@
-// Tests `weft compare`: its numbers and limits, the picture formats, and pictures that cannot be trusted.
+// Tests `weft compare`: its numbers and limits, the picture formats, and damaged or too large pictures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -132,8 +132,8 @@ TEST_F(Compare, TheHeatMapHasThePicturesSize) {
         EXPECT_EQ(heat.at("width"), kWidth_px);
         EXPECT_EQ(heat.at("height"), kHeight_px);
     }
-    // The heat map is written even if the difference exceeds the limit. In the map, the darkest colour (0, 0,
-    // 4) means no difference.
+    // The heat map is written even if the difference exceeds the limit. Its darkest colour means no
+    // difference; in 8-bit RGB this colour is (0, 0, 4).
     EXPECT_EQ(compare("a.png", "b.png", {"--max", "0", "--output", "over.png"}).exit_code, 6);
     EXPECT_EQ(compare("over.png", "over.png").exit_code, 0);
     EXPECT_EQ(compare("a.png", "a.png", {"-o", "none.png"}).exit_code, 0);
@@ -161,9 +161,9 @@ TEST_F(Compare, ReadsRawPicturesOfAllKinds) {
     EXPECT_EQ(compare("grey.pfm", "white.pfm", {"--metric", "max"}).out, "0\n");
 }
 
-// Each other picture has the same colours as a.png: two store them as linear values, so `weft compare` must
-// encode these values as sRGB first. The third is a PNG file whose name ends with ".exr": the content of a file
-// determines its format.
+// All pictures here have the same colours as a.png. linear.exr and linear.pfm store linear values, so
+// `weft compare` must encode them as sRGB first. png.exr is a PNG file: the content of a file determines its
+// format, not its name.
 TEST_F(Compare, EncodesRawPicturesToCompareThemWithDisplayValues) {
     write_raw("linear.exr", map_values(noise(1), to_linear));
     write_raw("linear.pfm", map_values(noise(1), to_linear));
@@ -217,6 +217,8 @@ TEST_F(Compare, RefusesHugePicturesByTheirHeaders) {
     scratch_.write("overflow.pfm", "PF\n4294967297 4294967297\n-1.0\n");
     scratch_.write("negative.pfm", "PF\n-5 5\n-1.0\n");
     std::string exr = exr_file(1, 1, one);
+    // Start of the value of the attribute dataWindow, after "box2i", a zero byte and the 4-byte size. The
+    // value has the four 32-bit integers xMin, yMin, xMax and yMax.
     const size_t window = exr.find("box2i") + 6 + 4;
     exr.replace(window + 8, 8, "\xff\xff\xff\x7e\xff\xff\xff\x7e");
     scratch_.write("huge.exr", exr);
@@ -234,7 +236,8 @@ TEST_F(Compare, TakesNoMoreMemoryThanTheLimitSays) {
         scratch_.write(name, "PF\n" + size + "\n-1.0\n");
         const std::filesystem::path file = scratch_.path() / name;
         std::filesystem::resize_file(file,
-                                     // The file grows without using disk space, because it is sparse.
+                                     // Adds three zero floats per texel. The file is sparse, so it uses
+                                     // no disk space for them.
                                      std::filesystem::file_size(file) + texels * 12);
     };
     black("more.pfm", "8192 4096", uint64_t{8192} * 4096);

@@ -1,4 +1,5 @@
-// Tests that pictures are equal in every bit, in every run and for every number of driver threads.
+// Tests that a command always gives the same picture, bit for bit: in each run, for different numbers of
+// driver threads, and with random lights of the same seed.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,5 +1,5 @@
-// Runs the documentation's example graph for multisampling, blits and indirect dispatches and draws. Compares
-// each image that the graph writes with values computed from the graph's other images.
+// Runs the documentation's example graph for multisampling, blits, indirect draws and indirect dispatches.
+// Compares the graph's images "color", "thumbnail" and "bars" with pictures or values that must be equal.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ class DeviceWork : public testing::Test {
     }
 
     // Renders one resource of the graph at its own size, and expects that the validation layer gives no
-    // message.
+    // message. The graph draws only the objects whose index i satisfies i % every == first.
     PfmImage picture(const std::string& graph, const std::string& resource, uint32_t every, uint32_t first) {
         std::vector<std::string> arguments{
             "render",     "builtin:spheres",
@@ -62,9 +62,9 @@ TEST_F(DeviceWork, DrawingByTheListsOwnCommandsIsDrawingTheList) {
     EXPECT_EQ(indirect.texels, direct.texels);
 }
 
-// The three pictures show all objects, only the even ones, and only the odd ones. Inside an object, each
-// pixel of the first picture must equal the pixel of the second or third picture. Pixels at edges are
-// averages of several samples.
+// The three pictures show all objects, those with an even index, and those with an odd index. A pixel inside
+// an object has the same colour in the first picture and in the second or third. A pixel at an edge is the
+// average of several samples, so it may differ from the second and from the third picture.
 TEST_F(DeviceWork, CulledDrawsAreGoneAndTheOthersAreThere) {
     const PfmImage all = picture("sparse.json", "color", 1, 0), even = picture("sparse.json", "color", 2, 0),
                    odd = picture("sparse.json", "color", 2, 1);
@@ -108,8 +108,8 @@ TEST_F(DeviceWork, TheThumbnailIsThePictureFilteredLinearly) {
         for (uint32_t x = 0; x < small.width_px; ++x) {
             const Texel wanted =
                 bilinear(color, (x + 0.5) * kWidth / small.width_px, (y + 0.5) * kHeight / small.height_px);
-            // The tolerance covers two roundings: the values are half floats of at most 1, and the device
-            // uses eight bits for a position between two texels.
+            // The tolerance covers two roundings: of the values to half floats, and of the position between
+            // two texels to eight bits.
             for (size_t c = 0; c < 3; ++c) ASSERT_NEAR(small.at(x, y)[c], wanted[c], 0.005) << x << ", " << y;
         }
 }

@@ -1,5 +1,5 @@
-// Tests every kind of question to `weft explain` about a shipped graph. The answers must contain lines and
-// columns of the graph file.
+// Tests every kind of question to `weft explain`, mostly about a shipped graph. The answers must contain
+// lines and columns of the graph file.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -50,8 +50,8 @@ TEST(Explain, ALivePassNamesWhoNeedsIt) {
                   "writes \"backbuffer\", the output"});
 }
 
-// Pass "second" has no reader, so it is culled. Only "second" reads the output of pass "first", so "first" is
-// culled too.
+// No pass reads the output of pass "second", so it is culled. Only "second" reads the output of pass "first",
+// so "first" is culled too.
 TEST(Explain, ACulledPassNamesItsReasonAndItsReaders) {
     const ScratchFolder scratch;
     scratch.write("graph.json", R"({

@@ -31,11 +31,13 @@ class ForeignScene : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Graphs, ForeignScene, testing::Values("deferred", "forward"),
                          [](const auto& tested) { return std::string(tested.param); });
 
-// A point on the ground in metres: the place where the ray through a pixel's centre meets the ground, for the
-// camera of square_gltf().
+// A point on the ground (y = 0), in metres.
 struct Ground {
     double x, z;
 };
+// Returns the point where the ray through the centre of pixel (i, j) meets the ground. The constants are
+// those of the camera of square_gltf(): the vertical field of view is 0.8 rad, the position is (0, 1, 3), and
+// the x component of the rotation quaternion is -0.1564345.
 Ground ground_at(uint32_t i, uint32_t j, uint32_t width_px, uint32_t height_px) {
     const double half = std::tan(0.4), turn = 2 * std::asin(-0.1564345);
     const double right = (2 * (i + 0.5) / width_px - 1) * half * width_px / height_px;

@@ -1,5 +1,5 @@
-// Tests `weft check --run`, which runs the tests inside graphs: those of the shipped graphs, and some that
-// must fail. Also tests debug views.
+// Tests `weft check --run`, which runs the tests inside graph files: those of the shipped graphs, some that
+// must pass, and some that must fail. Also tests debug views.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ class GraphTests : public testing::Test {
         if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     }
 
-    // Checks a graph whose shader fills image x with `value`. `rest` contains further sections of the graph.
+    // Checks a graph whose shader fills the red channel of image x with `value`, a GLSL expression. The green
+    // and blue channels are 0, alpha is 1. `rest` contains further sections of the graph.
     RunResult check(const std::string& value, const std::string& rest) const {
         folder_.write("value.comp", R"(#version 460
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -44,8 +45,8 @@ void main() { imageStore(x, ivec2(gl_GlobalInvocationID.xy), vec4(params.zero + 
         return run_weft({"check", folder_ / "g.json", "--run"});
     }
 
-    // Expects that the check fails, and that the message names the place of "$$" in `rest`. `rest` begins in
-    // line 10 of the graph.
+    // Expects that the check fails with this message, at the place that "$$" marks in `rest`. The graph is
+    // checked without the mark; `rest` begins in its line 10.
     void expect_failure(const std::string& value, std::string rest, const std::string& message) const {
         const size_t mark = rest.find("$$");
         rest.erase(mark, 2);
@@ -213,8 +214,8 @@ TEST_F(DebugPictures, WhereNothingWasDrawnTheyAllShowTheSameStripes) {
 }
 
 TEST_F(DebugPictures, NumbersAsColoursHaveALegend) {
-    // Returns the middle row of the colour bar, which is 120 px wide. The bar starts 10 px from the left edge
-    // and 10 px above the bottom edge.
+    // Returns one row of the colour bar. The bar is 120 px wide and 8 px high. It is 10 px away from the left
+    // edge and from the bottom edge of the picture.
     const auto bar = [](const PfmImage& shown) {
         std::vector<std::array<float, 3>> colors;
         for (size_t x = 10; x < 130; ++x) colors.push_back(shown.at(x, 180 - 16));

@@ -1,4 +1,5 @@
-// Tests that a picture in portrait format shows the full width of a built-in scene.
+// Tests that a picture in portrait format shows the full width of a built-in scene. This does not apply to a
+// camera that is named on the command line, or to a camera inside the scene.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/commands/render_stats.h"

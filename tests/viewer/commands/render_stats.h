@@ -1,4 +1,4 @@
-// Runs `weft render --stats` and reads the statistics of the frames that the command writes.
+// Runs `weft render --stats` and reads the statistics file that the command writes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,6 +9,8 @@
 
 namespace weft::test {
 
+// Returns the statistics as JSON, or an empty object if the command fails. `arguments` are those after
+// "render", without -o and --stats.
 inline nlohmann::json render_stats(std::vector<std::string> arguments) {
     const ScratchFolder folder;
     for (const std::string& word :

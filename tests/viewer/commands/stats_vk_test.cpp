@@ -1,4 +1,5 @@
-// Tests the statistics of `weft render --stats` that describe the run itself.
+// Tests some members of the statistics of `weft render --stats`: the tier, the values of each pass, and the
+// numbers of barriers and pipelines.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/commands/render_stats.h"

@@ -9,8 +9,8 @@
 namespace weft::test {
 namespace {
 
-// Returns a graph with these tiers. No pass of the graph uses the resource `rays`, unless `more` or a tier
-// adds a pass that does.
+// Returns a graph with these tiers. `more` is the text of further passes; it is empty or ends with a comma.
+// The resource `rays` is unused, unless a tier or a further pass uses it.
 std::string graph_with(const std::string& tiers, const std::string& more = "") {
     return R"({
   "version": 1, "name": "tiers", "imports": { "backbuffer": "output" },

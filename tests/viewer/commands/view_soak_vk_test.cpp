@@ -1,5 +1,5 @@
-// Edits files for ten minutes while `weft view --headless` runs. `weft view` must compile only the changed
-// files, and its memory must not grow.
+// Edits files and reverts the edits for ten minutes while `weft view --headless` runs. After the first
+// minute, the driver must compile no more machine code, and the memory must grow by at most 1 MiB.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -47,6 +47,8 @@ class ViewSoak : public ::testing::Test {
         folder_.write(name + "~", text.replace(at, from.size(), to));
         fs::rename(folder_ / (name + "~"), folder_ / name);
     }
+    // Returns how many pieces of machine code the driver has compiled. The preloaded library code_counter
+    // writes this number to the file "count".
     [[nodiscard]] uint64_t compiled() const {
         const std::string bytes = read_text(folder_ / "count");
         uint64_t count = 0;
@@ -59,7 +61,8 @@ class ViewSoak : public ::testing::Test {
         numbers >> pages >> resident;
         return resident * sysconf(_SC_PAGESIZE);
     }
-    // Makes one edit of each kind, then reverts it: a parameter value, a size in the graph, and a shader.
+    // Makes three edits and reverts each of them: another parameter value, another size in the graph, and an
+    // error in a shader.
     void edit_all() {
         edit("live.json", "\"default\": 0.5", "\"default\": 0.8", " ms: new values");
         edit("live.json", "\"default\": 0.8", "\"default\": 0.5", " ms: new values");

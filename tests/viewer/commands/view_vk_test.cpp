@@ -120,8 +120,8 @@ TEST_F(View, EndsWhileItWaitsForAGraph) {
     ASSERT_TRUE(program.says("weft: waiting for an edit that corrects the graph")) << program.err();
     program.send(SIGINT);
     EXPECT_EQ(program.exit_code(), 3) << program.err();
-    // In the following cases no edit can correct the fault, so `weft view` must end: stdin has ended, the
-    // command line gives a number of frames, or the graph file is missing.
+    // In three cases, `weft view` must end instead of waiting for an edit: stdin has ended, the command line
+    // gives a number of frames, or the graph file is missing.
     EXPECT_EQ(run_weft(arguments()).exit_code, 3);
     const RunResult script = run_weft(arguments({"--frames", "5"}));
     EXPECT_EQ(script.exit_code, 3);

@@ -1,7 +1,10 @@
-// Tests every diagnostic of graphs. tests/diagnostics/ has a failing file for each diagnostic, and a
-// corrected file. In a failing file, a comment line below the fault marks its column ("// ^ W103 is expected
-// here"). The mark "// nowhere: W120" stands for a fault without a place in a file. A first line "// args: …"
-// gives further arguments of `weft check`.
+// Tests the diagnostics of graphs. For each code (except those of kWithoutFile), tests/diagnostics/ has at
+// least one failing file, and a corrected file with the suffix ".good.json". Comments in a failing file mark
+// the expected diagnostics:
+//   // ^ W103 is expected here               W103 in the line above, in the column of the caret
+//   // the line above has the error W204     W204 in the line above, in column 1
+//   // nowhere: W120                         W120 without a place in a file
+// A first line "// args: …" gives further arguments of `weft check`.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -169,7 +172,8 @@ TEST_P(Diagnosed, NotInTheCorrectedFile) {
 INSTANTIATE_TEST_SUITE_P(All, Diagnosed, testing::ValuesIn(failing_files()),
                          [](const auto& row) { return row.param; });
 
-// In docs/diagnostics.md, the row of each code must link to the files that show the diagnostic.
+// In docs/diagnostics.md, the row of each code must link to the code's first failing file and to the
+// corrected file. The codes of kWithoutFile need no links.
 TEST(DiagnosticFiles, AreThereForEveryCodeOfThePage) {
     const std::vector<std::string> files = failing_files();
     std::istringstream page(read_text(WEFT_SOURCE_DIR "/docs/diagnostics.md"));

@@ -1,5 +1,5 @@
-// Tests that messages quoted in the README and docs/ agree with the output of the program, and that tables
-// are complete. These tests need no Vulkan device.
+// Tests statements in README.md and docs/: quoted messages of the program, the table of shader members, the
+// line counts of the gallery, and the example with several queues. These tests need no Vulkan device.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace {
 
 const std::filesystem::path kRoot = WEFT_SOURCE_DIR;
 
-// A fenced block of a Markdown page, and the comment directly before the block.
+// A fenced block of a Markdown page. `comment` is the line directly before the block, and `line` is the
+// number of the line that opens the block; the first line is 1.
 struct Fence {
     std::string page, comment, text;
     size_t line = 0;
@@ -82,7 +83,8 @@ TEST(Documentation, QuotedMessagesAreWhatTheProgramPrints) {
     EXPECT_GE(quoted, 2u);
 }
 
-// Returns the members of a struct that C++ and GLSL share, with their types, such as "vec4[9]".
+// Returns the type, such as "vec4[9]", of each member of a struct that C++ and GLSL share. Members whose
+// names begin with "reserved" are left out.
 std::map<std::string, std::string> members_of(const std::string& file, const std::string& name) {
     const std::string text = read_text(kRoot / "shaders/include/shared" / file);
     const size_t begin = text.find("struct " + name + " {"), end = text.find("};", begin);

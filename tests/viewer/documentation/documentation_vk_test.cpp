@@ -29,7 +29,7 @@ void write_snippets(const std::string& page, const ScratchFolder& folder) {
     for (const auto& [name, content] : snippets) folder.write(name, content);
 }
 
-// Renders in `folder` as the commands of the page do, at a size that is odd in both directions.
+// Renders in `folder` as the commands of the page do. The width and the height in pixels are odd numbers.
 RunResult render(const ScratchFolder& folder, const std::string& graph, std::vector<std::string> more) {
     std::vector<std::string> arguments{"render", "builtin:spheres", "--graph",   graph,
                                        "--size", "61x43",           "--validate"};

@@ -25,8 +25,9 @@ std::string substituted(std::string text, const std::string& from, const std::st
     return text;
 }
 
-// Returns the tutorial's command with a small picture size, with the validation layer, and with a PFM file
-// instead of PNG, so that the test can read raw values.
+// Returns the tutorial's command with three changes: a small picture size, the validation layer, and a PFM
+// file instead of PNG, so that the test can read raw values. `weft view` also gets a number of frames.
+// Without WEFT_EXTENDED, the commands show builtin:spheres.
 std::string as_tested(std::string command) {
     command = substituted(command, "--size 480x270", "--size 64x36 --validate");
     command = substituted(command, "--headless", "--headless --frames 3");

@@ -1,5 +1,5 @@
-// Tests that graphs, profiles and limits files which request too much are refused before they cost memory or
-// time.
+// Tests that graphs and profiles which are too large, nested too deeply or request too much are refused
+// before they cost much memory or time.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/hostile/hostile_run.h"
@@ -58,7 +58,7 @@ TEST_F(HostileGraph, UnknownKeysByTheHundredThousand) {
 TEST_F(HostileGraph, LargeFiles) {
     expect_refused_cheaply(check("{ \"name\": \"" + std::string(9u << 20, 'x') + "\" }"),
                            {"graph.json: error[W004]", "more than 8 MiB", "graph.jsonBytes"});
-    // A sparse file of two gigabytes. `weft` must refuse the file because of its size, without reading it.
+    // This sparse file has 2 GiB. `weft` must refuse the file because of its size, without reading it.
     scratch_.write("graph.json", "{");
     std::filesystem::resize_file(scratch_ / "graph.json", uint64_t{2} << 30);
     const RunResult run = run_weft({"check", scratch_ / "graph.json"});

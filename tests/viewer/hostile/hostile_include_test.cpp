@@ -1,6 +1,6 @@
-// Tests includes that lead out of the graph's folder through links, ".." or pipes. `weft` must not open such
-// a file, and no message may quote its content. hostile_scene_test.cpp has similar tests for scenes,
-// hostile_shader_test.cpp for shaders.
+// Tests includes that lead out of the graph's folder through links or "..", and includes of pipes, devices
+// and folders. `weft` must not open a file outside the folder, and no message may quote its content.
+// hostile_scene_test.cpp has similar tests for scenes, hostile_shader_test.cpp for shaders.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

@@ -1,5 +1,5 @@
 // Checks the result that is required for every hostile file: exit code 3, a message with a place and a
-// remedy, at most 5 s and 1 GiB, and no opened file outside the allowed folder.
+// remedy, at most 5 s of processor time and 1 GiB of memory, and no opened file outside the allowed folder.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace weft::test {
 
-// Expects that the program refused its input within these limits. The message must contain each text of
-// `wanted`.
+// Expects that the program refused its input with exit code 3 and a help text, within 5 s of processor time
+// and 1 GiB of memory. The output on stderr must be at most 1 MiB and contain each text of `wanted`.
 void expect_refused_cheaply(const RunResult& run, const std::vector<std::string>& wanted);
 
 // Watches a folder that the program must not read. The class uses inotify, which needs no privileges and
@@ -24,7 +24,8 @@ class WatchedFolder {
     WatchedFolder(const WatchedFolder&) = delete;
     WatchedFolder& operator=(const WatchedFolder&) = delete;
 
-    // True if the folder or a file in it was opened since the last call.
+    // True if the folder or a file in it was opened or read since the last call (at the first call: since the
+    // constructor).
     [[nodiscard]] bool was_opened();
 
  private:

@@ -21,8 +21,8 @@ constexpr const char* kData = "\"uri\": \"data:application/octet-stream;base64,"
 class HostileScene : public testing::Test {
  protected:
     HostileScene() {
-        // The secret file is as large as the scene's buffer. So only a check of the path can stop `weft` from
-        // reading it.
+        // The secret file is large enough for the scene's buffer of 60 bytes. So only a check of the path can
+        // stop `weft` from reading it.
         scratch_.write("outside/secret.bin", std::string(64, 's'));
         scratch_.write("outside/secret.png", black_png(4, 4));
         scratch_.write("scene/a/keep", "");
@@ -33,7 +33,7 @@ class HostileScene : public testing::Test {
     static std::string with_buffer(const std::string& uri) {
         return replaced(square_gltf(), kData, "\"uri\": \"" + uri + "\", \"rest\": \"");
     }
-    // Returns a scene whose material uses these images as textures.
+    // Returns a scene whose material uses these images, at most three, as textures.
     static std::string with_images(const std::vector<std::string>& uris) {
         static constexpr std::array kSlots{"normalTexture", "occlusionTexture", "emissiveTexture"};
         std::string images, textures, slots;
@@ -170,7 +170,8 @@ TEST_F(HostileScene, APictureOfOneTexelWithHundredsOfMegabytesBehindIt) {
     EXPECT_LE(run.max_rss_bytes, uint64_t{128} << 20);
 }
 
-// A kilobyte of JSON describes gigabytes of vertices: an accessor without a buffer view consists of zeros.
+// A small JSON text describes millions of vertices: an accessor without a buffer view consists of zeros. The
+// limit scene.vertices is 4,000,000.
 TEST_F(HostileScene, VerticesThatNoBytesStandBehind) {
     const auto zeros = [&](const std::string& count) {
         return render(
@@ -186,8 +187,8 @@ TEST_F(HostileScene, VerticesThatNoBytesStandBehind) {
     expect_refused_cheaply(run, {"error[S107]", "scene.memoryBytes with --limits"});
 }
 
-// The scene has as many nodes as the limit allows, all with the same mesh. Consecutive instances of a mesh
-// become one draw command.
+// The scene has as many nodes with a mesh as the limit scene.instances allows, all with the same mesh.
+// Consecutive instances of a mesh become one draw command.
 TEST_F(HostileScene, AQuarterOfAMillionNodesAreDrawn) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     std::string gltf =
@@ -203,8 +204,8 @@ TEST_F(HostileScene, AQuarterOfAMillionNodesAreDrawn) {
     EXPECT_LE(run.max_rss_bytes, uint64_t{1} << 30) << run.text();
 }
 
-// The limit counts the memory of the textures and of their copies on the GPU. This memory and that of the
-// program must stay below 1 GiB together.
+// The limit scene.memoryBytes counts the textures and their copies in GPU memory. A software driver keeps
+// these copies in the memory of the process. All memory of the process must stay below 1 GiB.
 TEST_F(HostileScene, TexturesWithinTheLimitsStayBelowAGigabyte) {
     if (!extended()) GTEST_SKIP() << "takes seconds: WEFT_EXTENDED=1 runs it";
     std::vector<std::string> names;

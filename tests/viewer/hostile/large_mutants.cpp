@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t kMostBytes = 1u << 20;
 
-// Texts of the sections of a graph, without the outer braces of each section.
+// Texts of the sections of a graph, without the outer braces or brackets of each section.
 struct Sections {
     std::string consts, sizes, params, resources, passes, debug, tests, tiers, other;
 };
@@ -65,7 +65,8 @@ class Maker {
     bool once_in(size_t n) { return below(n) == 0; }
     static std::string text_of(size_t i) { return std::to_string(i); }
 
-    // Appends members to the section until it has its randomly chosen size.
+    // Appends members until the section has at least bytes_ bytes, a randomly chosen size. `member` returns
+    // the text of the member with the given index, starting at 0.
     void fill(std::string& section, const std::function<std::string(size_t)>& member) {
         for (size_t i = 0; section.size() < bytes_; ++i) section += (i == 0 ? "" : ",\n") + member(i);
     }

@@ -1,5 +1,5 @@
-// Purpose: makes very large graphs of up to 1 MiB (deep, wide, chained, misspelt) and damages them. The same
-// seed always gives the same graph.
+// Purpose: makes random graphs of up to 1 MiB (deep, wide, chained or misspelt) and damages most of them. The
+// same seed always gives the same graph.
 #pragma once
 
 #include <cstdint>

@@ -48,7 +48,8 @@ void json_depth(const ScratchFolder& folder, uint64_t count) {
 }
 
 void json_values(const ScratchFolder& folder, uint64_t count) {
-    // Number of other JSON values in the file: those of graph() and of the parameter.
+    // Number of JSON values in the file besides the elements of "enum": those of graph() and of the
+    // parameter.
     constexpr uint64_t kOthers = 14;
     write_graph(folder, "\"params\": { \"p\": { \"default\": 0, \"enum\": [" +
                             joined(count - kOthers, [](uint64_t) { return Text("0"); }) + "] } },\n");
@@ -134,7 +135,8 @@ void test_frames(const ScratchFolder& folder, uint64_t count) {
                         }) + "],\n");
 }
 
-// Writes a graph with a test whose picture needs `count` bytes. The picture has 8 bytes per texel.
+// Writes a graph with a test whose picture needs `count` bytes, rounded up to whole rows. The picture has 8
+// bytes per texel.
 void test_bytes(const ScratchFolder& folder, uint64_t count) {
     const uint64_t width = count >= (1u << 20) ? 8192 : 64;
     const uint64_t height = (count + width * 8 - 1) / (width * 8);
@@ -142,7 +144,8 @@ void test_bytes(const ScratchFolder& folder, uint64_t count) {
                             "] }],\n");
 }
 
-// Writes a graph with a chain of `count` passes, each of which reads the result of the previous pass.
+// Writes a graph with `count` passes. All except "show" form a chain, in which each pass copies the result of
+// the previous pass.
 void passes(const ScratchFolder& folder, uint64_t count) {
     // The pass "show" of graph() is one more pass.
     const uint64_t chain = count - 1;
@@ -163,8 +166,8 @@ void pass_ports(const ScratchFolder& folder, uint64_t count) {
                 "\"p\": { " + clear_of(0, count) + " }");
 }
 
-// Writes a graph with `count` ports in total. Each iteration of pass "p" writes a layer of its own. If many
-// passes wrote the same layer, the graph would exceed the limit graph.steps first.
+// Writes a graph with `count` ports in total. Iteration i of pass "p" has kEach ports and writes layer i of
+// kEach images. If many passes wrote the same layer, the graph would exceed the limit graph.steps first.
 void ports(const ScratchFolder& folder, uint64_t count) {
     constexpr uint64_t kEach = 128;
     // The pass "show" of graph() has one more port.

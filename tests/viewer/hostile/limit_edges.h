@@ -1,5 +1,5 @@
-// Purpose: makes the most expensive input at each limit on graph files: a graph with exactly as many parts as
-// the limit allows.
+// Purpose: makes an expensive input for the test of each limit on graph files: a graph with a given number of
+// the things that the limit counts.
 #pragma once
 
 #include <cstdint>

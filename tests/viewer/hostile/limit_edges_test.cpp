@@ -1,6 +1,6 @@
-// Tests each limit on graph files with the most expensive input. `weft` must accept the input at the limit.
-// It must refuse an input with one item more than the limit. Both runs must stay within 5 s of processor time
-// and 1 GiB. The test also fails if limit_edges.cpp has no such input for a limit.
+// Tests each limit on graph files with an expensive input. `weft` must not refuse an input at the limit
+// because of this limit. It must refuse an input with one item more. Both runs must stay within 5 s of
+// processor time and 1 GiB of memory. The test also fails if limit_edges.cpp has no input for a limit.
 #include "tests/viewer/hostile/limit_edges.h"
 
 #include <gtest/gtest.h>
@@ -81,8 +81,8 @@ TEST_F(LimitEdges, AreSharpWhereverTheyAreSet) {
     }
 }
 
-// Searches for the number of steps that the graph needs. The graph must be accepted with exactly this limit,
-// and refused with a limit of one step less.
+// Searches for the number of steps that the graph needs. The graph must be accepted if graph.steps is this
+// number, and refused if graph.steps is one less.
 TEST_F(LimitEdges, StepsAreCountedExactly) {
     const auto edge = std::ranges::find(limit_edges(), std::string_view("graph.steps"), &LimitEdge::limit);
     edge->write(scratch_, 400);
@@ -100,8 +100,9 @@ TEST_F(LimitEdges, StepsAreCountedExactly) {
     EXPECT_EQ(run_with(enough).exit_code, 0);
 }
 
-// This is the most expensive input for the checker within the limit graph.steps: separate barriers change
-// thousands of subresources, and hundreds of passes read all of them.
+// These graphs are very expensive for the checker, but within the limit graph.steps. Hundreds of passes read
+// all 2048 × 3 subresources of an image. In the first graph, one pass for each layer writes the image; in the
+// second graph, a single pass writes it.
 TEST_F(LimitEdges, HoldForPlansOfManyParts) {
     const auto check_graph = [&](const std::string& written, int readers) {
         scratch_.write("graph.json", R"json({ "version": 1, "imports": { "backbuffer": "output" },
@@ -117,7 +118,8 @@ TEST_F(LimitEdges, HoldForPlansOfManyParts) {
     check_graph(R"json("out": ["x"])json", 830);
 }
 
-// Thousands of resources use the same memory one after another. Passes write the resources one mip at a time.
+// Groups of 12 resources use the same memory one after another. For each group, one pass writes mip level 0
+// of the resources, and another pass writes mip level 1.
 TEST_F(LimitEdges, HoldForManyResourcesInOneMemory) {
     constexpr int kGroups = 1300, kEach = 12;
     std::string resources, passes;

@@ -11,8 +11,8 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-// Returns a command that runs the shell script with its own mount points. Root needs no user namespace for
-// this, and may be unable to create one.
+// Returns a command that runs the shell script in its own mount namespace. For other users than root, it also
+// creates a user namespace. Root needs none, and may be unable to create one.
 std::vector<std::string> own_mounts(const std::string& script) {
     return {"unshare", geteuid() == 0 ? "-m" : "-rm", "sh", "-c", script};
 }

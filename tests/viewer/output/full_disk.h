@@ -8,8 +8,8 @@
 
 namespace weft::test {
 
-// Runs a shell script. The folder $DISK is on a file system of its own with the given size, such as "64k"; it
-// is removed afterwards. The script may call fill_disk to fill it. Requires can_mount().
+// Runs a shell script in which the folder $DISK is a separate file system of the given size, such as "64k".
+// The folder is removed afterwards. The script may call fill_disk to fill the disk. Requires can_mount().
 [[nodiscard]] RunResult run_on_small_disk(const std::string& size, const std::string& script,
                                           const Environment& environment = {});
 // Returns true if the user of the test may create a mount namespace and mount a file system in it.

@@ -1,6 +1,6 @@
 // Tests that every file written by `weft` is either complete or absent, and that an old file stays until the
-// new one is complete. Tests each kind of file with each cause of failure. Kinds that need a device run only
-// with WEFT_EXTENDED, except those marked as quick.
+// new one is complete. Tests each kind of file with each cause of failure. If a test would render a frame, it
+// runs only with WEFT_EXTENDED, except for kinds marked as quick.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -25,7 +25,7 @@ struct Writer {
     // Arguments of `weft`. The word "OUT" is replaced by the path of the file.
     std::vector<std::string> arguments;
     bool needs_device = false;
-    // True if the kind is always tested, although it needs a device.
+    // True if the kind is also tested without WEFT_EXTENDED, although it needs a device.
     bool quick = false;
     // Expected end of the file, for a file whose content differs in each run; otherwise null.
     const char* end = nullptr;
@@ -203,8 +203,8 @@ TEST_P(Written, KilledWhileItWritesTheOldFileStays) {
     const std::string strace =
         "strace -f -qq -o " + (scratch_ / "trace") + " -e trace=fsync -e inject=fsync:";
     if (shell(strace + "error=EIO true").exit_code != 0) GTEST_SKIP() << "strace is missing or may not trace";
-    // If the program is killed, strace kills itself with the same signal. So the shell reports exit code 128
-    // + 9.
+    // If the program is killed, strace kills itself with the same signal. So the shell reports 128 + 9, where
+    // 9 is SIGKILL.
     const RunResult run = shell(strace + "signal=KILL " + command(out()));
     EXPECT_EQ(run.exit_code, 128 + 9) << run.text();
     EXPECT_EQ(read_text(out()), kOld);

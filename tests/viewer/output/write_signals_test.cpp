@@ -64,8 +64,8 @@ TEST_F(Interrupted, KilledBeforeTheFirstFileIsThereNothingIsThere) {
     EXPECT_EQ(files(), has_nameless_files() ? 0u : 1u) << "a draft was left";
 }
 
-// Without /proc, or on a file system without unnamed files, `weft` writes a temporary file with a name. The
-// injected error of linkat causes this case.
+// `weft` normally writes an unnamed temporary file and gives it a name with linkat. If this is impossible (no
+// /proc, or no unnamed files), it writes a temporary file with a name. The injected error causes this case.
 TEST_F(Interrupted, ADraftWithANameTakesThePlaceAsWell) {
     const RunResult run = write_under_strace({"linkat:error=ENOENT"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
@@ -74,6 +74,8 @@ TEST_F(Interrupted, ADraftWithANameTakesThePlaceAsWell) {
 }
 
 TEST_F(Interrupted, KilledOverADraftWithANameTheOldFileStays) {
+    // The first fsync is that of the unnamed file, if such files exist. The next one is that of the file with
+    // a name.
     const std::string second = has_nameless_files() ? ":when=2" : "";
     EXPECT_EQ(write_under_strace({"linkat:error=ENOENT", "fsync:signal=KILL" + second}).exit_code, 128 + 9);
     EXPECT_EQ(read_text(out()), kOldContent);
@@ -102,7 +104,7 @@ TEST_F(Interrupted, AnErrorOfTheDiskLeavesTheOldFileAndNoDraft) {
 }
 
 // The program must call fsync before it renames the file. Otherwise a power failure could leave an empty file
-// in place of the old one.
+// in place of the old one. After the renaming, it must call fsync for the folder.
 TEST_F(Interrupted, TheDataIsOnTheDiskBeforeItTakesItsPlace) {
     ASSERT_EQ(write_under_strace({}).exit_code, 0);
     const std::string trace = read_text(scratch_ / "trace");

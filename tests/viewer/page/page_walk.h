@@ -14,7 +14,9 @@ namespace weft::test {
 struct PageMistake {
     // File in which the mistake is made; empty if the step makes no mistake.
     std::string file;
+    // The correct text (OLD).
     std::string right;
+    // The faulty text that replaces it (NEW).
     std::string wrong;
 };
 
@@ -30,7 +32,8 @@ struct PageEvent {
     int line = 0;
 };
 
-// Returns the steps of a page in docs/. Fences of other languages are ignored.
+// Returns the steps of a page in docs/. `page` is the path relative to docs/. A fence of another language is
+// ignored, unless a file comment precedes it.
 [[nodiscard]] std::vector<PageEvent> events_of(const std::string& page);
 
 [[nodiscard]] std::string joined(const std::vector<std::string>& lines);

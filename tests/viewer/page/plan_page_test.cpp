@@ -11,7 +11,8 @@ namespace {
 
 const std::string kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
-// Returns a graph with a chain of 500 passes, each of which copies the result of the previous pass.
+// Returns a graph with a chain of 500 passes. The first pass clears an image; each later pass copies the
+// image of the previous pass. The pass "show" displays the last image.
 std::string long_graph() {
     std::string resources, passes;
     for (int i = 0; i < 500; ++i) {

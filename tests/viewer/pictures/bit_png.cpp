@@ -55,8 +55,8 @@ class BitWriter {
     int used_ = 0;
 };
 
-// Returns `count` zero bytes as a zlib stream (RFC 1950): one literal zero, then commands that copy 258 bytes
-// from distance 1.
+// Returns `count` zero bytes as a zlib stream (RFC 1950): one literal zero, then commands that each copy 258
+// bytes from distance 1. Literal zeros follow for the remaining bytes (fewer than 258).
 std::string zeros(uint64_t count) {
     BitWriter out;
     // This bit marks the last block of the stream.
@@ -74,7 +74,7 @@ std::string zeros(uint64_t count) {
     // Seven zero bits are the code for the end of the block.
     out.code(0, 7);
     std::string stream = "\x78\x9c" + out.take();
-    // Adler-32 checksum of `count` zero bytes.
+    // Adler-32 checksum of `count` zero bytes: the low half is 1, the high half is `count` modulo 65521.
     append_big_endian(stream, static_cast<uint32_t>(count % 65521) << 16 | 1);
     return stream;
 }
@@ -96,7 +96,7 @@ std::string black_png_with(uint32_t width_px, uint32_t height_px, uint64_t data_
     std::string header;
     append_big_endian(header, width_px);
     append_big_endian(header, height_px);
-    // The image has one bit per texel, grey, and is not interlaced.
+    // The five bytes mean: bit depth 1, greyscale, the only compression and filter methods, no interlacing.
     header += std::string("\1\0\0\0\0", 5);
     return std::string("\x89PNG\r\n\x1a\n") + png_chunk("IHDR", header) +
            png_chunk("IDAT", zeros(data_bytes)) + png_chunk("IEND", "");

@@ -11,7 +11,7 @@ namespace weft::test {
 // Returns a valid PNG file of width × height black texels.
 [[nodiscard]] std::string black_png(uint32_t width_px, uint32_t height_px);
 
-// Returns a PNG file whose header announces one texel, but whose image data inflates to `data_bytes` bytes.
+// Returns a PNG file whose header gives the size 1 × 1, but whose image data inflates to `data_bytes` bytes.
 [[nodiscard]] std::string swollen_png(uint64_t data_bytes);
 
 // Returns a PNG chunk with its length and checksum.

@@ -20,7 +20,8 @@ struct PfmImage {
     }
 };
 
-// Reads a PFM file with little-endian numbers and three channels. Returns nullopt for any other file.
+// Reads a PFM file with little-endian numbers and three channels, and with at most 16384 texels per side.
+// Returns nullopt for any other file.
 [[nodiscard]] std::optional<PfmImage> read_pfm(const std::string& path);
 
 }  // namespace weft::test

@@ -1,5 +1,5 @@
-// Tests rendering when the disk of the shader caches is full. There are two caches: that of the Mesa driver,
-// which ends a program with SIGBUS in this case, and that of Weft.
+// Tests rendering when the disk with the shader caches is full. The Mesa driver and Weft each have a cache.
+// If Mesa writes to its cache and the disk is full, SIGBUS ends the program. `weft` must prevent this.
 #include <gtest/gtest.h>
 
 #include "tests/viewer/output/full_disk.h"
@@ -44,7 +44,8 @@ TEST_F(FullCache, RendersWithoutMesasCacheAndSaysSo) {
     EXPECT_NE(run.err.find("No space left on device"), std::string::npos) << run.text();
 }
 
-// `weft` reserves disk space for the index of Mesa's cache when it starts. On this disk nothing else fits.
+// When `weft` starts, it reserves disk space for the index file of Mesa's cache (1310728 bytes). On this disk
+// no other cache file fits.
 TEST_F(FullCache, RendersWhereOnlyTheIndexHasRoom) {
     const RunResult run = render("1292k");
     expect_picture(run);

@@ -1,6 +1,7 @@
-// A fake Vulkan driver that behaves like malicious code. When it is loaded, it attempts forbidden operations
-// and prints the result of each on one line. The environment variable WEFT_HOSTILE_FOLDER names a folder that
-// the driver must not be able to access.
+// A fake Vulkan driver that behaves like malicious code. When it is loaded, it attempts operations, most of
+// which the sandbox must refuse. It prints one line with "done" or "refused" for each operation. The
+// environment variable WEFT_HOSTILE_FOLDER names the folder that the driver attacks. Without this variable,
+// the driver does nothing.
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
@@ -55,7 +56,7 @@ bool writes_to_descriptor(const char* number) {
     return number != nullptr && write(std::atoi(number), "x", 1) == 1;
 }
 
-// Starts a child process that continues for ten minutes after the driver's process has ended. The child
+// Starts a child process that sleeps for ten minutes, so that it outlives the driver's process. The child
 // closes its file descriptors, so that no caller waits for the end of its output.
 void leave_behind() {
     const pid_t child = fork();

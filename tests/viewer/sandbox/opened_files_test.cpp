@@ -1,6 +1,6 @@
-// Tests which files `weft` opens, as observed with strace. Allowed are the folders of the graph and the
-// scene, files named on the command line, and files of the program itself. `weft` must refuse links that lead
-// elsewhere without opening them.
+// Tests which files `weft` opens, as observed with strace. `weft` may open files in the folders of the graph,
+// the scene and the output, its own files, and files of the system. It must refuse a link that leads to
+// another folder, and must not open the target of the link.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +35,8 @@ void main() { backbuffer = texelFetch(x, ivec2(gl_FragCoord.xy), 0); }
 )";
 constexpr const char* kValue = "const float value = 0.5;\n";
 
-// Folders of the system that `weft` may read: libraries, the Vulkan loader and drivers, devices, time zones.
+// Prefixes of system paths that `weft` may open: libraries, the Vulkan loader and drivers, devices, time
+// zones and others.
 constexpr std::array kSystem{"/usr/",       "/lib/",      "/lib64/",        "/etc/ld.so",
                              "/etc/vulkan", "/etc/drirc", "/etc/localtime", "/etc/ssl/",
                              "/proc/",      "/sys/",      "/dev/"};
@@ -61,8 +62,8 @@ class Opens : public testing::Test {
                 "-o",      scratch_ / "out/a.png",
                 "--stats", scratch_ / "out/a.json"};
     }
-    // Returns the paths of the program itself, which `weft` may open: shipped files, its own folder, its
-    // caches.
+    // Returns the prefixes of the paths that `weft` may open in every run: shipped files, the folder of the
+    // program, its cache, hidden files in the home folder, and kSystem.
     [[nodiscard]] static std::vector<std::string> of_the_tool() {
         const std::string source = WEFT_SOURCE_DIR;
         std::vector<std::string> all{source + "/graphs/",

@@ -152,7 +152,8 @@ constexpr const char* kSandboxGraph = R"({ "version": 1, "imports": { "backbuffe
   "tests": [{ "size": [32, 32], "expect": { "finite": ["x"] } }]
 })";
 
-// A worker process of `weft` compiles the shader beside the graph. The worker runs in the same sandbox.
+// The shader file is in the folder of the graph. A worker process of `weft` compiles the shader, in the same
+// sandbox as `weft`.
 TEST_F(Sandbox, AGraphBesideItsShadersIsCheckedAndRun) {
     scratch_.write("graph/graph.json", kSandboxGraph);
     scratch_.write("graph/own.comp",

@@ -33,8 +33,8 @@ void add_device(VkDevice device, PFN_vkGetDeviceProcAddr next);
 void forget(VkInstance instance);
 void forget(VkDevice device);
 
-// These functions are queried while the instance is created. Later queries to the loader would return the
-// functions of the top layer instead of the next one.
+// The functions of the next layer for one instance. They are queried while the instance is created. A later
+// query to the loader would return the functions of the top layer instead.
 struct InstanceFunctions {
     PFN_vkGetInstanceProcAddr next = nullptr;
     PFN_vkDestroyInstance vkDestroyInstance = nullptr;

@@ -1,5 +1,6 @@
-// Purpose: writes the sections of the HTML page of a plan. Every drawn element has the keys defined in
-// plan_page.h, a link to its explanation, and a label that appears when the pointer is over it.
+// Purpose: writes the sections of the HTML page of a plan. An element that represents an item of the plan,
+// such as a pass or a barrier, has three things: the keys defined in plan_page.h, a link to its explanation,
+// and a label that appears when the pointer is over it.
 #pragma once
 
 #include <string>
@@ -34,14 +35,15 @@ void open_panel(Markup& out, const char* id, const char* title, const std::strin
 void open_drawing(Markup& out, const std::string& label, int32_t width_px, int32_t height_px);
 void close_drawing(Markup& out);
 void write_legend(Markup& out, const std::vector<std::pair<const char*, const char*>>& styles_and_texts);
-// Returns the height of the heading with the names of all passes, which is written above each section with
-// pass columns.
+// Returns the height of the heading: the names of the live passes, at the top of each drawing with pass
+// columns.
 [[nodiscard]] int32_t heading_height_px(const PlanPage& page);
 void write_heading(const PlanPage& page, Markup& out);
 // Draws the vertical lines between the columns of passes, from `top_px` to `bottom_px`.
 void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Markup& out);
 
-// Returns the label of a barrier, edge or wait, which appears when the pointer is over it.
+// Each returns the label of a barrier, edge or wait, which appears when the pointer is over it. The item is
+// given as an index into PlanPage::barriers, PlanPage::edges or PlanPage::waits.
 [[nodiscard]] std::string barrier_label(const PlanPage& page, size_t barrier);
 [[nodiscard]] std::string edge_label(const PlanPage& page, size_t edge);
 [[nodiscard]] std::string wait_label(const PlanPage& page, size_t wait);

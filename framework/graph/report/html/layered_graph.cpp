@@ -7,9 +7,9 @@
 namespace weft {
 namespace {
 
-constexpr int32_t kLineHeight_px = 6;
-// Maximum number of dummy nodes in a graph. If a graph needs more, its longest edges get none and are drawn
-// as straight lines, because nobody can follow so many lines by eye.
+constexpr int32_t kLineHeight_px = 6;  // Height of a dummy node.
+// Maximum number of dummy nodes in a graph. If a graph needs more, its longest edges get none: they lead
+// directly from box to box, even across other boxes. Nobody can follow so many lines by eye anyway.
 constexpr size_t kMostDummyNodes = 6000;
 
 // Assigns a layer to each box: the length of the longest path to it. Exception: a box without incoming edges
@@ -39,7 +39,7 @@ std::vector<uint32_t> find_layers(size_t boxes, const std::vector<LayoutEdge>& e
 }
 
 // Returns the largest span of an edge that still gets dummy nodes. The span is the layer of `to` minus the
-// layer of `from`. Edges with a larger span are drawn as straight lines.
+// layer of `from`. Edges with a larger span get no dummy nodes.
 uint32_t longest_span(const std::vector<uint32_t>& layer, const std::vector<LayoutEdge>& edges) {
     std::map<uint32_t, size_t> by_span;
     for (const LayoutEdge& e : edges) ++by_span[layer[e.to] - layer[e.from]];
@@ -58,8 +58,9 @@ void connect(LayeredGraph& graph, uint32_t a, uint32_t b) {
     graph.nodes[b].before.push_back(a);
 }
 
-// Creates the dummy nodes of an edge, one in each layer between its two boxes. All edges from one box share
-// the dummy node in a layer. So they run together, and each one leaves only directly before its target box.
+// Creates the dummy nodes of edges, one in each layer between the two boxes of an edge. Edges that start at
+// the same box share one dummy node per layer. So their lines run together at first, and each line separates
+// from the others directly before the layer of its target box.
 class DummyNodes {
  public:
     explicit DummyNodes(LayeredGraph& graph) : graph_(graph) {}
@@ -109,6 +110,7 @@ size_t crossings(const LayeredGraph& graph, const std::vector<uint32_t>& layer,
     return count;
 }
 
+// Returns the place of each node in its layer, counted from the top. Index: node.
 std::vector<uint32_t> places(const LayeredGraph& graph) {
     std::vector<uint32_t> place(graph.nodes.size(), 0);
     for (const std::vector<uint32_t>& layer : graph.layers)

@@ -1,5 +1,5 @@
-// Purpose: the graph on which layered_layout() works. Its nodes are boxes and dummy nodes. A dummy node is
-// the bend point of an edge in a layer that the edge crosses.
+// Purpose: the graph on which layered_layout() works. Its nodes are boxes and dummy nodes. A dummy node
+// reserves space in a layer for edges that cross this layer.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 namespace weft {
 
 struct LayerNode {
-    uint32_t box = UINT32_MAX;  // Index of the box; UINT32_MAX for a dummy node (bend of an edge).
+    uint32_t box = UINT32_MAX;  // Index of the box; UINT32_MAX for a dummy node.
     uint32_t layer = 0;
     int32_t height_px = 0;
     std::vector<uint32_t> before, after;  // Neighbours in the previous and in the next layer.
@@ -19,7 +19,7 @@ struct LayerNode {
 struct LayeredGraph {
     std::vector<LayerNode> nodes;               // First all boxes, then the dummy nodes of edges.
     std::vector<std::vector<uint32_t>> layers;  // The nodes of each layer, from top to bottom.
-    // Index: edge. The dummy nodes on the edge's path, in order; empty if the edge is a straight line.
+    // Index: edge. The dummy nodes on the edge's path, in order; empty if it has none.
     std::vector<std::vector<uint32_t>> ways;
 };
 

@@ -9,12 +9,13 @@ namespace {
 
 constexpr double kBoxGap_px = 20, kLineGap_px = 10;
 
+// Returns the minimum distance between the centres of two neighbouring nodes of a layer.
 double middle_distance_px(const LayerNode& a, const LayerNode& b) {
     const bool lines = a.box == UINT32_MAX && b.box == UINT32_MAX;
     return (a.height_px + b.height_px) / 2.0 + (lines ? kLineGap_px : kBoxGap_px);
 }
 
-// Consecutive nodes of a layer that are placed together at their weighted average position.
+// Consecutive values that get the same position in settle(): the weighted average of their wanted positions.
 struct Block {
     double sum = 0;
     double weight = 0;
@@ -54,8 +55,8 @@ double wanted_px(const LayeredGraph& graph, const LayerNode& node, int side) {
     return count == 0 ? node.y_px : sum / static_cast<double>(count);
 }
 
-// Moves the nodes of a layer towards the height of their neighbours. `side` selects the neighbours: -1 the
-// previous layer, 1 the next layer, 0 both.
+// Moves the nodes of a layer towards the vertical positions of their neighbours. `side` selects the
+// neighbours: -1 those in the previous layer, 1 those in the next layer, 0 both.
 void level(LayeredGraph& graph, const std::vector<uint32_t>& layer, int side) {
     std::vector<double> wanted, weights, offsets;
     double offset = 0;

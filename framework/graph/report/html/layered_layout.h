@@ -30,16 +30,17 @@ struct PointPx {
 
 struct LayeredLayout {
     std::vector<PointPx> boxes;  // Index: box. Position of its top left corner.
-    // Index: edge. The points where the edge enters and leaves each layer that it crosses. The two points of
-    // a layer have the same height.
+    // Index: edge. The points where the edge enters and leaves each layer between its two boxes. The two
+    // points of a layer have the same y. Empty for edges to the next layer, and for the longest edges of a
+    // very large graph: they lead directly from box to box.
     std::vector<std::vector<PointPx>> bends;
     int32_t width_px = 0;
     int32_t height_px = 0;
     uint32_t layers = 0;
 };
 
-// Computes the layout. Boxes of one layer have their given order at first; boxes change places if fewer edges
-// cross then.
+// Computes the layout. At first, the boxes of one layer have the order of `boxes`. They change places if
+// fewer edges cross then. `layer_gap_px` is the horizontal gap between two layers.
 [[nodiscard]] LayeredLayout layered_layout(const std::vector<LayoutBox>& boxes,
                                            const std::vector<LayoutEdge>& edges, int32_t layer_gap_px);
 

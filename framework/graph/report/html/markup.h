@@ -18,8 +18,8 @@ struct Attribute {
     std::string value;
 };
 
-// Returns the text escaped for use between tags and in quoted attributes. Control characters and bytes that
-// are not valid UTF-8 become U+FFFD.
+// Returns the text escaped for use between tags and in quoted attributes. These become U+FFFD: control
+// characters except newline and tab, the code points U+FFFE and U+FFFF, and bytes that are not valid UTF-8.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 class Markup {

@@ -1,4 +1,4 @@
-// Writes the whole HTML page: its head and frame, and elements that several sections use.
+// Writes the whole HTML page: its head, its structure, and elements that several sections use.
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"

@@ -1,5 +1,5 @@
-// Writes the explanations of passes and resources. The functions that other explanations also use are here,
-// too.
+// Writes the explanations of passes, repeats and resources. This file also has the functions that all
+// explanations use.
 #include <algorithm>
 
 #include "graph/plan/plan_names.h"

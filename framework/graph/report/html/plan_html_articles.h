@@ -18,7 +18,8 @@ void write_wait_article(const PlanPage& page, size_t wait, Markup& out);
 void write_batch_article(const PlanPage& page, size_t batch, Markup& out);
 void write_edge_article(const PlanPage& page, size_t edge, Markup& out);
 
-// Opens an article with its heading. The caller must close the article.
+// Opens an article with its heading. `below` is a line below the heading; empty: no line. The caller must
+// close the article.
 void open_article(Markup& out, const std::string& key, const std::string& title, const std::string& below);
 // Writes each line of an explanation as a paragraph.
 void write_sentences(Markup& out, const std::string& text);

@@ -17,8 +17,7 @@ std::string point(PointPx p) {
     return std::to_string(p.x) + " " + std::to_string(p.y);
 }
 
-// A grid of squares with sides of kSquare_px that records where the drawing is already occupied, and by which
-// path.
+// Divides the drawing into squares with sides of kSquare_px, and records which path occupies each square.
 class Occupied {
  public:
     explicit Occupied(PointPx drawing)
@@ -26,9 +25,9 @@ class Occupied {
           rows_(drawing.y / kSquare_px + 1),
           owners_(static_cast<size_t>(columns_) * static_cast<size_t>(rows_), kFree) {}
 
-    // Marks the squares of an area as occupied by `path`. This is the index of the first path with the same
-    // name, so paths with equal names use one number. Box areas and the areas of placed names use kNoId
-    // instead: no name may be written there. A square that two different numbers occupy gets kNoId too.
+    // Marks the squares of an area as occupied by `path`. Paths with equal names count as one path: `path` is
+    // the index of the first of them. For a box or a placed name, `path` is kNoId: no name may be written
+    // there. A square that two different paths occupy also gets kNoId.
     void take(const AreaPx& area, uint32_t path) {
         for_squares(area, [&](size_t square) {
             const uint32_t owner = owners_[square];
@@ -36,7 +35,8 @@ class Occupied {
             return true;
         });
     }
-    // Returns true if the area lies inside the drawing and contains no box, name, or path of another name.
+    // Returns true if the area lies inside the drawing and touches no box, no placed name and no path other
+    // than `path`.
     [[nodiscard]] bool is_free(const AreaPx& area, uint32_t path) const {
         if (area.x < 0 || area.y < 0 || area.x + area.width > columns_ * kSquare_px ||
             area.y + area.height > rows_ * kSquare_px)
@@ -137,8 +137,8 @@ std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                        const std::vector<AreaPx>& boxes, PointPx drawing) {
     Occupied occupied(drawing);
     for (const AreaPx& box : boxes) occupied.take(box, kNoId);
-    // Paths with equal names have the same owner: the index of the first of them. A name may cover the paths of
-    // its own owner, but no others.
+    // Paths with equal names have the same owner: the index of the first of them. A name may cover the paths
+    // of its own owner, but no other paths.
     std::map<NameChoices, uint32_t> by_name;  // Key: the names of a path. Value: its owner.
     std::vector<uint32_t> owner;              // Index: path.
     for (uint32_t i = 0; i < paths.size(); ++i) {

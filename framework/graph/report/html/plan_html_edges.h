@@ -10,7 +10,7 @@
 
 namespace weft {
 
-// The path of an SVG element, and points along it that are at most kWayStep_px apart.
+// The path of an SVG element, and points along it that are about kWayStep_px apart.
 class EdgePath {
  public:
     void move(PointPx to);
@@ -33,7 +33,7 @@ struct AreaPx {
 };
 
 struct EdgeName {
-    std::string text;  // The edge's name; empty if there is no room for it.
+    std::string text;  // The edge's name; empty if the edge gets none.
     PointPx at;        // The middle of the name's baseline.
 };
 
@@ -41,8 +41,8 @@ struct EdgeName {
 using NameChoices = std::vector<std::string>;
 
 // Returns the name of each edge with its place. Earlier edges choose their place first. A name lies on its
-// own path and touches no box, no path with another name, and no other name. A path gets no name if it passes
-// through the placed name of an earlier path and both names are equal.
+// own path and touches no box, no path with another name, and no other name. A path gets no name if there is
+// no such place, or if the path passes through the equal name of an earlier path.
 [[nodiscard]] std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                                      const std::vector<NameChoices>& names,
                                                      const std::vector<AreaPx>& boxes, PointPx drawing);

@@ -25,8 +25,8 @@ void write_zoom(Markup& out) {
     out.line();
 }
 
-// Draws the graph twice. The first drawing shows each long repeat as one box. The second drawing shows all
-// iterations; it replaces the first while it is open.
+// Draws the graph twice. The first drawing shows each long repeat as one box. The second drawing, in a
+// `details` element, shows all iterations. While this element is open, the first drawing is hidden.
 void draw_both(const PlanPage& page, Markup& out) {
     out.open("div", {{"class", "folded"}});
     draw_graph(page, true, out);

@@ -13,16 +13,16 @@ namespace {
 
 constexpr int32_t kBoxHeight_px = 44;
 constexpr int32_t kMargin_px = 16;
-constexpr int32_t kRoomyGraph_px = 880;                  // A graph with few layers is widened to this width.
+constexpr int32_t kRoomyGraph_px = 880;                  // A narrower graph is widened towards this width.
 constexpr int32_t kLeastGap_px = 64, kMostGap_px = 120;  // Limits of the horizontal gap between layers.
-// Height of one lane below the boxes. Each edge from one frame to the next has its own lane.
+// Height of one lane below the boxes. Each link to a later frame has its own lane.
 constexpr int32_t kLane_px = 20;
-constexpr size_t kMostNamedEdges = 200;  // If a graph has more edges than this, no edge gets a name.
+constexpr size_t kMostNamedEdges = 200;  // If a graph has more links than this, no link gets a name.
 constexpr int32_t kBehind_px = 4;        // Offset between the stacked rectangles that show a repeat.
 constexpr int32_t kOpen_px = 16;         // Side of the "+" square that opens a repeat.
 
-// Returns the vertical offset at which edges of this kind leave and enter a box. Each kind has its own
-// height, so that kinds can be distinguished.
+// Returns how far below the middle of a box the edges of this kind leave and enter the box; negative: above.
+// Each kind has a different value, so that the kinds can be distinguished.
 int32_t port_offset_px(EdgeKind kind) {
     switch (kind) {
         case EdgeKind::raw:
@@ -61,8 +61,8 @@ class GraphDrawing {
         open_drawing(out_, "Graph of passes", size.x, size.y);
         write_arrow_heads();
         const std::vector<EdgeName> names = edge_names(size);
-        // Links that are drawn later lie on top of earlier ones. The order is: unnamed links, then named
-        // links, so that no line crosses a name; in both groups the links that are reads come last.
+        // Later links are drawn on top of earlier ones. First come the links without a name, then the links
+        // with a name, so that no line covers a name. In both groups, the links of kind raw come last.
         for (const auto& [named, reads] :
              {std::pair{false, false}, {false, true}, {true, false}, {true, true}})
             for (size_t i = 0; i < paths_.size(); ++i)
@@ -128,8 +128,8 @@ class GraphDrawing {
         const GraphLink& item = graph_.links[index];
         const int32_t offset_px = kBoxHeight_px / 2 + port_offset_px(item.kind);
         std::vector<PointPx> points{{right_px(item.from), corner(item.from).y + offset_px}};
-        // The layout's edges are the links within the frame. They come first in graph_.links, so both lists
-        // have the same indices.
+        // The layout's edges are the links within the frame. They come first in graph_.links, so they have
+        // the same indices in layout_.bends.
         for (const PointPx& bend : layout_.bends[index])
             points.push_back({bend.x + kMargin_px, bend.y + kMargin_px + port_offset_px(item.kind) / 3});
         points.push_back({corner(item.to).x - 5, corner(item.to).y + offset_px});
@@ -146,8 +146,8 @@ class GraphDrawing {
         return path;
     }
 
-    // Returns the path of a link from one frame to the next: down from the box, then sideways below all
-    // boxes, then up.
+    // Returns the path of a link to a later frame: down from the first box, then sideways below all boxes,
+    // then up to the second box.
     EdgePath path_below(const GraphLink& item, int32_t lane) const {
         constexpr int32_t kBend_px = 8;
         const int32_t from_x = right_px(item.from) - 14 - 4 * (lane % 4),
@@ -209,8 +209,9 @@ class GraphDrawing {
 
     bool is_live(uint32_t node) const { return plan_.live.live_passes[graph_.nodes[node].passes[0]]; }
 
-    // A line of the drawing (a GraphLink) stands for all edges between two boxes. Returns the ids of these
-    // edges for the HTML element of the line. A click opens the explanation of the first id.
+    // A line of the drawing (a GraphLink) represents all edges of one kind between two boxes. Returns the
+    // keys of these edges and of related items, for the HTML element of the line. A click opens the
+    // explanation of the first key.
     std::string link_keys(const GraphLink& link) const {
         std::string keys;
         for (const size_t edge : link.edges) keys += (keys.empty() ? "" : " ") + edge_keys(page_, edge);

@@ -6,8 +6,8 @@
 
 namespace weft {
 
-// Draws the graph. If `folded` is true, each repeat with many iterations is one box with a link to the
-// drawing of all iterations.
+// Draws the graph. If `folded` is true, each entry of PlanPage::repeats is one box with a link to the drawing
+// of all iterations.
 void draw_graph(const PlanPage& page, bool folded, Markup& out);
 
 // Id of the page element with the drawing of all iterations, to which the "+" link of a repeat's box leads.

@@ -1,5 +1,5 @@
-// Draws the lifetimes section: one row per resource, with the range of passes in which the resource lives and
-// a cell for each pass that uses it.
+// Draws the lifetimes section: one row per live resource, with the range of passes in which the resource
+// lives and a cell for each live pass that uses it.
 #include <algorithm>
 
 #include "graph/diagnostics/quantity_text.h"

@@ -10,9 +10,10 @@
 namespace weft {
 namespace {
 
-// Returns the passes for which a barrier waits. This is the pass `from` of the barrier if `from` is set.
-// Otherwise it is every live pass that uses the barrier's memory in one of the barrier's source stages; but
-// it is no pass if the barrier is in the prologue or has the reason `acquire_import`.
+// Returns the passes for which a barrier waits:
+// - If BarrierDecl::from is set: this pass.
+// - Otherwise, if the barrier is in the prologue or has the reason `acquire_import`: no pass.
+// - Otherwise: every live pass for which waits_for() returns true.
 std::vector<PassId> waited_for(const PlanPage& page, const BarrierItem& item) {
     const BarrierDecl& barrier = *item.barrier;
     if (barrier.from != kNoId) return {barrier.from};

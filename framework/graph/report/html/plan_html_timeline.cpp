@@ -13,7 +13,7 @@ namespace {
 constexpr int32_t kLaneTop_px = 22;  // Space at the top of a batch for its name.
 constexpr int32_t kRowHeight_px = static_cast<int32_t>(kMarkRows) * kMarkStepY_px;
 constexpr int32_t kLaneHeight_px = kLaneTop_px + kRowHeight_px + 10;
-constexpr int32_t kLaneGap_px = 26;  // Gap between rows, where the arrows of waits turn.
+constexpr int32_t kLaneGap_px = 26;  // Gap between rows, with space for the arrows of waits.
 constexpr int32_t kStub_px = 26;
 
 int32_t lane_top_px(size_t row) {
@@ -195,9 +195,9 @@ class TimelineDrawing {
         for (size_t w = 0; w < page_.waits.size(); ++w) draw_wait(w, drawn[page_.waits[w].batch]++);
     }
 
-    // Draws a wait as an arrow from the end of the batch waited for. If that batch belongs to the previous
-    // frame, the arrow starts at a dot instead. `nth` is the number of the wait within its batch and shifts
-    // the arrow.
+    // Draws a wait as an arrow. It leads from the end of one batch to the start of the batch that waits for
+    // it. If the first batch belongs to the previous frame, the arrow starts at a dot instead. `nth` counts
+    // the waits of the waiting batch from 0; it shifts the arrow.
     void draw_wait(size_t index, int32_t nth) {
         const WaitItem& item = page_.waits[index];
         const Batch &to = plan_.submissions.batches[item.batch],

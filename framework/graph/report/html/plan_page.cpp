@@ -31,9 +31,9 @@ auto edge_order(const EdgeItem& e) {
     return std::make_tuple(e.history, e.from, e.to, e.kind);
 }
 
-// Finds, for each cell of a resource, the passes whose writes can still be there at the end of a frame. A
-// later writer replaces earlier ones. Exception: a frame may skip a pass of a `perFrame` repeat, so such a
-// pass replaces no earlier writer and is only added to the list.
+// Finds, for each cell of a resource (see SubresourceGrid), the passes whose writes can still be there at the
+// end of a frame. A later writer replaces earlier ones. Exception: a frame may skip a pass of a `perFrame`
+// repeat, so such a pass replaces no earlier writer and is only added to the list.
 class LastWriters {
  public:
     LastWriters(const FramePlan& plan, ResourceId resource, const std::vector<SubresourceRange>& read)
@@ -78,8 +78,8 @@ struct PastRead {
     SubresourceRange range;
 };
 
-// Adds an edge for each read of content from an earlier frame: from the pass that wrote the content last to
-// the pass that reads it.
+// Adds edges for each read of content from an earlier frame. Each edge leads from a pass that can be the last
+// writer of the content to the pass that reads it.
 void add_history(const FramePlan& plan, std::vector<EdgeItem>& edges) {
     // The copies of a persistent resource form a ring, see ResourceDecl::ring. Key: the ring's resource of
     // age 0. Value: all reads of content that the ring kept from earlier frames.

@@ -1,7 +1,7 @@
 // Purpose: prepares a plan for the HTML page. It numbers every barrier, wait and edge, so that all sections
 // and explanations use the same keys, and computes the columns that several sections share.
-// Keys: p3 is pass 3 of the plan, r4 a resource, b12 a barrier, w0 a wait, s1 a submission, e7 an edge, g0 a
-// repeat.
+// A key is a letter and an index. Examples: p3 is the pass with index 3, r4 a resource, b12 a barrier, w0 a
+// wait, s1 a submission (batch), e7 an edge, g0 a repeat.
 // Units: pixels of the page.
 #pragma once
 
@@ -42,8 +42,8 @@ struct WaitItem {
     const QueueWait* wait = nullptr;
 };
 
-// The column of a pass in the drawings of the page. The space left of the pass's box is for the marks of its
-// barriers.
+// The column of a pass in the drawings of the page. It has the marks of the barriers before the pass, then
+// the pass's box, then the marks of the barriers after the pass.
 struct PageColumn {
     int32_t left_px = 0;
     int32_t width_px = 0;
@@ -89,7 +89,7 @@ struct PlanPage {
 [[nodiscard]] std::string edge_key(size_t edge);
 [[nodiscard]] std::string repeat_key(size_t repeat);
 
-// Returns the key of the element itself, followed by the keys of related elements, such as "b12 p3 r4".
+// Each returns the key of the element itself, followed by the keys of related elements, such as "b12 r4 p3".
 [[nodiscard]] std::string pass_keys(const PlanPage& page, PassId pass);
 [[nodiscard]] std::string resource_keys(const PlanPage& page, ResourceId resource);
 [[nodiscard]] std::string barrier_keys(const PlanPage& page, size_t barrier);

@@ -12,7 +12,7 @@ namespace {
 constexpr int32_t kHeight_px = 320, kMostHeight_px = 640;
 constexpr int32_t kLeastHeight_px = 96;
 constexpr int32_t kLeastBlock_px = 6;
-constexpr int32_t kLeastTick_px = 24;  // Minimum distance between two ticks.
+constexpr int32_t kLeastTick_px = 24;  // Minimum distance between ticks, except to the last one.
 
 // Returns the height of a heap's drawing: at least kHeight_px, and large enough that the smallest block is
 // kLeastBlock_px high. If this needs more than kMostHeight_px, returns kHeight_px; then place_blocks()
@@ -40,9 +40,10 @@ bool alive_together(const FramePlan& plan, const BlockPlace& a, const BlockPlace
     return x.first <= y.last && y.first <= x.last;
 }
 
-// Moves enlarged blocks apart, so that blocks alive at the same time do not overlap. First each block moves
-// down, below the blocks with a smaller offset. Then blocks beyond the end of the heap move up again, and so
-// do the blocks above them. `blocks` holds only enlarged blocks, sorted by offset.
+// Moves enlarged blocks apart, so that blocks alive at the same time do not overlap if the heap has enough
+// room. First each block moves down, below the blocks with a smaller offset. Then blocks beyond the end of
+// the heap move up again, and so do the blocks above them. `blocks` holds only enlarged blocks, sorted by
+// offset.
 void separate(const FramePlan& plan, const ByteScale& scale, std::vector<BlockPlace>& blocks) {
     for (size_t i = 0; i < blocks.size(); ++i)
         for (size_t above = 0; above < i; ++above)

@@ -50,8 +50,8 @@ bool waits_before(const FramePlan& plan, Position position) {
         });
 }
 
-// Returns a minimum width for the boxes of passes, such that a frame with few passes fills the section's
-// width.
+// Returns a minimum width for the boxes of passes. It makes the columns of a frame with few passes fill
+// kRoomyWidth_px, but it is at most kRoomyBox_px.
 int32_t roomy_box_px(const PlanPage& page) {
     const auto count = static_cast<int32_t>(page.plan->schedule.order.size());
     if (count == 0) return 0;

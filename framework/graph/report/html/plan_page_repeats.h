@@ -27,7 +27,7 @@ struct GraphLink {
 
 struct NodeGraph {
     std::vector<GraphNode> nodes;  // Live passes in schedule order, then culled passes.
-    std::vector<GraphLink> links;  // First links within a frame, then links to the next frame.
+    std::vector<GraphLink> links;  // First links within a frame, then links to a later frame.
 };
 
 // Returns the repeats with many iterations that can be drawn as one box. Leaves out a repeat whose iterations

@@ -1,6 +1,8 @@
-// Gives specialisation constants their values by name. HAS_x tells the shader whether port x is bound. Other
-// values come from the pass's "constants", from the graph's parameters and constants, or from numbers of the
-// scene. The remaining constants are set for each draw by the variants of a draw list.
+// Gives specialisation constants their values by name. The boolean constant HAS_x tells the shader whether
+// port x is bound. Other constants are searched in the pass's "constants". If they are not there, they are
+// searched among the graph's parameters and constants, the indices of the pass's repeat, and the numbers that
+// the program offers, such as the number of lights. The remaining constants are set for each draw by the
+// variants of a draw list.
 #include <algorithm>
 #include <bit>
 

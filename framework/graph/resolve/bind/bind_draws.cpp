@@ -51,8 +51,8 @@ void check_vertex_inputs(PassBinding& pass, const std::string& list) {
     }
 }
 
-// Checks the shader of a draw without a draw list. Such a draw has no meshes, materials or instances, so the
-// shader must not read vertex inputs or descriptor sets 2 and 3.
+// Checks the shader of a draw without a draw list. Such a draw has no vertex buffers, and neither descriptor
+// set 2 (material) nor descriptor set 3 (instance data). So the shader must not read any of them.
 void check_procedural_shader(PassBinding& pass) {
     const ShaderInterface* shader = pass.draft.shader;
     if (!shader) return;

@@ -57,8 +57,8 @@ const PortDecl* find_declared(const PassType& type, const UseDecl& use) {
     return found == type.ports.end() ? nullptr : &*found;
 }
 
-// Returns true if the author has probably misspelt the port `wanted`: a port with a similar name exists that
-// the pass type does not declare. That port has already been reported.
+// Returns true if the author has probably misspelt the port `wanted`: `ports`, the ports of the pass, contain
+// a similar name that the pass type does not declare. An error about that name was already reported.
 bool is_misspelt(const PassType& type, const PortDecl& wanted, const std::vector<PortDesc>& ports) {
     const std::vector<std::string> known = port_names(type, wanted.is_output);
     return std::ranges::any_of(ports, [&](const PortDesc& port) {

@@ -38,7 +38,7 @@ void bind_constants(PassBinding& pass);
 // Binds the draw lists of a raster pass. If the pass has no draw lists, evaluates its number of vertices and
 // its number of instances. Errors: W114, W118, W167.
 void bind_draws(PassBinding& pass);
-// Finds the view that the pass is drawn from among the views that the program offers. Errors: W109, W118.
+// Finds the view that the pass uses, and checks that the program offers it. Errors: W109, W118.
 void bind_view(PassBinding& pass);
 // Checks what a shader needs besides ports and parameters. It may use only descriptors that the program
 // binds, it must write gl_PointSize if the pass draws points, and it should state its local size. Errors:

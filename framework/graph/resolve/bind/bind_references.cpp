@@ -55,7 +55,7 @@ class ReferenceBinder {
 
     // Returns true if `name` is probably an import that is misspelt in "imports" of the graph: the program
     // offers an import `name`, but "imports" contains only a similar name. The error about that similar name
-    // was already reported.
+    // was already reported. So this function only marks the pass as suspect.
     bool means_faulty_import(PassId pass, const std::string& name,
                              const std::vector<std::string>& near_names) {
         for (const std::string& near : near_names) {
@@ -90,7 +90,8 @@ class ReferenceBinder {
         return kNoId;
     }
 
-    // Checks the pass that a reference names with `@pass`. Returns false after reporting an error.
+    // Checks the pass that a reference names with `@pass`. Returns false if an error was reported, now or
+    // earlier.
     bool check_pin(PassId pass, const RefDesc& ref) {
         if (ref.pass == declared_.author_name(pass) &&
             declared_.expansion.passes[pass].desc->repeat.empty()) {
@@ -114,8 +115,8 @@ class ReferenceBinder {
         return false;
     }
 
-    // Binds one reference of a port: `ref` is the port's own reference or its "else". Returns nullopt after
-    // reporting an error.
+    // Binds one reference of a port: `ref` is the port's own reference or its "else". Returns nullopt if an
+    // error was reported, now or earlier.
     std::optional<BoundPort> bind_reference(PassId pass, const PortDesc& port, const RefDesc& ref,
                                             bool is_output) {
         const ResourceId named = find_port_resource(pass, ref, is_output);
@@ -165,8 +166,9 @@ class ReferenceBinder {
         return ports;
     }
 
-    // Binds an input to the resource that it names. If `if` conditions remove all writers of that resource,
-    // binds the input to its "else", or to nothing if the port is optional.
+    // Binds an input to the resource that it names. If all writers of that resource are removed (`if`, or an
+    // empty repeat), binds the input to its "else" instead. If there is no "else", an optional port stays
+    // unbound, and any other port is an error.
     void add_input(PassId pass, const PortDesc& port, const Presence& presence,
                    std::vector<BoundPort>& ports) {
         for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {
@@ -185,7 +187,7 @@ class ReferenceBinder {
         }
     }
 
-    // Moves ports to the end of the ports of a pass, sorted by name.
+    // Sorts `ports` by name, and appends them to the bound ports of the pass.
     void store_ports(PassId id, std::vector<BoundPort>& ports) {
         std::ranges::stable_sort(ports, {}, [](const BoundPort& p) { return std::string_view(p.use.port); });
         for (BoundPort& port : ports) {

@@ -41,8 +41,8 @@ class ShaderBinder {
     }
 
     // Returns the index of the output with the same name as the input `in`, or the number of uses if there is
-    // none. Only bindings are compared. The depth attachment is not a binding, so an input may have the
-    // name of the depth attachment.
+    // none. Ignores depth attachments, resolve targets and indirect buffers. They are not bindings of the
+    // shader, so another port may have the same name.
     size_t output_of_same_name(size_t in) const {
         size_t out = 0;
         for (; out < at_.bound.uses.size(); ++out) {

@@ -8,8 +8,8 @@
 
 namespace weft {
 
-// Returns true if any pass, even a removed one, writes the resource `name`, or writes an unknown resource
-// with a similar name, which is probably a misspelling of `name`.
+// Returns true if any pass, even a removed one, writes the resource `name`. Also returns true if a pass
+// writes an unknown resource with a similar name, because that is probably a misspelling of `name`.
 bool RoleFinder::written_by_any_pass(const std::string& name) {
     if (const auto known = is_written_.find(name); known != is_written_.end()) return known->second;
     const auto names = [&](const PortDesc* port) {

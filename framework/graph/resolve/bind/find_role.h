@@ -14,8 +14,8 @@ class RoleFinder {
         : declared_(declared), report_(report), reporter_(reporter) {}
 
     // Returns the id of the ResourceDecl that a reference to `resource` selects: `resource` itself for this
-    // frame, or its copy of an earlier frame. Returns kNoId after reporting an error. Errors: W110, W121,
-    // W122.
+    // frame, or its copy of an earlier frame. Returns kNoId if an error was reported, now or earlier. Errors:
+    // W110, W121, W122.
     [[nodiscard]] ResourceId find(PassId pass, const RefDesc& ref, ResourceId resource, bool is_output);
 
  private:

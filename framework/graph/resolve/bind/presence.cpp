@@ -9,9 +9,9 @@
 namespace weft {
 namespace {
 
-// Returns true if the previous version of the resource stays visible after this pass, for example because the
-// pass blends or is "partial". Reads only the description of the pass, because a removed pass has no bound
-// ports.
+// Returns true if the previous version of the resource `name` would stay visible after a removed pass, for
+// example because the pass blends or is "partial". Reads only the description of the pass, because a removed
+// pass has no bound ports.
 bool passes_on(const PassDesc& desc, const std::string& name) {
     const PortDesc* out = output_of(desc, name);
     if (!out || desc.partial || !out->ref.pass.empty() || desc.type == "raster") return true;

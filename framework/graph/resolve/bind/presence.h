@@ -13,8 +13,9 @@ namespace weft {
 struct BoundPort {
     UseDecl use;
     PortDraft draft;
-    // True if the pass that the reference names with `@pass` was removed, and it is unknown which earlier
-    // version would have stayed visible.
+    // True if the pass that the reference names with `@pass` was removed, and no other version can take the
+    // place of its result. Either the removed pass would have replaced the whole content, or it is not clear
+    // which earlier version would have stayed visible.
     bool pin_is_gone = false;
 };
 
@@ -28,10 +29,10 @@ class Presence {
              PassReporter& report, Reporter& reporter)
         : declared_(declared), outputs_(outputs), suspects_(suspects), report_(report), reporter_(reporter) {}
 
-    // Finds the passes that `@pass` in `ref` names; `ref` must contain an `@pass`. If that pass was removed
-    // by `if`, finds the passes whose version stays visible in its place.
+    // Stores in `port` the passes that `@pass` in `ref` names; `ref` must contain an `@pass`. If that pass
+    // was removed, stores the passes whose version stays visible in its place, or sets `port.pin_is_gone`.
     void find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const;
-    // Returns false if only removed passes write the resource that the input reads.
+    // Returns false if the input has nothing to read, because the passes that would write it are removed.
     [[nodiscard]] bool is_present(PassId pass, const BoundPort& input) const;
     void report_absent(PassId pass, const PortDesc& port) const;
 

@@ -27,8 +27,8 @@ uint32_t channel_bits(const FormatInfo& format) {
 ValueRange float_range(const FormatInfo& format) {
     constexpr double kMostHalf = 65504;
     const std::string_view name = format.name;
-    if (name == "b10g11r11f") return {0, 64512};
-    if (name == "rgb9e5") return {0, 65408};
+    if (name == "b10g11r11f") return {0, 64512};  // The greatest 10-bit float, the type of channel b.
+    if (name == "rgb9e5") return {0, 65408};      // Mantissa 511 ÷ 512, exponent 16.
     if (name.find("snorm") != std::string_view::npos) return {-1, 1};
     // The names of float formats end with "f". All other formats at this point are unorm or sRGB.
     if (!name.ends_with("f")) return {0, 1};
@@ -89,8 +89,9 @@ class ClearCheck {
         }
     }
 
-    // Returns true if the "clear" of the pass itself clears this use. In a raster pass this value is a
-    // colour, so a depth attachment is cleared with the value of its resource instead.
+    // Returns true if the key "clear" of the pass applies to this use. In a pass that draws, "clear" is a
+    // colour and applies only to colour attachments. Its depth attachment is cleared with the "clear" of the
+    // resource instead.
     static bool is_cleared_by_pass(PassKind kind, const UseDecl& use) {
         if (kind == PassKind::clear) return true;
         return use.access == Access::color_write || use.access == Access::color_read_write;

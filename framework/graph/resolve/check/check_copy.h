@@ -1,5 +1,6 @@
-// Purpose: checks that source and target of a copy have the same shape, and that a blit between its source
-// and its target is possible.
+// Purpose: checks that the source and the target of a copy pass have the same shape. For buffers, this is the
+// size in bytes; for images: extent, mips, layers, aspects, samples and bytes per texel. Also checks that the
+// source of a blit pass can be blitted to its target.
 #pragma once
 
 #include "graph/resolve/version.h"

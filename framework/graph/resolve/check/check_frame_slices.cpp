@@ -1,6 +1,6 @@
-// Checks passes with `perFrame`. In each frame, only some passes of such a repeat run. The results of its
-// other passes come from earlier frames, so all its passes must write resources that keep their content
-// between frames.
+// Checks passes with `repeat` and `perFrame`. In each frame after frame 0, only some passes of the repeat
+// run. The results of the other passes come from earlier frames. So all passes of the repeat must write
+// resources that keep their content between frames.
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 

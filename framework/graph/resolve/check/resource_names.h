@@ -8,7 +8,7 @@
 
 namespace weft {
 
-// The names are parts of the GraphDesc from which they were collected.
+// The names point into strings of the GraphDesc from which they were collected.
 using ResourceNames = std::unordered_set<std::string_view>;
 
 // Adds the names of the resources that a port may use, including the resource of its "else".

@@ -1,5 +1,6 @@
-// Warns about resources that no pass reads, and about passes without effect. A resource counts as read if a
-// pass with an `if`, an "else", a debug view or a test uses it, because then it is read in some cases.
+// Warns about resources that no pass reads, and about passes without effect. A resource also counts as read
+// if only a removed pass, an unused "else", a debug view or a test names it. The resource is then read with
+// other parameter values, or when the view is shown or the test runs.
 #include <algorithm>
 
 #include "graph/resolve/check/resource_names.h"
@@ -74,8 +75,9 @@ class UselessSearch {
         return !desc.condition.empty() || std::ranges::any_of(written_ports(desc), at_times);
     }
 
-    // Warns if the pass is culled. If a chain of passes is culled, warns only about the last pass of the
-    // chain. Nothing reads its result, so this pass is the cause.
+    // Warns if the pass `name` is culled; with a repeat, if all its passes `ids` are culled. If a chain of
+    // passes is culled, warns only about the last pass of the chain. Nothing reads the result of the last
+    // pass, so it is the cause.
     void judge_pass(const std::string& name, const std::vector<PassId>& ids) {
         const auto is_culled = [&](PassId id) { return live_.live_passes[id] == 0; };
         const auto is_cause = [&](PassId id) { return live_.reasons[id] == CullReason::unused_output; };
@@ -94,7 +96,8 @@ class UselessSearch {
     LiveGraph live_;
     // Names of the resources that passes read, including passes that do not run.
     ResourceNames read_;
-    // Names of the resources that are used by debug views or tests, or only with other parameter values.
+    // Names of the resources that debug views or tests use, or whose use may depend on parameter values: they
+    // are inputs of removed passes, or named in an "else".
     ResourceNames at_times_;
     // Indexed by ResourceId: 1 if a pass of the resolved graph uses the content of the resource.
     std::vector<uint8_t> seen_;

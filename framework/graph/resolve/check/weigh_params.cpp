@@ -121,8 +121,8 @@ class ParamCosts {
             for (const Expr& component : value.components) add(component, cost);
     }
 
-    // Adds the names that the shader or the C++ pass uses, except those to which the pass itself gives a
-    // value.
+    // Adds the names of the parameters of a C++ pass, or the names of the `Params` members and specialisation
+    // constants of a shader. Skips the names in the shader to which the pass itself gives a value.
     void add_shader(const PassDesc& pass) {
         const auto custom = input_.passes.find(pass.type);
         if (custom != input_.passes.end())
@@ -165,7 +165,7 @@ class ParamCosts {
 
     const ResolveInput& input_;
     const GraphDesc& graph_;
-    // The greatest cost of all uses of a name, for each parameter, constant and size that is used.
+    // For each name that is used, such as a parameter, a constant or a size: the greatest cost of its uses.
     std::map<std::string, ParamCost> costs_;
     // True if a shader failed to compile, so that it is unknown which parameters the shader uses.
     bool is_unknown_ = false;

@@ -86,7 +86,8 @@ void find_shader(const ResolveInput& input, PassId id, PassDraft& draft, Suspect
     const PassDecl& decl = draft.decl;
     if (!has_shader(decl.kind)) return;
     const auto program = input.shaders.find(desc.shader);
-    // A program without modules failed to compile, and the shader compiler has already reported the error.
+    // A shader program without modules failed to compile, and the shader compiler has already reported the
+    // error.
     if (program != input.shaders.end() && program->second.modules.empty()) {
         suspects.passes[id] = 1;
         return;

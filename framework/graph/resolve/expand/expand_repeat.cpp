@@ -82,6 +82,7 @@ class PassRepeater {
     }
 
     // Reports that the graph has too many passes or ports, but only for the first pass that exceeds a limit.
+    // `limit` is the name of the limit after "graph.", and `most` its value. Returns false.
     bool over(const char* what, const std::string& limit, uint64_t most) {
         if (std::exchange(expansion_.too_large, true)) return false;
         const SourceLoc loc = desc_.repeat.empty() ? desc_.loc : desc_.repeat.front().range_loc;

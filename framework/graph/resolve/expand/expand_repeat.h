@@ -1,24 +1,27 @@
-// Purpose: makes all passes of one pass description: one for each value of its repeat. Private to expand().
+// Purpose: makes the passes of one pass description: one for each combination of the values of its repeat
+// indices, except those that `if` removes. Private to expand().
 #pragma once
 
 #include "graph/resolve/expand.h"
 
 namespace weft {
 
+// One pass of the repeat: its name, for example "blur#2", and the values of the repeat indices by name.
 struct PassInstance {
     std::string name;
     std::map<std::string, double> indices;
 };
 
-// Numbers counted over the whole graph, which have limits.
+// Counts over all pass descriptions of the graph. Each count has a limit.
 struct RepeatCounts {
+    // Number of loop iterations so far, in all levels of nested repeats.
     uint64_t steps = 0;
     // Number of passes made so far, including passes that `if` removes.
     uint64_t passes = 0;
 };
 
-// Returns the passes that one description results in. Adds to `counts`, and to these members of the
-// expansion: `dropped`, `faulty`, `tried_ports`, `too_large` and `suspects`.
+// Returns the passes that one description results in. After reporting an error, returns none. Updates
+// `counts` and these members of the expansion: `dropped`, `faulty`, `tried_ports`, `too_large`, `suspects`.
 [[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Evaluator& evaluator,
                                                     const Shapes& shapes, const PassDesc& desc,
                                                     RepeatCounts& counts, Expansion& expansion,

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kDrawsSuffix = "Draws";
 
-// Returns true if the name is the number of draws in an imported draw list, such as "opaqueDraws" for the
-// list "opaque".
+// Returns true if the name stands for the number of draws in an imported draw list. Example: "opaqueDraws"
+// for the list "opaque". Returns false if the graph defines a size with this name.
 bool counts_draws(const GraphDesc& graph, std::string_view name) {
     if (!name.ends_with(kDrawsSuffix) || graph.sizes.contains(std::string(name))) return false;
     name.remove_suffix(kDrawsSuffix.size());

@@ -13,8 +13,9 @@ void sort_unique(std::vector<uint32_t>& values) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-// The mips, layers and aspects at which a use of the resource begins or ends. They are the borders of the
-// cells.
+// The mips and layers at which a use of the resource begins or ends. They are the borders of the cells.
+// `aspects` has one mask for each cell in that direction: a single mask if all uses have the same aspects,
+// otherwise one bit for each aspect.
 struct Cuts {
     std::vector<uint32_t> mips, layers;
     std::vector<AspectMask> aspects;
@@ -145,8 +146,8 @@ std::vector<VersionSource> merge_sources(const std::vector<VersionSource>& cells
             rows.push_back(cell);
         }
     }
-    // Rows are sorted by layer, so only the last range with the same producer and mips can be extended by the
-    // next row.
+    // A row is a range of adjacent mips. Rows are sorted by aspect, then by layer. So a row can extend only
+    // the last box with the same producer, aspects and mips. `last` contains the index of that box.
     std::map<std::tuple<PassId, AspectMask, uint32_t, uint32_t>, size_t> last;
     std::vector<VersionSource> boxes;
     for (const VersionSource& row : rows) {

@@ -1,5 +1,5 @@
-// Purpose: divides a resource into cells: the largest boxes of mips, layers and aspects that every use covers
-// completely or not at all. Versions are tracked per cell. Private to version().
+// Purpose: divides a resource into cells: boxes of mips, layers and aspects that every use covers completely
+// or not at all. Versions are tracked per cell. Private to version().
 #pragma once
 
 #include <map>
@@ -25,8 +25,8 @@ struct Cell {
     // The uses that read the cell and do not write it.
     std::vector<CellUse> readers;
     bool ordered = false;
-    // A reader may name, with `@pass`, a pass that does not write this cell. For each such reader, this lists
-    // the writers that do not run after the named pass. The reader runs after all of them.
+    // Key: a use that names, with `@pass`, a pass that does not write this cell. Value: the writers of the
+    // cell that do not run after the named pass. The pass of the use runs after all of these writers.
     std::map<CellUse, std::vector<PassId>> foreign_pins;
 
     // Returns the index into `writers` of a pass, or -1 if the pass does not write the cell.
@@ -35,7 +35,7 @@ struct Cell {
 
 // Divides all used resources into cells. The cells are sorted by resource, then aspect, layer and mip.
 [[nodiscard]] std::vector<Cell> make_cells(const VersionedGraph& graph, Reporter& reporter);
-// Merges neighbouring ranges that have the same producer.
+// Merges neighbouring ranges that have the same producer. `cells` must be sorted by aspect, layer and mip.
 [[nodiscard]] std::vector<VersionSource> merge_sources(const std::vector<VersionSource>& cells);
 
 }  // namespace weft

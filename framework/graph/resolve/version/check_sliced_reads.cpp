@@ -1,5 +1,5 @@
 // Checks the reads of resources that passes with `perFrame` write. Such a pass runs only in some frames. But
-// a read must see the version that its reference names in every frame, whichever passes run in that frame.
+// in every frame, a read must see the version that its reference names, whichever passes run in that frame.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -10,8 +10,8 @@
 namespace weft {
 namespace {
 
-// The frames in which a pass with `perFrame` runs: frame f runs the pass if f mod count = index. A pass that
-// runs in every frame has count 1.
+// The frames in which a pass with `perFrame` runs: frame 0, and each frame f with f mod count = index. A pass
+// that runs in every frame has count 1.
 struct FrameSlice {
     uint32_t count = 1;
     uint32_t index = 0;
@@ -25,9 +25,9 @@ FrameSlice slice_of(const Declared& declared, PassId pass) {
 
 // Checks the reads of one cell. A cell is a part of a resource that every use covers completely or not at
 // all. The writers of the cell may have different frame slices. The frame slice of a pass is the set of
-// frames in which the pass runs.
-// The rule must hold in any order of the slices. A read is right in every frame if one of these holds:
-// - The pass whose version the read names runs in every frame in which the reader runs.
+// frames in which the pass runs. A read is right in every frame if one of these conditions holds:
+// - The pass whose version the read names runs in every frame in which the reader runs. If the read means
+//   content of the previous frame, that pass must run in every frame.
 // - The named version is the last one of the cell, and all writers of the cell run in the same frames.
 // - Every writer modifies the content in place. Then there is only one content, and every read means its
 //   newest state.

@@ -40,7 +40,7 @@ class VersionConnector {
         for (const Cell& cell : cells_) gather(cell);
         const size_t known = reporter_.error_count();
         for (PassId pass(0); pass < seen_.size(); ++pass) finish_pass(pass);
-        // The passes were examined in the order of their names, so the new errors are sorted by their place
+        // The loop above reports errors in the order of the pass names. This call sorts them by their place
         // in the file.
         reporter_.sort_errors(known);
         sort_edges();
@@ -108,8 +108,8 @@ class VersionConnector {
         }
     }
 
-    // Changes the access of an attachment or storage write that continues older content to one that reads and
-    // writes.
+    // If an attachment write or a storage write continues older content, changes its access to one that reads
+    // and writes.
     void settle_access(const CellUse& u) {
         const Seen& seen = seen_[u.pass][u.use];
         const WriteRank rank = port(u).rank;
@@ -120,7 +120,7 @@ class VersionConnector {
         Access& a = use(u).access;
         if (a == Access::storage_write && (any || in_place)) a = Access::storage_read_write;
         // An attachment is loaded only if it continues content of this frame or is written in place.
-        // Otherwise the first raster write clears it, even if an import had content before the frame.
+        // Otherwise its old content is not loaded, even if an import had content before the frame.
         if (a == Access::color_write && loads) a = Access::color_read_write;
         if (a == Access::depth_write && loads) a = Access::depth_read_write;
     }

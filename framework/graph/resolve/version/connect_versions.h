@@ -16,12 +16,12 @@ namespace weft {
 // Returns which version of a cell (a part of a resource) `reader` sees, as an index into the ordered writers
 // of the cell. -1 means the content from before the frame.
 [[nodiscard]] int version_seen(const VersionedGraph& graph, const Cell& cell, const CellUse& reader);
-// Fills in the sources, accesses and states of all uses, and the edges of the graph. Errors: W110 for reads
-// of content that no pass writes.
+// Fills in the sources, accesses and states of all uses, and the edges of the graph. Errors: W110 if a
+// use needs content that nothing has written.
 void connect_versions(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                       Reporter& reporter);
-// Checks that each read sees the version that it names in every frame, although passes with `perFrame` run
-// only in some frames. Errors: W124.
+// Checks that in every frame, each read sees the version that its reference names, although passes with
+// `perFrame` run only in some frames. Errors: W124.
 void check_sliced_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                         Reporter& reporter);
 // Finds the sets of passes with "rest" that must run together, and fills in VersionedGraph::rest_units.

@@ -15,8 +15,8 @@ namespace {
 // graph file, for example from `after`, from references with `@pass`, and from reads that must follow all
 // writers. Then sorts the writers of each cell by these arcs. Each sorted cell gives new arcs, because the
 // readers of a version run before the next writer. The new arcs may order the writers of other cells, so this
-// step is repeated until no further cell can be sorted. Writers without an order are then error W111. A cycle
-// is error W150.
+// step is repeated until no further cell can be sorted. If two writers of a cell still have no order, that is
+// error W111. A cycle is error W150.
 class WriterOrder {
  public:
     WriterOrder(const Declared& declared, VersionedGraph& graph, std::vector<Cell>& cells, Reporter& reporter)

@@ -1,5 +1,5 @@
-// Purpose: orders the passes that write each cell, a part of a resource that every use covers completely or
-// not at all. Private to version().
+// Purpose: orders the passes that write each cell. A cell is a part of a resource that every use covers
+// completely or not at all. Private to version().
 #pragma once
 
 #include <vector>

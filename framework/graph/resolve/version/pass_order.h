@@ -30,11 +30,12 @@ class PassOrder {
     // reaches() need a successful call of sort() after the last add().
     [[nodiscard]] bool sort();
     [[nodiscard]] uint32_t position(PassId pass) const { return position_[pass]; }
+    // Returns true if a path of arcs leads from `from` to `to`, so that `to` must run after `from`.
     [[nodiscard]] bool reaches(PassId from, PassId to);
     // Returns for each pass, indexed by PassId, 1 if it runs after `from`, else 0.
     [[nodiscard]] std::vector<uint8_t> reached_from(PassId from) const;
 
-    // Returns the number of arcs visited so far, as a measure of the work done.
+    // Returns a measure of the work done so far: about the number of passes and arcs visited.
     [[nodiscard]] uint64_t work() const { return work_; }
     [[nodiscard]] const std::vector<OrderArc>& arcs() const { return arcs_; }
     [[nodiscard]] const std::vector<std::vector<uint32_t>>& arcs_out() const { return out_; }
@@ -50,9 +51,9 @@ class PassOrder {
     std::vector<OrderArc> arcs_;
     // Indices into arcs_ of the arcs that start at each pass, indexed by PassId.
     std::vector<std::vector<uint32_t>> out_;
-    std::vector<uint32_t> position_;
-    std::vector<uint32_t> stamp_;
-    uint32_t search_ = 0;
+    std::vector<uint32_t> position_;  // Index: PassId. Position of the pass in the topological order.
+    std::vector<uint32_t> stamp_;     // Index: PassId. The last search (search_) that visited the pass.
+    uint32_t search_ = 0;             // Number of calls of reaches() so far.
     mutable uint64_t work_ = 0;
 };
 

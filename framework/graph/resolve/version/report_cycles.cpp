@@ -33,8 +33,8 @@ class CycleReport {
     }
 
  private:
-    // Marks as done all passes that are in no cycle and wait for no cycle. It works like a topological sort:
-    // it marks a pass as soon as all passes that it waits for are marked.
+    // Marks as done all passes that are in no cycle and wait for no pass in a cycle. Works like a topological
+    // sort: marks a pass as soon as all passes that it waits for are marked.
     void peel() {
         std::vector<uint32_t> waits_for(done_.size(), 0);
         for (const OrderArc& arc : order_.arcs()) ++waits_for[arc.to];
@@ -105,7 +105,7 @@ class CycleReport {
     }
 
     // Returns the arc with which the message begins: preferably an arc that an `@pass` in a reference would
-    // remove, otherwise an arc from an `after`.
+    // remove, otherwise an arc from an `after`, otherwise any arc between passes of `knot`.
     const OrderArc* best_cut(const std::vector<PassId>& knot) const {
         const OrderArc* best = nullptr;
         const auto rank = [](const OrderArc& arc) {
@@ -193,8 +193,8 @@ class CycleReport {
         std::vector<Note> notes;
         constexpr size_t kMostTold = 16;
         size_t told = 0;
-        // way() returns the last arc first. The message needs this direction, because each pass waits for the
-        // pass at the start of its arc.
+        // The message names each pass before the pass that it waits for, which is at the start of the arc. So
+        // the message needs the arcs in the order of way(): the last arc first.
         for (const uint32_t index : way(cut->to, cut->from)) {
             const OrderArc& arc = order_.arcs()[index];
             if (++told > kMostTold) continue;

@@ -1,8 +1,8 @@
 // Purpose: checks a plan independently of the compiler. The checker derives the happens-before order from the
-// declared accesses and the plan alone. In this order it checks every read, write, layout, reuse of memory
-// and lifetime over at least three consecutive frames. It shares no code with the stages of the compiler; it
-// includes only declarations and plans. Errors: C3xx. An error about the order of two passes names both
-// passes and the resource.
+// declared accesses and the plan alone. With this order it checks all reads, writes, layouts, lifetimes and
+// reuses of memory in at least three consecutive frames. It shares no code with the stages of the compiler;
+// its only input is the plan with its declarations. Errors: C3xx. An error about the order of two passes
+// names both passes and the resource.
 #pragma once
 
 #include "weft/plan.h"

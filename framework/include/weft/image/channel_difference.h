@@ -1,7 +1,8 @@
 // Purpose: compares two pictures channel by channel: PSNR, the largest difference, and a map of differences.
 // Shapes: both pictures have the same size and are not empty. If both are linear, their raw values are
-// compared. Otherwise both are converted to 8-bit display values (to_display(), then rounded). All functions
-// are symmetric. Source: PSNR is 10 log10(255² / mean square) over red, green and blue together.
+// compared. Otherwise both are converted to 8-bit display values (to_display(), then rounded). The order of
+// the two pictures does not change a result. Source: PSNR is 10 log10(255² / mean square) over red, green and
+// blue together.
 #pragma once
 
 #include "weft/image/image.h"
@@ -18,8 +19,9 @@ namespace weft::image {
 
 enum class Compared : uint8_t { as_they_are, as_displayed };
 
-// Returns for each texel the largest difference of its channels. 1 means 255 8-bit steps, or a raw difference
-// of 1. With `as_displayed`, raw values are never compared.
+// Returns for each texel the largest difference of its channels. A raw difference is returned unchanged. A
+// difference of 8-bit values is divided by 255. With `as_displayed`, 8-bit display values are always
+// compared.
 [[nodiscard]] Plane difference_map(const Image& a, const Image& b, Compared compared = Compared::as_they_are);
 
 }  // namespace weft::image

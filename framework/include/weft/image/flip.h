@@ -1,10 +1,10 @@
 // Purpose: FLIP, a measure of the difference that a person sees when two pictures alternate on one screen:
 // from 0 (none) to 1 (largest). Shapes: both pictures and the map have the same size. Units: pixels per
-// degree of the observer's field of view. Preconditions (asserted): equal sizes, no empty pictures, no NaN.
-// Source: P. Andersson, J. Nilsson, T. Akenine-Möller, M. Oskarsson, K. Åström, M. Fairchild, "FLIP: A
-// Difference Evaluator for Alternating Images", HPG 2020. The colour pipeline of FLIP compares colours after
-// blurring them like the eye, the feature pipeline compares edges and points. This implementation uses
-// separable kernels for both.
+// degree of the observer's field of view. Preconditions: equal sizes, no empty pictures, no NaN. Source: P.
+// Andersson, J. Nilsson, T. Akenine-Möller, M. Oskarsson, K. Åström, M. Fairchild, "FLIP: A Difference
+// Evaluator for Alternating Images", HPG 2020. The colour pipeline of FLIP compares colours after blurring
+// them like the eye, the feature pipeline compares edges and points. This implementation uses separable
+// kernels for both.
 #pragma once
 
 #include "weft/image/image.h"

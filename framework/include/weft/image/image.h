@@ -1,7 +1,7 @@
 // Purpose: a picture, and a plane with one number per texel, as plain data for image metrics. Shapes:
-// width_px × height_px, row 0 at the top. Units: `display` values are sRGB-encoded, in [0, 1] in steps of
-// 1/255. `linear` values are scene-linear, in any unit; they must not be NaN when they are converted to
-// display values. Source: sRGB: IEC 61966-2-1.
+// width_px × height_px, row 0 at the top. Units: `display` values are sRGB-encoded, in [0, 1]. `linear`
+// values are scene-linear, in any unit; they must not be NaN when they are converted to display values.
+// Source: sRGB: IEC 61966-2-1.
 #pragma once
 
 #include <cstdint>

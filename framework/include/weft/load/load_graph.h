@@ -1,6 +1,6 @@
 // Purpose: loads a graph file in two steps. parse_graph() reads the file with its includes, merges and parses
-// it. load_graph() compiles the shaders and resolves the graph. All faults of the file and its shaders are
-// reported together.
+// it. load_graph() compiles the shaders and resolves the graph. Each step reports all faults that it finds
+// together.
 #pragma once
 
 #include <filesystem>
@@ -105,8 +105,8 @@ struct LoadedGraph {
                                                   Diagnostics& warnings);
 
 // Gives a loaded graph the parameter values of another request. `from` is the request of the loaded graph.
-// Returns nullopt if the requests differ in more than values, or if a value has an error; then load the graph
-// again.
+// Returns nullopt in two cases: the requests differ in something else than parameters of ParamCost::live, or
+// a value has an error. In both cases, load the graph again.
 [[nodiscard]] std::optional<ResolvedGraph> change_values(const LoadedGraph& loaded, const GraphRequest& from,
                                                          const LoadInput& input);
 

@@ -54,7 +54,7 @@ class PendingSwap {
     PendingSwap& operator=(PendingSwap&& other) noexcept;
 
     [[nodiscard]] const Rebuilt& rebuilt() const;
-    // Returns the new plan; null if the running plan stays or only its values change.
+    // Returns the new plan; null if Rebuilt::plan is false.
     [[nodiscard]] const FramePlan* new_plan() const;
     [[nodiscard]] SwapParts& parts() { return *parts_; }
 

@@ -23,7 +23,7 @@ struct Reload {
     Rebuilt rebuilt;       // The parts that were made again, if there was no error.
     Diagnostics errors;    // The reasons why the old graph keeps running; empty if the new graph runs.
     Diagnostics warnings;  // The warnings about the new graph.
-    double ms = 0;         // Time in milliseconds from the end of the change to the swap.
+    double ms = 0;         // Time in milliseconds from the start of the preparation to the end of the swap.
     double swap_ms = 0;    // The part of `ms` that the frame thread spent.
 
     [[nodiscard]] bool good() const { return errors.empty(); }
@@ -38,8 +38,9 @@ class Reloader {
     Reloader(const Reloader&) = delete;
     Reloader& operator=(const Reloader&) = delete;
 
-    // Swaps to the prepared graph, if there is one. Call this on the frame thread, between two frames. It
-    // never waits.
+    // Swaps to the prepared graph and returns the result. Returns nullopt if no preparation has finished
+    // since the last call, or if the graph must be prepared again. Call this on the frame thread, between two
+    // frames. It never waits for a preparation.
     [[nodiscard]] std::optional<Reload> update();
     // Selects another graph, tier or other parameters. The graph is prepared and swapped in as after a change
     // of a file.
@@ -62,7 +63,8 @@ class Reloader {
     const std::unique_ptr<FileWatch> watch_;
     // The files of the last successful load. Only the watching thread uses this member.
     std::set<std::filesystem::path> good_files_;
-    std::mutex mutex_;  // Guards all members that are declared below, because both threads use them.
+    // Guards the members from selection_ to ready_, which the watching thread and the frame thread use.
+    std::mutex mutex_;
     Selection selection_;
     bool asked_ = false;
     bool stop_ = false;

@@ -76,12 +76,12 @@ class Session {
     // made after `next` was prepared; then prepare again. After an error of the checker (C…) the running
     // graph continues.
     [[nodiscard]] Result<bool> swap_in(PendingSwap next);
-    // Prepares the loaded graph at another size and swaps it in. After an error of the graph (W…, C…) or of
-    // memory, the running graph continues at the old size. `output` replaces Selection::output; frames in
-    // flight may still use the old image. Errors: those of create().
+    // Prepares the loaded graph at another size and swaps it in. Does nothing if the size is the same. After
+    // an error of the graph (W…, C…) or of memory, the running graph continues at the old size. `output`
+    // replaces Selection::output; frames in flight may still use the old image. Errors: those of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
-    // Returns the number of pipelines that were created while frames were rendered: after create() returned,
-    // on the thread that called it. Each of them delayed a frame.
+    // Returns the number of pipelines that were created after create() returned, on the thread that called
+    // create(). This thread renders the frames, so each of these pipelines delayed a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const;
 
     [[nodiscard]] Status render_frame(const FrameInput& input);

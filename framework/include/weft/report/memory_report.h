@@ -25,8 +25,8 @@ namespace weft {
 [[nodiscard]] Diagnostics memory_faults(const FramePlan& plan, const DeviceProfile& profile,
                                         const std::string& file);
 
-// Returns the error W143 if the total size of all heaps exceeds the limit. `file` is the name of the graph
-// file in messages.
+// Returns the error W143 if the total size of all heaps exceeds GraphLimits::transient_bytes. `file` is the
+// name of the graph file in messages.
 [[nodiscard]] Diagnostics budget_faults(const FramePlan& plan, const GraphLimits& limits,
                                         const std::string& file);
 

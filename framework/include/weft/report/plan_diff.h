@@ -1,8 +1,8 @@
 // Purpose: compares two plans by name: passes and resources that were added, removed or changed, the order,
-// barriers, memory. Plans with equal hashes have no differences. Units: bytes. Shapes: properties of a pass
-// or resource are lines of text. If an item is in both plans, `gone` has the lines that only the first plan
-// has, and `come` the lines that only the second plan has. The offset of a resource in memory is not
-// compared, because it changes whenever anything else does.
+// barriers, memory. Plans with equal hashes have no differences. Units: bytes. Each property of a pass or
+// resource is a line of text. If a pass or resource is in both plans, FactsChange::gone has the lines that
+// only the first plan has, and `come` the lines that only the second plan has. The offset of a resource in
+// memory is not compared, because almost every other change changes it, too.
 #pragma once
 
 #include <cstdint>
@@ -49,8 +49,9 @@ struct PlanDiff {
 
 // Returns a summary such as "+2 barriers, -14.0 MiB heap", followed by details; one line if nothing changed.
 [[nodiscard]] std::string plan_diff_to_text(const PlanDiff& diff);
-// Returns the differences as JSON: {same counts{name: {from to}} passes{added removed changed[{name gone
-// come}]} resources{…} moved[{name from to}]}
+// Returns the differences as JSON with the members of PlanDiff:
+// { same, counts: { NAME: { from, to } }, passes: { added, removed, changed: [{ name, gone, come }] },
+//   resources: (like passes), moved: [{ name, from, to }] }
 [[nodiscard]] std::string plan_diff_to_json(const PlanDiff& diff);
 
 }  // namespace weft

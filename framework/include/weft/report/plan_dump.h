@@ -2,7 +2,8 @@
 //   - Text lists the passes in execution order with their queue, and every wait and barrier with its reason.
 //     Then follow memory (sum, peak, the resources alive at the peak, heaps, gap between peak and heaps) and
 //     the culled passes.
-//   - JSON has every field of the plan. Ids are indices into graph.passes and graph.resources; null is none.
+//   - JSON has every field of the plan except places in source files and ResolvedGraph::frames. Ids are
+//     indices into graph.passes and graph.resources; null means kNoId.
 //   - DOT draws passes and resources, with culled ones in grey.
 //   - HTML is a self-contained page with the graph, every queue's timeline, lifetimes, memory, culled passes,
 //     and all explanations of `weft explain`.

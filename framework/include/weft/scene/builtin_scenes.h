@@ -22,8 +22,7 @@
 namespace weft::scene {
 
 struct BuiltinOptions {
-    // Hour of the day, 0 to 24, for scenes with daylight. Default: 22 for "lights", kDefaultHour for all
-    // others.
+    // Hour of the day, 0 to 24, for the scenes "atrium" (default: 15) and "lights" (default: 22).
     std::optional<float> hour;
     uint32_t lights = 256;  // Number of lights in the scene "lights".
     uint32_t seed = 1;      // Seed of the random numbers for the scene "lights".

@@ -22,12 +22,12 @@ struct Environment {
     // The texels of every mip, mip 0 first, to the end of the chain. A texel is one word with three mantissas
     // and a shared exponent (glm::unpackF3x9_E1x5, Vulkan's E5B9G9R9).
     std::vector<std::vector<uint32_t>> mips;
-    // Multiply every texel with this factor. It is 1, or a larger power of two if a value exceeds the range
-    // of the format.
+    // Multiply every texel by this factor. It is 1, or a larger power of two if a value exceeds the range of
+    // the format.
     float scale = 1;
-    // The light as spherical harmonics of three orders: the irradiance / π on a plane with normal n is the
-    // sum of irradiance_over_pi[i] × environment_basis(n)[i]. The second and third order are reduced if a
-    // small bright source, such as the sun, would cause negative values on the other side (ringing).
+    // The light as spherical harmonics of the orders 0, 1 and 2: the irradiance / π on a plane with normal n
+    // is the sum of irradiance_over_pi[i] × environment_basis(n)[i]. A small bright source, such as the sun,
+    // can cause negative values for directions away from it (ringing). Then the orders 1 and 2 are reduced.
     std::array<glm::vec3, 9> irradiance_over_pi{};
 };
 

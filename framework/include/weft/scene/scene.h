@@ -132,6 +132,7 @@ struct LightFunction {
     // Picture: an index into Scene::textures; kNone: no picture. For a point light the picture covers the
     // whole sphere.
     uint32_t picture = kNone;
+    // Half width and half height of the picture in radians; for parallel light, in metres.
     glm::vec2 picture_half_size{0.7853981634f};
     // Falloff curve: a factor on the light, as a cubic Bézier curve over the distance from 0 to `reach_m`.
     // `curve` has the four ordinates. Beyond `reach_m` the factor is constant.

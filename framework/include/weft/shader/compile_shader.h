@@ -1,7 +1,7 @@
 // Purpose: compiles the shader that a graph names to a ShaderProgram: SPIR-V that spirv-val accepts, and the
 // interface for matching with ports. Languages: GLSL 4.60 for Vulkan 1.3, SPIR-V 1.6. References: a reference
 // is a path in the graph's own folder, or else in shaders/. The extension gives the stage: "sky.frag". For a
-// raster pass, "gbuffer" means gbuffer/gbuffer.vert and gbuffer/gbuffer.frag. Numbers: resources without a
+// raster pass, "gbuffer" means gbuffer/gbuffer.vert and gbuffer/gbuffer.frag. Bindings: resources without a
 // set are ports of the pass. They belong to set 1 and get their bindings in the order of their names, over
 // all stages. Resources in sets 0, 2 and 3 keep the binding numbers that the shader gives. Inputs and outputs
 // of stages without a location are matched by name. Errors: W201 shader not found, W202 GLSL error, W203
@@ -27,8 +27,8 @@ class StageCompiler;
 }
 class ShaderMemory;
 
-// The folders and limits of a compilation. No file outside these folders is opened, whatever references,
-// includes or links contain.
+// The folders and limits of a compilation. No file outside these folders is opened, even if a reference, an
+// include or a symbolic link names one.
 struct ShaderRoots {
     // Folders that are searched in this order: the graph's own folder, then shaders/.
     std::vector<std::filesystem::path> roots;
@@ -48,7 +48,7 @@ enum class ProgramKind : uint8_t {
     raster,  // A vertex stage x/x.vert and a fragment stage x/x.frag.
 };
 
-// Compiles the shader `reference`. Equal texts give equal SPIR-V, in whatever folders they are. Thread-safe.
+// Compiles the shader `reference`. The SPIR-V depends on the texts, not on the folders. Thread-safe.
 [[nodiscard]] Result<ShaderProgram> compile_shader(const std::string& reference, ProgramKind kind,
                                                    const ShaderRoots& roots);
 // Compiles the shader `reference` with an existing compiler, which must be made from the same `roots`. The

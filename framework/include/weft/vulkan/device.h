@@ -27,7 +27,7 @@ struct DeviceOptions {
     // The device to use: an index, or a part of its name. Empty: the first suitable device, in the order
     // discrete, integrated, virtual, CPU.
     std::string device;
-    // Time-out for every wait for a fence. It is long because a CPU device compiles its shaders in the first
+    // Time-out for every wait for the GPU. It is long because a CPU device compiles its shaders in the first
     // frame, and because the machine may be busy.
     uint64_t timeout_ns = 60'000'000'000;
     // Number of logical queues that plans will use. logical_queues() chooses their families. If a family has

@@ -1,7 +1,7 @@
-// Purpose: lists the Vulkan features that Weft uses, in one table. A device without one of the required
-// features is rejected. Optional features are enabled if the device has them; a graph that needs a missing
-// one gets an error with its name. An embedder sets the features with enable_features() when it creates its
-// device, and passes device and features to Device::adopt().
+// Purpose: the Vulkan features that Weft uses; the tables are in device_features.cpp. A device that lacks a
+// required feature is rejected. Optional features are enabled if the device has them; a graph that needs a
+// missing one gets an error with its name. An embedder calls enable_features() before it creates its device,
+// and passes the device and the features to Device::adopt().
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -22,7 +22,8 @@ struct OptionalFeatures {
     bool image_gather_extended = false;
     bool storage_read_without_format = false;
     bool draw_indirect_first_instance = false;
-    // Dynamic indices into arrays of uniform buffers. Required on llvmpipe; see opaque_uniforms.h.
+    // Dynamic indices into arrays of uniform buffers. On llvmpipe, rewritten shaders use them; see
+    // opaque_uniforms.h.
     bool uniform_array_indexing = false;
 };
 
@@ -54,8 +55,9 @@ class FeatureChain {
     VkPhysicalDeviceVulkan13Features v13_{};
 };
 
-// Enables in `chain` all features that Weft requires, and all optional features that are enabled in
-// `supported`. Other features in `chain` do not change, so that an embedder can add its own.
+// Enables in `chain` all features that Weft requires. Also enables the optional features and
+// robustBufferAccess, as far as they are enabled in `supported`. Other features in `chain` do not change, so
+// that an embedder can add its own.
 void enable_features(const FeatureChain& supported, FeatureChain& chain);
 // Enables in `chain` the features that every device must have. enable_features() calls this function.
 void required_features(FeatureChain& chain);

@@ -21,11 +21,12 @@ struct DrawContext {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     std::string_view list;  // Name of the draw list, such as "opaque".
-    // Index into ImportDecl::variants of the list. The pipeline of this variant is bound.
+    // Index into ImportDecl::variants of the list. The executor has bound the pipeline of this variant.
     uint32_t variant = 0;
-    // If the mode is `material`, the draw source sets cull mode and front face for each draw.
+    // If `cull` is `material`, the draw source sets the cull mode of each draw. For every value of `cull` it
+    // sets the front face of each draw, because mirrored objects have the opposite winding.
     CullMode cull = CullMode::material;
-    uint32_t frame_slot = 0;
+    uint32_t frame_slot = 0;  // Less than kFramesInFlight.
     // A buffer with one packed VkDrawIndexedIndirectCommand for each draw of the list, in the order of the
     // list. It replaces the list's own draw commands. Null: the list's own commands are used.
     VkBuffer draw_commands = VK_NULL_HANDLE;
@@ -39,7 +40,7 @@ class DrawSource {
     // Returns the layout of a set, or VK_NULL_HANDLE if the source does not provide this set. Set 0: frame
     // and view; set 2: material; set 3: draw.
     [[nodiscard]] virtual VkDescriptorSetLayout set_layout(uint32_t set) const = 0;
-    // Returns the descriptor set 0 of this frame slot for `view`.
+    // Returns descriptor set 0 of a frame slot for the view with the name `view`, such as "camera".
     [[nodiscard]] virtual VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const = 0;
     // Records every draw of `context.list` that uses `context.variant`. The executor has bound sets 0 and 1.
     // The source binds sets 2 and 3 if the pipeline layout has them. It binds vertex buffers in the order of

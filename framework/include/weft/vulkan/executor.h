@@ -33,8 +33,8 @@ struct PipelineCounts {
     uint32_t made = 0;
 };
 
-// Asks the device for the memory requirements of all resources. The stage alias() needs them. Objects that
-// are created for the queries are destroyed before the function returns.
+// Asks the device for the memory requirements of all resources, which compile() needs to place them in
+// memory. Objects that are created for the queries are destroyed before the function returns.
 [[nodiscard]] MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph);
 
 // The program's Vulkan objects for the imports of a graph, by the names of the imports.
@@ -73,8 +73,8 @@ struct ExecutorInput {
     // its own store.
     PipelineStore* pipelines = nullptr;
     ExecutorHooks hooks;
-    // True: GPU times of passes are measured. False: only the commands of the plan are recorded, and all
-    // times are negative.
+    // True: GPU times of passes are measured. False: only the commands of the plan are recorded, and every
+    // PassTiming::gpu_ms is negative.
     bool timestamps = true;
 };
 
@@ -84,8 +84,8 @@ class Executor;
 struct Predecessor {
     std::vector<Image> images;  // Imported images that only frames in flight of the old executor still use.
     TransitionPlan transition;  // The transition from the old executor's plan to the new plan.
-    // The old executor. No frame of it may be begun. It is the last member, so that it is destroyed before
-    // `images`.
+    // The old executor. Each of its begin_frame() calls must have been followed by run(). It is the last
+    // member, so that it is destroyed before `images`.
     std::unique_ptr<Executor> executor;
 };
 
@@ -111,7 +111,8 @@ class Executor {
     [[nodiscard]] static Result<std::unique_ptr<Amendment>> make_amendment(Device& device,
                                                                            ExecutorInput input);
     // Prepares new values for the running plan, and leaves its pipelines as they are. `graph` may differ from
-    // the graph of the running plan in values of ParamWrite, custom_params and parameters, and in flops.
+    // the graph of the running plan in values of ParamWrite, custom_params and parameters, and in
+    // PassDecl::flops.
     [[nodiscard]] static std::unique_ptr<Amendment> make_amendment(ResolvedGraph graph);
     // Makes an amendment the current one, from the next frame on. Call this between two frames. The replaced
     // objects live until the frames in flight have finished.
@@ -135,6 +136,7 @@ class Executor {
     // Returns the timings of completed frames, oldest first. Each timing is returned once. Only the newest 32
     // are kept.
     [[nodiscard]] virtual std::vector<FrameTiming> take_timings() = 0;
+    // Returns the data that completed frames have read back. Each item is returned once.
     [[nodiscard]] virtual std::vector<ReadbackData> take_readbacks() = 0;
     // Copies an imported image to host memory. The exit state of the import must be transfer_src. Call this
     // after finish().

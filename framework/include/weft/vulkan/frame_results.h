@@ -26,8 +26,8 @@ struct FrameTiming {
     double wait_ms = 0;  // Time in milliseconds that the host waited for the fence of the frame slot.
 };
 
-// The content of a resource that was read back. For an image: its texels without padding, in the order mip,
-// then aspect, then layer. For a buffer: its bytes.
+// The content of a resource that was read back. For a buffer: its bytes. For an image: its texels without
+// padding, one mip after another. A mip has one aspect after another, and an aspect one layer after another.
 struct ReadbackData {
     std::string pass;  // Name of the readback pass.
     uint64_t frame_index = 0;

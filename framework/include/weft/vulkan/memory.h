@@ -14,7 +14,8 @@
 
 namespace weft::vk {
 
-// A buffer that all queue families with queues may use (sharing mode CONCURRENT, if there are several).
+// A buffer that may be used on all queues of the device. If these queues are in several families, its sharing
+// mode is CONCURRENT.
 class Buffer {
  public:
     // Upload and readback memory is mapped and coherent; device memory is not mapped.
@@ -39,8 +40,8 @@ class Buffer {
     std::byte* mapped_ = nullptr;
 };
 
-// An image that all queue families with queues may use. Exception: an import that is not declared concurrent
-// belongs to one family.
+// An image that may be used on all queues of the device. Exception: an import that is not declared concurrent
+// belongs to one queue family.
 class Image {
  public:
     // Creates an image with the format, extent, mips, layers, samples and usage of `decl`. The view covers
@@ -79,15 +80,15 @@ class Image {
 [[nodiscard]] Status upload_image(Device& device, const Image& target,
                                   std::span<const std::span<const std::byte>> levels);
 
-// The queue families that may use a resource: one family (EXCLUSIVE), or all families of the device that have
-// queues (CONCURRENT).
+// The queue families that may use a resource: one family (EXCLUSIVE), or all families from which the device
+// has queues (CONCURRENT).
 struct Sharing {
     VkSharingMode mode = VK_SHARING_MODE_EXCLUSIVE;
-    uint32_t count = 0;
-    // The numbers of the families. Points into Device::sharing_families().
+    uint32_t count = 0;  // Number of `families`; 0 if EXCLUSIVE.
+    // The numbers of the families. Points into Device::sharing_families(); null if EXCLUSIVE.
     const uint32_t* families = nullptr;
 };
-// Returns CONCURRENT with all families that have queues; EXCLUSIVE if only one family has queues.
+// Returns CONCURRENT with all families from which the device has queues; EXCLUSIVE if there is only one.
 [[nodiscard]] Sharing concurrent_sharing(const Device& device);
 
 template <class CreateInfo>

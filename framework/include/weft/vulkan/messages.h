@@ -17,8 +17,10 @@ enum class MessageSeverity : uint8_t { info, warning, error };
 
 struct Message {
     MessageSeverity severity = MessageSeverity::error;
-    std::string id;    // Identifier of the message, such as "SYNC-HAZARD-WRITE_AFTER_WRITE" or "VUID-…".
-    std::string pass;  // Name of the pass that is recorded or submitted, or the label in the message.
+    std::string id;  // Identifier of the message, such as "SYNC-HAZARD-WRITE_AFTER_WRITE" or "VUID-…".
+    // The innermost debug label in the message, which is usually the name of a pass. Without a label: the
+    // current pass of the thread; see set_current_pass().
+    std::string pass;
     std::string text;
 };
 
@@ -26,8 +28,8 @@ struct Message {
 class MessageCollector {
  public:
     void add(Message message);
-    // Sets the pass to which later messages of the calling thread belong; empty: none. Each thread has its
-    // own pass, because one thread may render frames while another thread creates pipelines.
+    // Sets the current pass of the calling thread: later messages without a label belong to it; empty: none.
+    // Each thread has its own pass, because one thread may render frames while another creates pipelines.
     void set_current_pass(std::string pass);
     [[nodiscard]] std::string current_pass() const;
     [[nodiscard]] std::vector<Message> messages() const;  // Returns all warnings and errors so far.

@@ -1,8 +1,8 @@
-// Purpose: gives the Vulkan objects to embedders that also draw themselves. An embedder may use an image or
-// buffer between two frames. Before the next frame, the embedder must return the object to the state that
-// Weft expects (for an import: ImportState::entry). This means its layout, the accesses that may still be
-// pending, and the queue family that owns it. To let Weft use an embedder's objects, see Device::adopt() and
-// enable_features().
+// Purpose: gives Weft's Vulkan objects to embedders that also record commands of their own. An embedder may
+// use an image or buffer between two frames. Before the next frame, the embedder must return the object to
+// the state that Weft expects (for an import: ImportState::entry). The state is the layout, the accesses that
+// may still be pending, and the queue family that owns the object. To let Weft use an embedder's objects, see
+// Device::adopt() and enable_features().
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,14 @@ struct NativeDevice {
     Queue queue;
 };
 
-// The handles and properties of an image that a graph exports. An embedder needs them to sample, copy or
-// present the image.
+// The handles and properties of an image, usually one that a graph imports as its output. An embedder needs
+// them to sample, copy or present the image.
 struct NativeImage {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;  // View of the whole image; null for an image that is only copied.
     VkFormat format = VK_FORMAT_UNDEFINED;
     VkExtent3D extent{};
-    // Layout of the image between two frames: the declared exit layout.
+    // Layout of the image between two frames: for an import the declared exit layout, otherwise UNDEFINED.
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
 };
 

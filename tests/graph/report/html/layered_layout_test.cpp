@@ -88,8 +88,8 @@ TEST(LayeredLayout, CrossingsThatNeedNotBeAreNot) {
     EXPECT_EQ(layout.boxes[0].y < layout.boxes[1].y, layout.boxes[3].y < layout.boxes[2].y);
 }
 
-// Box 1 is between the boxes 0 and 2, and the edge 0 -> 2 passes beside box 1. The drawing must be only a
-// little higher than one box and one edge.
+// Box 1 is between the boxes 0 and 2, and the edge 0 -> 2 passes above or below box 1. In pixels, the drawing
+// needs the heights of a box (40), of a gap (20) and of an edge (6). The test allows 10 more.
 TEST(LayeredLayout, IsNoLargerThanWhatItShows) {
     const LayeredLayout layout = layered_layout({{50, 40}, {50, 40}, {50, 40}}, {{0, 1}, {1, 2}, {0, 2}}, 60);
     EXPECT_LE(layout.height_px, 40 + 20 + 6 + 10) << "and a little for leaning";

@@ -20,7 +20,7 @@ struct ReadElement {
 struct ReadPage {
     // Elements in the order of their start tags.
     std::vector<ReadElement> elements;
-    // Description of the first error; empty if the page is well-formed.
+    // Description of the error; empty if the page is well-formed.
     std::string fault;
 };
 

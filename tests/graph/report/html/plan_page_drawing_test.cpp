@@ -1,5 +1,5 @@
-// Tests the drawings of the HTML page: memory blocks are to scale, texts fit into their boxes, and names
-// stand at their edges.
+// Tests the drawings of the HTML page. Examples: memory blocks are to scale, texts fit into their boxes, and
+// the name on an edge of the graph touches no box and no other name.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -15,7 +15,8 @@
 namespace weft::test {
 namespace {
 
-// Returns a plan with two large images and several tiny buffers that all live at the same time.
+// Returns a plan in which two images (256 and 128 px wide) and five buffers of 16 bytes live at the same
+// time.
 FramePlan uneven_plan() {
     GraphBuilder b;
     const ResourceId large = b.image("large", Format::r32u, 256), small = b.image("small", Format::r32u, 128);
@@ -37,8 +38,8 @@ FramePlan uneven_plan() {
     return compiled(b);
 }
 
-// Calls `visit` for every memory block of every heap that is not persistent, together with the byte scale of
-// the heap's drawing.
+// Calls visit(block, scale) for each memory block in a heap that is not persistent. `scale` is the scale, in
+// pixels and bytes, in which the page draws this heap.
 template <class Visit>
 void for_blocks(const FramePlan& plan, const Visit& visit) {
     std::vector<uint32_t> heaps;
@@ -195,7 +196,8 @@ TEST(PlanPageDrawing, ANameLiesOnItsWayAndOnNoOther) {
     EXPECT_EQ(place_edge_names({way, shared}, {{"hdr"}, {"hdr"}}, {}, {300, 100})[0].text, "hdr");
 }
 
-// Returns a plan with a repeated pass whose iterations copy between two layers of a kept image. The first
+// Returns a plan with the repeated pass "step", which has `rounds` iterations. Each iteration reads one of
+// the two layers of the kept image "cells" and writes the other layer. If `rounds` is even, the first
 // iteration reads the result of the previous frame. With `other_between`, the pass "other" runs between the
 // first and the second iteration.
 FramePlan rounds_plan(int rounds, bool other_between = false) {
