@@ -174,9 +174,11 @@ class PassAttacher : PassStage<Attachments> {
         if (uses.empty()) {
             if (suspects_.passes[pass_]) return;
             error(draft_.decl.loc, "W181",
-                  "pass " + quote(draft_.decl.name) + " has no attachment to draw to: its fragment shader has no \"out\" variable "
-                  "that is named in \"out\" of the pass, and the pass has no \"depth\"",
-                  "declare an \"out\" variable in the fragment shader and name it in \"out\", or add \"depth\"");
+                  "pass " + quote(draft_.decl.name) +
+                      " has no attachment to draw to: no output variable of its fragment shader has the name "
+                      "of a port in \"out\" of the pass, and the pass has no \"depth\"",
+                  "declare an output variable in the fragment shader, for example \"layout(location = 0) out "
+                  "vec4 color;\", and a port of the same name; or add \"depth\" to the pass");
             return;
         }
         const UseDecl& first = bound_.uses[uses.front()];

@@ -46,6 +46,11 @@ std::string extent_text(const Extent3D& extent) {
     return text;
 }
 
+std::string add_port_text(std::string_view direction, std::string_view port) {
+    return "add the port " + quote(port) + " to " + quote(direction) + " of the pass, with the name of a resource: " +
+           quote(direction) + ": { " + quote(port) + ": \"NAME\" }";
+}
+
 void add_help(Diagnostic& diagnostic, std::string help) {
     if (!help.empty()) diagnostic.help.push_back(std::move(help));
 }

@@ -18,6 +18,8 @@ namespace weft {
 // includes all of them.
 [[nodiscard]] std::string range_of(const ResourceDecl& resource, const SubresourceRange& range);
 [[nodiscard]] std::string extent_text(const Extent3D& extent);
+// Returns the help for a missing port. `direction` is "in" or "out".
+[[nodiscard]] std::string add_port_text(std::string_view direction, std::string_view port);
 // Adds a help text to a diagnostic, unless the text is empty.
 void add_help(Diagnostic& diagnostic, std::string help);
 // Adds a note at a location in a file. Adds nothing if the location is in no file. For example, a part of the

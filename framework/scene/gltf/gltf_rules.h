@@ -46,9 +46,9 @@ void check_header(Checker& c);     // Checks `asset`, the extensions, and the si
 void check_geometry(Checker& c);   // Checks buffers, buffer views, accessors and meshes.
 void check_materials(Checker& c);  // Checks images, textures, samplers and materials.
 void check_nodes(Checker& c);      // Checks lights, cameras, nodes and scenes.
-// Checks the member `extras.weft` of every light. `extras` has one entry per light: the value of this member,
-// or null if the light does not have it.
-void check_light_extras(Checker& c, const nlohmann::json& extras);
+// Checks the objects `extras.weft` in the lights of the file. `objects` has one entry per light: this object, or
+// null if the light does not have it.
+void check_light_extras(Checker& c, const nlohmann::json& objects);
 // Warns that skins, morph targets and animations are ignored: the meshes are drawn in their rest pose.
 void check_motion(Checker& c);
 

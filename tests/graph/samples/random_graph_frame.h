@@ -76,8 +76,8 @@ class RandomFrame {
         if (state_words_ != kNoId) builder_.make_concurrent(state_words_);
     }
 
-    // Returns a queue hint for the pass: often a queue other than graphics, if the kind of pass can run
-    // there.
+    // Returns a random queue hint: graphics for a fullscreen pass, graphics or compute for a compute pass, and
+    // any queue for other kinds. The compiler may choose a more capable queue.
     QueueKind queue_hint(PassKind kind) {
         const uint32_t roll = below(100);
         if (kind == PassKind::fullscreen || roll < 35) return QueueKind::graphics;

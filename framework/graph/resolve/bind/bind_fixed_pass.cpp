@@ -76,8 +76,7 @@ void report_missing_ports(PassBinding& pass) {
         Diagnostic& d = pass.error(draft.desc->loc, "W176",
                                    "pass " + quote(draft.desc->name) + " of type " + quote(draft.desc->type) +
                                        " has no port " + quote(port.name) + ", but needs it");
-        add_help(d, "add the port to " + quote(port.is_output ? "out" : "in") + ": { " + quote(port.name) +
-                        ": \"resource\" }");
+        add_help(d, add_port_text(port.is_output ? "out" : "in", port.name));
     }
 }
 

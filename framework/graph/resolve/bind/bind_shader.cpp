@@ -272,7 +272,7 @@ class ShaderBinder {
             at_.error(loc, "W171",
                       "shader " + quote(desc().shader) + " " + verb + " " + quote(name) + ", but pass " +
                           quote(at_.draft.decl.name) + " has no port of this name");
-        add_help(d, "add the port to " + quote(direction) + ": { " + quote(name) + ": \"resource\" }");
+        add_help(d, add_port_text(direction, name));
     }
 
     PassBinding& at_;

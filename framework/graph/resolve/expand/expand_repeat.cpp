@@ -89,8 +89,8 @@ class PassRepeater {
         Diagnostic& d = reporter_.error(loc, "W125",
                                         "with pass " + quote(desc_.name) + " the graph has more than " +
                                             std::to_string(most) + " " + what +
-                                            ", where passes that \"if\" removes also count");
-        add_help(d, "replace many dispatches by one, with layers or a third number in \"groups\", " +
+                                            "; this number includes passes that \"if\" removes");
+        add_help(d, "use a shorter range in \"repeat\", replace many dispatches by one with more groups, " +
                         raise_limit_text("graph." + limit));
         return false;
     }
