@@ -100,7 +100,7 @@ class Execution {
 
     ValueHash inputs(const Node& node) const {
         const PassId id = step_of(timeline_.instances[node.instance]).pass;
-        ValueHash hash = pass_values(plan_.graph, plan_.live, id, node.frame);
+        ValueHash hash = pass_values(plan_.graph, plan_.live, id, node.frame, options_.inputs);
         const Gathered& gathered = gathered_[node.instance];
         for (uint32_t u = 0; u < gathered.uses.size(); ++u)
             if (sees_content(plan_.graph.passes[id].uses[u]))

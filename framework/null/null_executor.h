@@ -28,6 +28,10 @@ enum class NullOrder : uint8_t {
 // the list does not contain.
 using RestChoice = std::vector<std::vector<uint8_t>>;
 
+// Index: frame, then PassId. A number that stands for the inputs of the pass outside the graph, for example for
+// its parameters: another number makes other results. A pass that the list does not contain has the number 0.
+using InputChoice = std::vector<std::vector<uint32_t>>;
+
 struct NullOptions {
     uint32_t frames = 3;
     // Selects the order if `order` is `shuffled`. For a write that may happen in several stages, the seed
@@ -35,9 +39,11 @@ struct NullOptions {
     uint64_t seed = 0;
     NullOrder order = NullOrder::shuffled;
     RestChoice resting = {};
+    InputChoice inputs = {};
 };
 
-// The content of a subresource or buffer. The value 0 means undefined content.
+// A number that stands for the content of a subresource or buffer. Equal numbers mean equal content; 0 means
+// undefined content.
 using CellValue = uint64_t;
 inline constexpr CellValue kUndefinedValue = 0;
 
@@ -63,7 +69,7 @@ struct NullRun {
 // separate memory for every resource, so that every read sees the version given by the graph. It uses only
 // the declarations.
 [[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3,
-                                    const RestChoice& resting = {});
+                                    const RestChoice& resting = {}, const InputChoice& inputs = {});
 
 // Returns a text for each observed value of `wanted` that `found` lacks or has with another value. Undefined
 // values in `wanted`, and values that only `found` has, are not compared.

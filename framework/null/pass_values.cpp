@@ -63,10 +63,12 @@ CellValue first_frame_value(const ResourceDecl& resource) {
     return hash.value();
 }
 
-ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId id, uint32_t frame) {
+ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId id, uint32_t frame,
+                      const InputChoice& inputs) {
     const PassDecl& pass = graph.passes[id];
     ValueHash hash;
     hash.add(pass.name);
+    if (frame < inputs.size() && id < inputs[frame].size()) hash.add(uint64_t{inputs[frame][id]});
     for (const ParamWrite& param : pass.params) {
         if (param.builtin != Builtin::none) {
             hash.add(builtin_value(graph, live, param, frame));

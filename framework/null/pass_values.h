@@ -27,10 +27,11 @@ class ValueHash {
 // Returns the initial value of every cell of a persistent resource.
 [[nodiscard]] CellValue first_frame_value(const ResourceDecl& resource);
 // Returns the hash of all inputs of a pass in one frame except the resource content it reads: its name,
-// parameters, specialisation values, clear value and builtins. The builtin `valid` of a resource of age a is
-// 1 from frame a on if a live pass writes the ring, otherwise 0. All other builtins have the frame number.
+// number in `inputs`, parameters, specialisation values, clear value and builtins. The builtin `valid` of a
+// resource of age a is 1 from frame a on if a live pass writes the ring, otherwise 0. All other builtins have
+// the frame number.
 [[nodiscard]] ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId pass,
-                                    uint32_t frame);
+                                    uint32_t frame, const InputChoice& inputs);
 // Returns the value that the pass writes to one cell. The hash `inputs` must already include pass_values()
 // and all values that the pass read, use by use.
 [[nodiscard]] CellValue written_value(const ValueHash& inputs, const UseDecl& use,

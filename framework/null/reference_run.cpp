@@ -50,10 +50,12 @@ struct Versions {
 
 class Reference {
  public:
-    Reference(const ResolvedGraph& graph, const LiveGraph& live, const RestChoice& resting)
+    Reference(const ResolvedGraph& graph, const LiveGraph& live, const RestChoice& resting,
+              const InputChoice& inputs)
         : graph_(graph),
           live_(live),
           resting_(resting),
+          inputs_(inputs),
           used_(used_resources(graph, live)),
           written_(graph.resources.size(), 0),
           rested_(graph.resources.size(), 0) {
@@ -128,7 +130,7 @@ class Reference {
 
     void execute(PassId id) {
         const PassDecl& pass = graph_.passes[id];
-        ValueHash hash = pass_values(graph_, live_, id, frame_);
+        ValueHash hash = pass_values(graph_, live_, id, frame_, inputs_);
         bool defined = true;
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];
@@ -175,6 +177,7 @@ class Reference {
     const ResolvedGraph& graph_;
     const LiveGraph& live_;
     const RestChoice& resting_;
+    const InputChoice& inputs_;
     // Index: ResourceId. `used_`: 1 if a live pass uses a resource of the same ring. `written_`: 1 if a live
     // pass writes this resource. `rested_`: 1 if a rest unit writes this resource.
     std::vector<uint8_t> used_, written_, rested_;
@@ -187,8 +190,8 @@ class Reference {
 }  // namespace null
 
 NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames,
-                      const RestChoice& resting) {
-    return null::Reference(graph, live, resting).run(frames);
+                      const RestChoice& resting, const InputChoice& inputs) {
+    return null::Reference(graph, live, resting, inputs).run(frames);
 }
 
 }  // namespace weft

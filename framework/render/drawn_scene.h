@@ -25,8 +25,9 @@ class DrawnScene {
     // Returns constants for shaders: the sky, the environment and the counts of lights. The caller adds the
     // frame index, the time and the exposure.
     [[nodiscard]] shared::FrameConstants frame_constants() const;
-    // Returns the sun's shadow maps. The result is empty if the scene has no directional light with
-    // intensity, or if the graph draws no map of the sun. `aspect` is width / height of the picture.
+    // Returns the cascades of the sun's shadow: for each shadow map in `maps`, the view from which it is drawn.
+    // Empty if the scene has no directional light with an intensity above 0, or if the graph draws no shadow
+    // map of the sun. `aspect` is width / height of the picture.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const;
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
 

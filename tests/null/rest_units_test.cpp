@@ -5,8 +5,10 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <random>
 
+#include "graph/rest/rest_state.h"
 #include "null/null_executor.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 #include "tests/graph/samples/random_rest.h"
@@ -66,6 +68,82 @@ class RestUnits : public ResolveTest {
         }
     }
 
+    static constexpr uint32_t kFrames = 6;
+
+    // From frame to frame, the inputs of about one resting pass of six change. The inputs of other passes change in
+    // every frame.
+    static InputChoice random_inputs(const FramePlan& plan, uint32_t seed) {
+        std::mt19937 random(seed);
+        InputChoice inputs(kFrames, std::vector<uint32_t>(plan.graph.passes.size()));
+        for (uint32_t frame = 0; frame < kFrames; ++frame)
+            for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) {
+                const bool changes = plan.graph.passes[pass].rest_unit == kNoId || random() % 6 == 0;
+                inputs[frame][pass] = frame > 0 && !changes ? inputs[frame - 1][pass] : random() % 1000;
+            }
+        return inputs;
+    }
+
+    // Returns the units that rest, as RestState chooses.
+    static RestChoice chosen(const FramePlan& plan, const InputChoice& inputs) {
+        RestState state(plan);
+        RestChoice resting;
+        for (const std::vector<uint32_t>& frame : inputs) {
+            std::vector<UnitInput> bytes(plan.graph.rest_unit_count, UnitInput(std::in_place));
+            for (const PassId pass : plan.schedule.order) {
+                const uint32_t unit = plan.graph.passes[pass].rest_unit;
+                if (unit == kNoId) continue;
+                for (const std::byte byte : std::as_bytes(std::span(&frame[pass], 1))) bytes[unit]->push_back(byte);
+            }
+            const std::vector<Wake> wakes = state.choose(bytes);
+            resting.emplace_back();
+            for (const Wake& wake : wakes) resting.back().push_back(wake.reason == WakeReason::rests ? 1 : 0);
+            state.commit(bytes, wakes);
+        }
+        return resting;
+    }
+
+    // Computes the same by following the passes: each part of a resource has a number that changes whenever a
+    // pass writes other content. A unit runs if the inputs of a pass, or the number of a part that a pass reads,
+    // differ from its last run.
+    static RestChoice closure(const FramePlan& plan, const InputChoice& inputs) {
+        const uint32_t count = plan.graph.rest_unit_count;
+        std::vector<std::map<PassId, uint32_t>> last_inputs(count);
+        std::map<PassId, uint32_t> runs;  // Number of runs of each pass so far.
+        std::vector<std::map<std::pair<PassId, PassId>, uint32_t>> last_seen(count);
+        RestChoice resting;
+        for (const std::vector<uint32_t>& frame : inputs) {
+            std::vector<uint8_t> awake(count, 0);
+            const std::map<PassId, uint32_t> before = runs;
+            std::vector<std::map<PassId, uint32_t>> now_inputs(count);
+            std::vector<std::map<std::pair<PassId, PassId>, uint32_t>> seen(count);
+            // A unit that wakes late may wake a unit whose first passes were already visited. So the frame is
+            // repeated until nothing changes.
+            for (std::vector<uint8_t> old{2}; old != awake;) {
+                old = awake;
+                runs = before;
+                for (const PassId id : plan.schedule.order) {
+                    const PassDecl& pass = plan.graph.passes[id];
+                    if (pass.rest_unit == kNoId) continue;
+                    now_inputs[pass.rest_unit][id] = frame[id];
+                    for (const UseDecl& use : pass.uses)
+                        for (const VersionSource& source : use.sources)
+                            if (source.producer != kNoId &&
+                                plan.graph.passes[source.producer].rest_unit != pass.rest_unit)
+                                seen[pass.rest_unit][{id, source.producer}] = runs[source.producer];
+                    if (awake[pass.rest_unit]) ++runs[id];
+                }
+                for (uint32_t unit = 0; unit < count; ++unit)
+                    if (now_inputs[unit] != last_inputs[unit] || seen[unit] != last_seen[unit]) awake[unit] = 1;
+            }
+            resting.emplace_back();
+            for (uint32_t unit = 0; unit < count; ++unit) {
+                resting.back().push_back(awake[unit] ? 0 : 1);
+                if (awake[unit]) last_inputs[unit] = now_inputs[unit], last_seen[unit] = seen[unit];
+            }
+        }
+        return resting;
+    }
+
     uint64_t runs_ = 0;
 };
 
@@ -95,6 +173,33 @@ TEST_F(RestUnits, AnySubsetOfUnitsGivesWhatTheReferenceGives) {
     std::cout << "seeds 1.." << seeds << ": " << graphs << " graphs, " << units << " units, at most " << most
               << " in one graph; " << runs_ << " runs; " << refused << " graphs refused\n";
     EXPECT_GE(graphs * 10, seeds * 7);
+}
+
+// Units run as RestState chooses, while the inputs of random passes change. The results must be those of a run in
+// which all units run in every frame. A second, simpler computation must choose the same units.
+TEST_F(RestUnits, ChangesOfInputsGiveWhatRunningEverythingGives) {
+    const uint32_t seeds = extended() ? 2000 : 60, sequences = extended() ? 20 : 4;
+    uint64_t units = 0, ran = 0;
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
+        const RandomRest made = random_rest(seed + 20000);
+        observed = made.observed;
+        SCOPED_TRACE("seed " + std::to_string(seed + 20000) + "\n" + made.text);
+        const FramePlan plan = plan_of(good(made.text), 1 + seed % 3);
+        for (uint32_t sequence = 0; sequence < sequences; ++sequence) {
+            const InputChoice inputs = random_inputs(plan, seed * 100 + sequence);
+            const RestChoice resting = chosen(plan, inputs);
+            ASSERT_EQ(resting, closure(plan, inputs));
+            const NullRun wanted = run_reference(plan.graph, plan.live, kFrames, {}, inputs);
+            const NullRun found = run_null(plan, {kFrames, seed, NullOrder::shuffled, resting, inputs});
+            const std::vector<std::string> different = differences(plan.graph, wanted, found);
+            ASSERT_TRUE(different.empty()) << different.front();
+            for (const std::vector<uint8_t>& frame : resting)
+                for (const uint8_t rests : frame) units += 1, ran += rests == 0 ? 1 : 0;
+        }
+    }
+    std::cout << "seeds 20001.." << 20000 + seeds << ", " << sequences << " sequences of " << kFrames
+              << " frames each: " << ran << " of " << units << " units ran\n";
+    EXPECT_LT(ran * 3, units * 2);
 }
 
 TEST_F(RestUnits, WhatTheNullExecutorBreaksTheCheckerCatches) {

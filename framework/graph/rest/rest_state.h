@@ -53,7 +53,7 @@ class RestState {
         uint32_t unit = 0;
         // True: the reader runs before that unit in a frame, so it sees the result of the previous frame.
         bool previous_frame = false;
-        uint64_t seen = 0;  // Version that the last run of the reader saw.
+        uint64_t seen = 0;  // The version of `unit` that the last run of the reader saw.
     };
     struct Unit {
         bool exists = false;    // False if all passes of the unit were culled.

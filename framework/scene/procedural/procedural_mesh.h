@@ -35,8 +35,8 @@ struct LatheShape {
     // Length in metres after which the texture repeats. It is used only if u_span_m is 0: the texture then
     // has a whole number of repeats around the shape, so that no seam is visible.
     float period_m = 1;
-    // Length of the texture around the shape in metres; 0 selects the mean length of the turn, rounded to a
-    // multiple of period_m.
+    // Distance in the texture, in metres, between the angles from_rad and to_rad. 0: the length of the arc at
+    // the mean radius of the profile, rounded to a multiple of period_m.
     float u_span_m = 0;
 };
 
