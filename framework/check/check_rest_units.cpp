@@ -28,7 +28,8 @@ class Parts {
         if (parts_.empty()) return;
         for (size_t a = 0; a < kAspects; ++a) {
             // A buffer has no aspects; its only part is the first one.
-            if (a == 0 ? whole_.aspects != 0 && !(range.aspects & 1u) : !(range.aspects & (1u << a))) continue;
+            if (a == 0 ? whole_.aspects != 0 && !(range.aspects & 1u) : !(range.aspects & (1u << a)))
+                continue;
             for (uint32_t l = range.layer; l < std::min(range.layer + range.layers, whole_.layers); ++l)
                 for (uint32_t m = range.mip; m < std::min(range.mip + range.mips, whole_.mips); ++m)
                     visit(parts_[(a * whole_.layers + l) * whole_.mips + m]);
@@ -69,7 +70,8 @@ class RestCheck {
         const bool known = pass.rest_unit < plan_.graph.rest_unit_count;
         if (!known || pass.frame_slices != 0 || pass.side_effect || pass.kind == PassKind::readback ||
             pass.kind == PassKind::custom)
-            fault("C333", id, pass.loc, "cannot rest", "only a pass without effects outside the graph may rest");
+            fault("C333", id, pass.loc, "cannot rest",
+                  "only a pass without effects outside the graph may rest");
         for (const UseDecl& use : pass.uses) {
             if (!writes(use.access)) continue;
             const ResourceDecl& resource = plan_.graph.resources[use.resource];
@@ -97,8 +99,9 @@ class RestCheck {
         for (const UseDecl& use : plan_.graph.passes[id].uses) {
             if (!writes(use.access)) continue;
             bool shared = false;
-            parts_[use.resource].each(
-                use.range, [&](const Part& part) { shared |= part.unit != kNoId && part.unit != unit_of(id); });
+            parts_[use.resource].each(use.range, [&](const Part& part) {
+                shared |= part.unit != kNoId && part.unit != unit_of(id);
+            });
             if (shared)
                 fault("C333", id, use.loc,
                       "writes " + faults_.resource_name(use.resource) + range_text(use.range) +
@@ -143,18 +146,20 @@ class RestCheck {
     // Checks a barrier outside the steps of rest units, or one that is recorded in every frame.
     void check_outside(const BarrierDecl& barrier, PassId before) {
         bool touches = barrier.if_pass_runs;
-        parts_[barrier.resource].each(barrier.range, [&](const Part& part) { touches |= part.unit != kNoId; });
+        parts_[barrier.resource].each(barrier.range,
+                                      [&](const Part& part) { touches |= part.unit != kNoId; });
         if (touches)
             report_barrier(barrier, before, "also in frames in which the unit that writes this part rests");
     }
 
     void report_barrier(const BarrierDecl& barrier, PassId before, const std::string& when) {
-        faults_.add("C334", plan_.graph.resources[barrier.resource].loc,
-                    "the barrier on " + faults_.resource_name(barrier.resource) + range_text(barrier.range) +
-                        " at pass " + (before == kNoId ? "(end of frame)" : faults_.pass_name(before)) +
-                        " is recorded " + when,
-                    "a barrier on a part that a rest unit writes must belong to a step of that unit, and only "
-                    "such a barrier may depend on whether the pass runs");
+        faults_.add(
+            "C334", plan_.graph.resources[barrier.resource].loc,
+            "the barrier on " + faults_.resource_name(barrier.resource) + range_text(barrier.range) +
+                " at pass " + (before == kNoId ? "(end of frame)" : faults_.pass_name(before)) +
+                " is recorded " + when,
+            "a barrier on a part that a rest unit writes must belong to a step of that unit, and only "
+            "such a barrier may depend on whether the pass runs");
     }
 
     void check_step(const PassStep& step) {
@@ -180,7 +185,8 @@ class RestCheck {
     void check_home(const PassStep& step, const UseDecl& use) {
         Layout left = use.state.layout;
         for (const BarrierDecl& barrier : step.after)
-            if (barrier.resource == use.resource && overlaps(barrier.range, use.range)) left = barrier.dst.layout;
+            if (barrier.resource == use.resource && overlaps(barrier.range, use.range))
+                left = barrier.dst.layout;
         bool wrong = false;
         parts_[use.resource].each(use.range, [&](Part& part) {
             if (!part.home_known) part.home = left;

@@ -52,8 +52,8 @@ class AccessRecord {
     [[nodiscard]] bool available_before(const Scopes& scopes) const {
         return (available_reach_ & scopes.src_execution) != 0;
     }
-    // Returns true if a barrier since the write made it available, and all later commands in `stages` wait for
-    // that barrier.
+    // Returns true if a barrier since the write made it available, and all later commands in `stages` wait
+    // for that barrier.
     [[nodiscard]] bool available_before(StageMask stages) const { return (stages & ~available_reach_) == 0; }
     // Returns true if the barrier `scopes` itself makes this write available: its source contains the write.
     [[nodiscard]] bool flushed_by(const Scopes& scopes) const {

@@ -28,8 +28,9 @@ enum class NullOrder : uint8_t {
 // the list does not contain.
 using RestChoice = std::vector<std::vector<uint8_t>>;
 
-// Index: frame, then PassId. A number that stands for the inputs of the pass outside the graph, for example for
-// its parameters: another number makes other results. A pass that the list does not contain has the number 0.
+// Index: frame, then PassId. A number that stands for the inputs of the pass outside the graph, for example
+// for its parameters: another number makes other results. A pass that the list does not contain has the
+// number 0.
 using InputChoice = std::vector<std::vector<uint32_t>>;
 
 struct NullOptions {

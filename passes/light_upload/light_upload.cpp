@@ -11,10 +11,12 @@ Status LightUpload::check(const PassDecl& pass, const ResolvedGraph& graph) {
     for (const UseDecl& use : pass.uses) {
         const ResourceDecl& buffer = graph.resources[use.resource];
         if (buffer.kind == ResourceKind::buffer && buffer.stride_bytes == sizeof(shared::Light)) continue;
-        Diagnostic fault = graph.sources.error(use.loc, "W160",
-                                               "pass \"" + pass.name + "\" writes the lights of the scene to \"" +
-                                                   buffer.name + "\", but this resource is not a buffer with elements of type Light");
-        fault.help = {"declare the resource \"" + buffer.name + "\" as { \"buffer\": \"Light\", \"count\": … }"};
+        Diagnostic fault = graph.sources.error(
+            use.loc, "W160",
+            "pass \"" + pass.name + "\" writes the lights of the scene to \"" + buffer.name +
+                "\", but this resource is not a buffer with elements of type Light");
+        fault.help = {"declare the resource \"" + buffer.name +
+                      "\" as { \"buffer\": \"Light\", \"count\": … }"};
         return fault;
     }
     return Unit{};

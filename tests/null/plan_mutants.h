@@ -39,7 +39,8 @@ struct Mutant {
     FramePlan plan;
 };
 
-// Calls `visit` for every mutant of the plan. Each mutant removes or changes exactly one part (see MutantKind).
+// Calls `visit` for every mutant of the plan. Each mutant removes or changes exactly one part (see
+// MutantKind).
 void for_each_mutant(const FramePlan& plan, const std::function<void(const Mutant&)>& visit);
 
 }  // namespace weft::test

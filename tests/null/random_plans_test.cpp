@@ -18,9 +18,9 @@ namespace {
 
 // Each entry: number of frames, seed, order.
 const NullOptions kPlanOrders[] = {{3, 0, NullOrder::recorded},
-                                       {3, 1, NullOrder::delayed},
-                                       {3, 2, NullOrder::shuffled},
-                                       {4, 3, NullOrder::shuffled}};
+                                   {3, 1, NullOrder::delayed},
+                                   {3, 2, NullOrder::shuffled},
+                                   {4, 3, NullOrder::shuffled}};
 
 void expect_reference(const FramePlan& plan) {
     for (const NullOptions& options : kPlanOrders) {

@@ -46,7 +46,8 @@ class RestUnits : public ResolveTest {
     }
 
     // Compares a run with the reference run. All units run in frame 0.
-    static void expect_reference(const FramePlan& plan, const RestChoice& resting, uint64_t seed, NullOrder order) {
+    static void expect_reference(const FramePlan& plan, const RestChoice& resting, uint64_t seed,
+                                 NullOrder order) {
         const auto frames = static_cast<uint32_t>(resting.size());
         const NullRun wanted = run_reference(plan.graph, plan.live, frames, resting);
         const NullRun found = run_null(plan, {frames, seed, order, resting});
@@ -60,7 +61,8 @@ class RestUnits : public ResolveTest {
         std::mt19937 random(seed);
         const auto any = [&] { return as_list(static_cast<uint32_t>(random()), units); };
         for (uint32_t set = 0; set < 1u << units; ++set) {
-            const RestChoice resting{as_list(0, units), as_list(set, units), any(), as_list(set, units), any()};
+            const RestChoice resting{as_list(0, units), as_list(set, units), any(), as_list(set, units),
+                                     any()};
             const NullOrder order = set % 3 == 0 ? NullOrder::delayed : NullOrder::shuffled;
             expect_reference(plan, resting, seed + set, order);
             if (HasFatalFailure()) return;
@@ -70,8 +72,8 @@ class RestUnits : public ResolveTest {
 
     static constexpr uint32_t kFrames = 6;
 
-    // From frame to frame, the inputs of about one resting pass of six change. The inputs of other passes change in
-    // every frame.
+    // From frame to frame, the inputs of about one resting pass of six change. The inputs of other passes
+    // change in every frame.
     static InputChoice random_inputs(const FramePlan& plan, uint32_t seed) {
         std::mt19937 random(seed);
         InputChoice inputs(kFrames, std::vector<uint32_t>(plan.graph.passes.size()));
@@ -92,7 +94,8 @@ class RestUnits : public ResolveTest {
             for (const PassId pass : plan.schedule.order) {
                 const uint32_t unit = plan.graph.passes[pass].rest_unit;
                 if (unit == kNoId) continue;
-                for (const std::byte byte : std::as_bytes(std::span(&frame[pass], 1))) bytes[unit]->push_back(byte);
+                for (const std::byte byte : std::as_bytes(std::span(&frame[pass], 1)))
+                    bytes[unit]->push_back(byte);
             }
             const std::vector<Wake> wakes = state.choose(bytes);
             resting.emplace_back();
@@ -103,8 +106,8 @@ class RestUnits : public ResolveTest {
     }
 
     // Computes the same by following the passes: each part of a resource has a number that changes whenever a
-    // pass writes other content. A unit runs if the inputs of a pass, or the number of a part that a pass reads,
-    // differ from its last run.
+    // pass writes other content. A unit runs if the inputs of a pass, or the number of a part that a pass
+    // reads, differ from its last run.
     static RestChoice closure(const FramePlan& plan, const InputChoice& inputs) {
         const uint32_t count = plan.graph.rest_unit_count;
         std::vector<std::map<PassId, uint32_t>> last_inputs(count);
@@ -133,7 +136,8 @@ class RestUnits : public ResolveTest {
                     if (awake[pass.rest_unit]) ++runs[id];
                 }
                 for (uint32_t unit = 0; unit < count; ++unit)
-                    if (now_inputs[unit] != last_inputs[unit] || seen[unit] != last_seen[unit]) awake[unit] = 1;
+                    if (now_inputs[unit] != last_inputs[unit] || seen[unit] != last_seen[unit])
+                        awake[unit] = 1;
             }
             resting.emplace_back();
             for (uint32_t unit = 0; unit < count; ++unit) {
@@ -175,8 +179,8 @@ TEST_F(RestUnits, AnySubsetOfUnitsGivesWhatTheReferenceGives) {
     EXPECT_GE(graphs * 10, seeds * 7);
 }
 
-// Units run as RestState chooses, while the inputs of random passes change. The results must be those of a run in
-// which all units run in every frame. A second, simpler computation must choose the same units.
+// Units run as RestState chooses, while the inputs of random passes change. The results must be those of a
+// run in which all units run in every frame. A second, simpler computation must choose the same units.
 TEST_F(RestUnits, ChangesOfInputsGiveWhatRunningEverythingGives) {
     const uint32_t seeds = extended() ? 2000 : 60, sequences = extended() ? 20 : 4;
     uint64_t units = 0, ran = 0;

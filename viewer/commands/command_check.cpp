@@ -37,8 +37,9 @@ std::string json_list(const Diagnostics& diagnostics) {
 
 void say_ok(const std::string& file, const CheckedGraph& checked) {
     const FramePlan& plan = *checked.plan;
-    const std::string tiers =
-        checked.tiers > 0 ? " without a tier and with each of its tiers (" + std::to_string(checked.tiers) + ")" : "";
+    const std::string tiers = checked.tiers > 0 ? " without a tier and with each of its tiers (" +
+                                                      std::to_string(checked.tiers) + ")"
+                                                : "";
     std::fprintf(stderr, "%s: ok%s: %zu of %zu passes live, %u barriers, %.1f MiB of transient memory\n",
                  file.c_str(), tiers.c_str(), plan.schedule.order.size(), plan.graph.passes.size(),
                  plan.barriers.emitted, static_cast<double>(plan.memory.heap_bytes) / 1048576.0);

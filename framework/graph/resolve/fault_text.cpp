@@ -47,8 +47,9 @@ std::string extent_text(const Extent3D& extent) {
 }
 
 std::string add_port_text(std::string_view direction, std::string_view port) {
-    return "add the port " + quote(port) + " to " + quote(direction) + " of the pass, with the name of a resource: " +
-           quote(direction) + ": { " + quote(port) + ": \"NAME\" }";
+    return "add the port " + quote(port) + " to " + quote(direction) +
+           " of the pass, with the name of a resource: " + quote(direction) + ": { " + quote(port) +
+           ": \"NAME\" }";
 }
 
 void add_help(Diagnostic& diagnostic, std::string help) {

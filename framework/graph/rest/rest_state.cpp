@@ -30,8 +30,8 @@ RestState::RestState(const FramePlan& plan) : units_(plan.graph.rest_unit_count)
     }
 }
 
-// Finds the units that write what the pass reads. If another pass writes it in every frame, the pass can never
-// rest.
+// Finds the units that write what the pass reads. If another pass writes it in every frame, the pass can
+// never rest.
 void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
     Unit& unit = units_[pass.rest_unit];
     const auto add_writer = [&](PassId writer, bool previous_frame) {
@@ -51,7 +51,8 @@ void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
             const ResourceId ring = plan.graph.resources[use.resource].ring;
             for (const PassId writer : plan.schedule.order)
                 for (const UseDecl& written : plan.graph.passes[writer].uses)
-                    if (writes(written.access) && (written.resource == use.resource || written.resource == ring) &&
+                    if (writes(written.access) &&
+                        (written.resource == use.resource || written.resource == ring) &&
                         overlaps(written.range, source.range))
                         add_writer(writer, true);
         }
@@ -59,9 +60,8 @@ void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
 
 void RestState::add_source(uint32_t unit, uint32_t source, bool previous_frame) {
     std::vector<Source>& sources = units_[unit].sources;
-    const bool known = std::ranges::any_of(sources, [&](const Source& s) {
-        return s.unit == source && s.previous_frame == previous_frame;
-    });
+    const bool known = std::ranges::any_of(
+        sources, [&](const Source& s) { return s.unit == source && s.previous_frame == previous_frame; });
     if (!known) sources.push_back({source, previous_frame, 0});
 }
 

@@ -1,6 +1,6 @@
-// Purpose: chooses in each frame which rest units run. A unit rests if everything is equal to its last run: its
-// own inputs (parameters, constants, imports) and the versions of the parts that other units wrote. All of
-// this is known before the frame is recorded.
+// Purpose: chooses in each frame which rest units run. A unit rests if everything is equal to its last run:
+// its own inputs (parameters, constants, imports) and the versions of the parts that other units wrote. All
+// of this is known before the frame is recorded.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace weft {
 
-// The bytes of everything outside other passes that the result of a unit depends on. nullopt: it may change in
-// every frame, so the unit always runs.
+// The bytes of everything outside other passes that the result of a unit depends on. nullopt: it may change
+// in every frame, so the unit always runs.
 using UnitInput = std::optional<std::vector<std::byte>>;
 
 // The reason why a unit runs.

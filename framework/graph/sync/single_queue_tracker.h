@@ -48,12 +48,13 @@ struct CellBarrier {
     AccessState pair_state;
 };
 
-// Returns all properties of a barrier except its cell and the layout of `pair_state`, which has the same layouts
-// as the barrier itself. Barriers with equal keys are merged into one barrier for all their cells.
+// Returns all properties of a barrier except its cell and the layout of `pair_state`, which has the same
+// layouts as the barrier itself. Barriers with equal keys are merged into one barrier for all their cells.
 [[nodiscard]] inline auto merge_key(const CellBarrier& b) {
     return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
                            b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.if_pass_runs,
-                           b.src_family, b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
+                           b.src_family, b.dst_family, b.pair_position, b.pair_state.stages,
+                           b.pair_state.access);
 }
 
 // The barriers of one cell (a block of subresources with the same accesses) in one frame, and its

@@ -44,13 +44,14 @@ HomeTrace track_home(const ResourceDecl& decl, ResourceId resource, std::span<co
         if (!event.writes) continue;
         const AccessState readers = united(events, event.queue, false);
         const AccessState writers = united(events, event.queue, true);
-        const bool elsewhere = std::ranges::any_of(
-            events, [&](const AccessEvent& other) { return other.queue != event.queue; });
+        const bool elsewhere =
+            std::ranges::any_of(events, [&](const AccessEvent& other) { return other.queue != event.queue; });
         const bool returns = !alone || event.state.layout != trace.home;
-        // If no reader is on this queue, the barrier after the pass ends in the stages of the writers, so that
-        // the barrier before the next write chains with it.
+        // If no reader is on this queue, the barrier after the pass ends in the stages of the writers, so
+        // that the barrier before the next write chains with it.
         const StageMask home_stages = readers.stages != stage::kNone ? readers.stages : writers.stages;
-        AccessState src{home_stages, returns ? access::kNone : writers.access & access::kAllWrites, trace.home};
+        AccessState src{home_stages, returns ? access::kNone : writers.access & access::kAllWrites,
+                        trace.home};
         // A transient has no content before its first write. It takes its memory over from itself.
         const bool begins = !event.reads && decl.lifetime == ResourceLifetime::transient;
         if (begins) src.layout = Layout::undefined;
@@ -67,14 +68,14 @@ HomeTrace track_home(const ResourceDecl& decl, ResourceId resource, std::span<co
         add_dependencies(event, events, resource, trace.sync);
         if (!returns) continue;
         const AccessState dst{home_stages, readers.access, trace.home};
-        trace.sync.barriers.push_back({.position = event.position,
-                                       .after = true,
-                                       .src = {event.state.stages, event.state.access & access::kAllWrites,
-                                               event.state.layout},
-                                       .dst = dst,
-                                       .reason = BarrierReason::raw,
-                                       .from = event.pass,
-                                       .if_pass_runs = true});
+        trace.sync.barriers.push_back(
+            {.position = event.position,
+             .after = true,
+             .src = {event.state.stages, event.state.access & access::kAllWrites, event.state.layout},
+             .dst = dst,
+             .reason = BarrierReason::raw,
+             .from = event.pass,
+             .if_pass_runs = true});
     }
     return trace;
 }

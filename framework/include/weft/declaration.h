@@ -320,7 +320,7 @@ struct ResolvedGraph {
     // The import of kind "output", to which the picture is written; kNoId if the graph has no output.
     ResourceId output = kNoId;
     std::vector<GraphParam> params;  // The graph's parameters with their values.
-    uint32_t rest_unit_count = 0;  // Number of rest units; see PassDecl::rest_unit.
+    uint32_t rest_unit_count = 0;    // Number of rest units; see PassDecl::rest_unit.
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };

@@ -104,8 +104,8 @@ struct FrameRange {
 struct ShaderInterface {
     ShaderStageMask stages = 0;
     std::vector<ShaderBinding> bindings;  // Descriptors that the shader uses, sorted by set, then by binding.
-    // The parts of the uniform blocks in set 0 that the shader can read, sorted by binding and offset. They do
-    // not overlap.
+    // The parts of the uniform blocks in set 0 that the shader can read, sorted by binding and offset. They
+    // do not overlap.
     std::vector<FrameRange> frame_ranges;
     bool has_params = false;
     ParamsBlock params;

@@ -74,7 +74,8 @@ std::vector<FrameRange> used_ranges(std::span<const uint32_t> spirv, uint32_t va
         if (chain && i.operand(2) == variable)
             ranges.push_back(member_range(i, constants, members, whole));
         else if (std::ranges::find(i.operands, variable) != i.operands.end())
-            ranges.push_back(whole);  // Perhaps another use of the variable; perhaps a number with this value.
+            ranges.push_back(
+                whole);  // Perhaps another use of the variable; perhaps a number with this value.
     }
     merge_ranges(ranges);
     return ranges;
@@ -92,7 +93,8 @@ void merge_ranges(std::vector<FrameRange>& ranges) {
         }
         FrameRange& last = merged.back();
         last.size_bytes =
-            std::max(last.offset_bytes + last.size_bytes, range.offset_bytes + range.size_bytes) - last.offset_bytes;
+            std::max(last.offset_bytes + last.size_bytes, range.offset_bytes + range.size_bytes) -
+            last.offset_bytes;
     }
     ranges = std::move(merged);
 }

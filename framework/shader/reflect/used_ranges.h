@@ -10,9 +10,9 @@
 
 namespace weft::shader {
 
-// `variable` is the SPIR-V id of the block, and `members` are its members. A member that is a struct is divided
-// into its own members. An array counts as a whole. The result is sorted by offset, and its ranges do not
-// overlap. FrameRange::binding is not set.
+// `variable` is the SPIR-V id of the block, and `members` are its members. A member that is a struct is
+// divided into its own members. An array counts as a whole. The result is sorted by offset, and its ranges do
+// not overlap. FrameRange::binding is not set.
 [[nodiscard]] std::vector<FrameRange> used_ranges(std::span<const uint32_t> spirv, uint32_t variable,
                                                   const std::vector<BlockMember>& members,
                                                   uint32_t block_bytes);

@@ -9,8 +9,8 @@
 
 namespace weft::vk {
 
-// Records the barriers of a list with one command; records nothing if there is none to record. `pass_rests` is
-// true if the pass of the step does not run in this frame: then barriers with if_pass_runs are left out.
+// Records the barriers of a list with one command; records nothing if there is none to record. `pass_rests`
+// is true if the pass of the step does not run in this frame: then barriers with if_pass_runs are left out.
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
                      const FramePlan& plan, const FrameResources& resources, bool pass_rests = false);
 

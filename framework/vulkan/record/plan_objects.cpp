@@ -172,8 +172,8 @@ Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const Execu
     // pipeline.
     Result<PassLayout> layout = make_pass_layout(device, input.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();
-    return make_pipelines(device, {input.plan, pass, program, *layout, input.imports, cache,
-                                   *input.pipelines, amendment.counts});
+    return make_pipelines(device, {input.plan, pass, program, *layout, input.imports, cache, *input.pipelines,
+                                   amendment.counts});
 }
 
 }  // namespace

@@ -55,14 +55,16 @@ TEST_F(ResolveRest, WritersOfOnePartAndUsersOfATransientFormAUnit) {
 }
 
 TEST_F(ResolveRest, AReaderOfAMiddleVersionBelongsToTheUnit) {
-    const ResolvedGraph made = good(graph(rest("make", "make", "", "k") + rest("early", "read", "k@make", "layered.layer(0)") +
-                                          rest("change", "change", "", "k", R"(, "after": ["make"])") + show("layered.layer(0)")));
+    const ResolvedGraph made =
+        good(graph(rest("make", "make", "", "k") + rest("early", "read", "k@make", "layered.layer(0)") +
+                   rest("change", "change", "", "k", R"(, "after": ["make"])") + show("layered.layer(0)")));
     EXPECT_EQ(made.rest_unit_count, 1u);
 }
 
 TEST_F(ResolveRest, ReadersThatNeedDifferentLayoutsUseGeneral) {
-    const ResolvedGraph made = good(graph(rest("make", "make", "", "k") + rest("load", "load", "k", "layered.layer(0)") +
-                                          rest("use", "read", "layered.layer(0)", "layered.layer(1)") + show("k")));
+    const ResolvedGraph made =
+        good(graph(rest("make", "make", "", "k") + rest("load", "load", "k", "layered.layer(0)") +
+                   rest("use", "read", "layered.layer(0)", "layered.layer(1)") + show("k")));
     EXPECT_EQ(use(made, "load", "a").state.layout, Layout::general);
     EXPECT_EQ(use(made, "show", "a").state.layout, Layout::general);
     EXPECT_EQ(use(made, "use", "a").state.layout, Layout::shader_read_only);
@@ -70,25 +72,31 @@ TEST_F(ResolveRest, ReadersThatNeedDifferentLayoutsUseGeneral) {
 
 TEST_F(ResolveRest, RefusesWhatItCannotKeep) {
     const std::string make_t = R"("make": {"type": "compute", "shader": "make.comp", "out": {"dst": "t"}},)";
-    expect_refused(make_t + rest("table", "read", "t", "k") + show("k"), "would never rest", "\"rest\": true");
+    expect_refused(make_t + rest("table", "read", "t", "k") + show("k"), "would never rest",
+                   "\"rest\": true");
     expect_refused(rest("table", "make", "", "t") + show("t"), "does not keep its content", "\"keep\": true");
     expect_refused(rest("table", "make", "", "h") + show("h"), "history", "instead of \"history\"");
-    expect_refused(rest("table", "make", "", "k") +
-                       R"("more": {"type": "compute", "shader": "change.comp", "out": {"dst": "k"}, "after": ["table"]},)" +
-                       show("k"),
-                   "in every frame", "\"rest\": true to pass \"more\"");
-    expect_refused(rest("table", "change", "", "k") + show("k"), "content that \"k\" had before", "write all of");
-    expect_refused(rest("table", "make", "", "k", R"(, "partial": true)") + show("k"), "had before", "write all of");
-    expect_refused(rest("table", "make", "", "layered.layer(i)",
-                        R"(, "repeat": {"i": "0..1"}, "perFrame": true)") + show("layered.layer(0)"),
-                   "\"perFrame\"", "remove one");
-    expect_refused(rest("table", "make", "", "k") +
-                       R"("early": {"type": "compute", "shader": "read.comp", "in": {"a": "k@table"}, "out": {"dst": "t"}},)" +
-                       rest("change", "change", "", "k", R"(, "after": ["table"])") +
-                       R"("join": {"type": "compute", "shader": "read.comp", "in": {"a": "k"}, "out": {"dst": "u"}},)" +
-                       R"("show": {"type": "fullscreen", "shader": "show.frag", "in": {"a": "t"}, "out": ["backbuffer"]},)" +
-                       R"("see": {"type": "readback", "in": ["u"]})",
-                   "only its result exists", "after pass \"change\"");
+    expect_refused(
+        rest("table", "make", "", "k") +
+            R"("more": {"type": "compute", "shader": "change.comp", "out": {"dst": "k"}, "after": ["table"]},)" +
+            show("k"),
+        "in every frame", "\"rest\": true to pass \"more\"");
+    expect_refused(rest("table", "change", "", "k") + show("k"), "content that \"k\" had before",
+                   "write all of");
+    expect_refused(rest("table", "make", "", "k", R"(, "partial": true)") + show("k"), "had before",
+                   "write all of");
+    expect_refused(
+        rest("table", "make", "", "layered.layer(i)", R"(, "repeat": {"i": "0..1"}, "perFrame": true)") +
+            show("layered.layer(0)"),
+        "\"perFrame\"", "remove one");
+    expect_refused(
+        rest("table", "make", "", "k") +
+            R"("early": {"type": "compute", "shader": "read.comp", "in": {"a": "k@table"}, "out": {"dst": "t"}},)" +
+            rest("change", "change", "", "k", R"(, "after": ["table"])") +
+            R"("join": {"type": "compute", "shader": "read.comp", "in": {"a": "k"}, "out": {"dst": "u"}},)" +
+            R"("show": {"type": "fullscreen", "shader": "show.frag", "in": {"a": "t"}, "out": ["backbuffer"]},)" +
+            R"("see": {"type": "readback", "in": ["u"]})",
+        "only its result exists", "after pass \"change\"");
 }
 
 TEST_F(ResolveRest, AHistoryMakesRestImpossible) {

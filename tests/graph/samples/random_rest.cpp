@@ -24,8 +24,8 @@ class RestGenerator {
             if (chance(60) || i + 1 == kept_.size())
                 pass("see" + std::to_string(i), R"("type": "readback", "in": [")" + kept_[i] + "\"]");
         pass("seeLast", R"("type": "readback", "in": [")" + changing_.back() + "\"]");
-        made_.text = R"("imports": {"noise": "image"}, "resources": {)" + joined(resources_) + R"(}, "passes": {)" +
-                     joined(passes_) + "}";
+        made_.text = R"("imports": {"noise": "image"}, "resources": {)" + joined(resources_) +
+                     R"(}, "passes": {)" + joined(passes_) + "}";
         return std::move(made_);
     }
 
@@ -60,12 +60,14 @@ class RestGenerator {
         const bool draws = chance(25);
         std::string ports;
         for (size_t i = 0; i < inputs.size(); ++i)
-            ports += (i == 0 ? "" : ", ") + std::string(i == 0 ? "\"a\": \"" : "\"b\": \"") + inputs[i] + "\"";
+            ports +=
+                (i == 0 ? "" : ", ") + std::string(i == 0 ? "\"a\": \"" : "\"b\": \"") + inputs[i] + "\"";
         const char kind = !draws && chance(30) ? 'i' : 's';  // Storage images or sampled images as inputs.
-        const std::string shader = std::string(1, kind) + std::to_string(inputs.size()) + (draws ? ".frag" : ".comp");
-        return std::string(R"("type": ")") + (draws ? "fullscreen" : "compute") + R"(", "shader": ")" + shader +
-               "\"" + (ports.empty() ? "" : R"(, "in": {)" + ports + "}") + R"(, "out": {"dst": ")" + target + "\"}" +
-               (draws ? "" : queue());
+        const std::string shader =
+            std::string(1, kind) + std::to_string(inputs.size()) + (draws ? ".frag" : ".comp");
+        return std::string(R"("type": ")") + (draws ? "fullscreen" : "compute") + R"(", "shader": ")" +
+               shader + "\"" + (ports.empty() ? "" : R"(, "in": {)" + ports + "}") + R"(, "out": {"dst": ")" +
+               target + "\"}" + (draws ? "" : queue());
     }
 
     void resting(const std::string& name, const std::string& body) {
@@ -102,10 +104,12 @@ class RestGenerator {
         for (uint32_t layer = 0; layer < layers; ++layer) {
             const std::string part = layers > 1 ? image + ".layer(" + std::to_string(layer) + ")" : image;
             const std::string name = "make" + id + "_" + std::to_string(layer);
-            resting(name, layer > 0 && chance(15) ? R"("type": "clear", "out": [")" + part + "\"]" : work(inputs, part));
-            if (chance(30)) resting("again" + id + "_" + std::to_string(layer),
-                                    R"("type": "compute", "shader": "change.comp", "out": {"dst": ")" + part +
-                                        "\"}, \"after\": [\"" + name + "\"]" + queue());
+            resting(name, layer > 0 && chance(15) ? R"("type": "clear", "out": [")" + part + "\"]"
+                                                  : work(inputs, part));
+            if (chance(30))
+                resting("again" + id + "_" + std::to_string(layer),
+                        R"("type": "compute", "shader": "change.comp", "out": {"dst": ")" + part +
+                            "\"}, \"after\": [\"" + name + "\"]" + queue());
             if (chance(50)) inputs = {part};
             final_.push_back(part);
             kept_.push_back(part);
@@ -129,8 +133,9 @@ class RestGenerator {
     std::mt19937 random_;
     RandomRest made_;
     std::vector<std::string> resources_, passes_;
-    std::vector<std::string> final_, kept_;  // Parts of kept images; all passes that write them have been added.
-    std::vector<std::string> changing_;      // Transients that passes without "rest" have written.
+    std::vector<std::string> final_,
+        kept_;                           // Parts of kept images; all passes that write them have been added.
+    std::vector<std::string> changing_;  // Transients that passes without "rest" have written.
     uint32_t readers_ = 0;
 };
 

@@ -35,7 +35,8 @@ void expect_same(const ResourceHistory& found, const ResourceHistory& expected, 
 
 RingHistory by_cells(const ResolvedGraph& graph, ResourceId id, std::span<const RangeAccess> events,
                      const Schedule& order) {
-    return track_resource({.resource = id, .roles = {{&graph.resources[id], events}}, .graph = &graph, .order = &order});
+    return track_resource(
+        {.resource = id, .roles = {{&graph.resources[id], events}}, .graph = &graph, .order = &order});
 }
 
 TEST(TrackWhole, GivesTheHistoryOfTrackResource) {

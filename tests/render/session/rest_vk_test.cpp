@@ -1,5 +1,5 @@
-// Tests passes with "rest" on the device. A pass runs only if something has changed that its result depends on.
-// Every frame must have the same bytes as the frame of a session in which no pass rests.
+// Tests passes with "rest" on the device. A pass runs only if something has changed that its result depends
+// on. Every frame must have the same bytes as the frame of a session in which no pass rests.
 #include <algorithm>
 #include <random>
 #include <set>

@@ -289,8 +289,8 @@ class GraphDrawing {
     NodeGraph graph_;
     std::vector<LayoutBox> boxes_;
     LayeredLayout layout_;
-    // The links that are drawn, as indices into graph_.links. The names of the links are placed in this order,
-    // so the first links get the best places.
+    // The links that are drawn, as indices into graph_.links. The names of the links are placed in this
+    // order, so the first links get the best places.
     std::vector<size_t> drawn_;
     std::vector<EdgePath> paths_;  // The path of each link in drawn_.
 };

@@ -29,10 +29,11 @@ OfferedViews count_views(const ImportCatalog& imports, const std::string& asked)
 
 void report_unknown(PassBinding& pass, const std::string& view, const OfferedViews& offered) {
     const PassDesc& desc = *pass.draft.desc;
-    Diagnostic& d = pass.error(desc.view_loc.line != 0 ? desc.view_loc : desc.loc, "W118",
-                               "pass " + quote(desc.name) +
-                                   (offered.is_known ? " uses view " + quote(view) + ", but there is no view of exactly this name"
-                                                     : " uses unknown view " + quote(view)));
+    Diagnostic& d = pass.error(
+        desc.view_loc.line != 0 ? desc.view_loc : desc.loc, "W118",
+        "pass " + quote(desc.name) +
+            (offered.is_known ? " uses view " + quote(view) + ", but there is no view of exactly this name"
+                              : " uses unknown view " + quote(view)));
     if (offered.is_known && offered.numbered > 0)
         return add_help(d, "add the number of the view, from 0 to " + std::to_string(offered.numbered - 1) +
                                ": \"view\": \"" + desc.view + "(0)\"");

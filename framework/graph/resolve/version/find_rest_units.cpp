@@ -28,7 +28,8 @@ class PassSets {
     }
 
  private:
-    std::vector<PassId> parent_;  // Index: PassId. A pass of the same set; a representative is its own parent.
+    std::vector<PassId>
+        parent_;  // Index: PassId. A pass of the same set; a representative is its own parent.
 };
 
 class RestUnitFinder {
@@ -166,34 +167,42 @@ class RestUnitFinder {
                               "has \"rest\" and writes " + what(cell) + ", but pass " + name +
                                   " writes this part, too, and in every frame");
         add_note(d, reporter_.sources(), use(writer).loc, "the other pass writes here");
-        add_help(d, "let the two passes write different resources, mips or layers; or add \"rest\": true to pass " + name);
+        add_help(
+            d,
+            "let the two passes write different resources, mips or layers; or add \"rest\": true to pass " +
+                name);
     }
 
     void report_not_kept(const Cell& cell, const CellUse& writer) {
         if (!is_new(cell, writer.pass, writer.pass)) return;
         const bool imported = resource(cell).lifetime == ResourceLifetime::imported;
-        Diagnostic& d = error(writer.pass, use(writer).loc,
-                              "has \"rest\" and writes " + what(cell) +
-                                  (imported ? ", but the program owns this import and may change its content"
-                                            : ", but the content of a resource with \"history\" moves on in every frame"));
-        add_help(d, imported ? "write a resource with \"keep\": true, and copy it to the import in another pass"
-                             : "give resource " + quote(resource(cell).name) + " \"keep\": true instead of \"history\"");
+        Diagnostic& d = error(
+            writer.pass, use(writer).loc,
+            "has \"rest\" and writes " + what(cell) +
+                (imported ? ", but the program owns this import and may change its content"
+                          : ", but the content of a resource with \"history\" moves on in every frame"));
+        add_help(d, imported
+                        ? "write a resource with \"keep\": true, and copy it to the import in another pass"
+                        : "give resource " + quote(resource(cell).name) +
+                              " \"keep\": true instead of \"history\"");
     }
 
     void report_lost(const Cell& cell, const CellUse& reader, const CellUse& writer) {
         if (!is_new(cell, reader.pass, writer.pass)) return;
-        Diagnostic& d = error(writer.pass, use(writer).loc,
-                              "has \"rest\" and writes " + what(cell) + ", which pass " +
-                                  quote(declared_.author_name(reader.pass)) +
-                                  " reads in every frame, but this resource does not keep its content between frames");
+        Diagnostic& d =
+            error(writer.pass, use(writer).loc,
+                  "has \"rest\" and writes " + what(cell) + ", which pass " +
+                      quote(declared_.author_name(reader.pass)) +
+                      " reads in every frame, but this resource does not keep its content between frames");
         add_help(d, "add \"keep\": true to resource " + quote(resource(cell).name));
     }
 
     void report_middle(const Cell& cell, const CellUse& reader, const CellUse& writer) {
         if (!is_new(cell, reader.pass, writer.pass)) return;
-        Diagnostic& d = error(reader.pass, use(reader).loc,
-                              "reads " + what(cell) + " before pass " + quote(declared_.author_name(writer.pass)) +
-                                  " changes it; in frames in which that pass rests, only its result exists");
+        Diagnostic& d =
+            error(reader.pass, use(reader).loc,
+                  "reads " + what(cell) + " before pass " + quote(declared_.author_name(writer.pass)) +
+                      " changes it; in frames in which that pass rests, only its result exists");
         add_help(d, "read the resource after pass " + quote(declared_.author_name(writer.pass)) +
                         ", or add \"rest\": true to pass " + quote(declared_.author_name(reader.pass)));
     }
@@ -239,8 +248,8 @@ class RestUnitFinder {
     const std::vector<Cell>& cells_;
     VersionedGraph& graph_;
     PassSets sets_;
-    // Index: ResourceId; for a ring, its resource of age 0. A pass without "rest" that writes the resource, or
-    // kNoId.
+    // Index: ResourceId; for a ring, its resource of age 0. A pass without "rest" that writes the resource,
+    // or kNoId.
     std::vector<PassId> changes_;
     std::set<std::tuple<const PassDesc*, const PassDesc*, ResourceId>> reported_;
     PassReporter report_;
