@@ -214,10 +214,20 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     }
 }
 
+// Returns the batches in which nothing was recorded, because all their passes rest. Index: batch.
+std::vector<uint8_t> ReplayExecutor::empty_batches() const {
+    if (wakes_.empty()) return {};
+    std::vector<uint8_t> resting, empty;
+    for (const Wake& wake : wakes_) resting.push_back(wake.reason == WakeReason::rests ? 1 : 0);
+    for (const Batch& batch : objects_->plan.submissions.batches)
+        empty.push_back(is_empty_batch(objects_->plan, batch, resting) ? 1 : 0);
+    return empty;
+}
+
 Status ReplayExecutor::submit_frame(uint32_t slot) {
     const std::string all_passes = pass_names(objects_->plan, 0);
     device_.messages().set_current_pass(all_passes);
-    const VkResult result = slots_->submit(slot, frames_run_);
+    const VkResult result = slots_->submit(slot, frames_run_, empty_batches());
     device_.messages().set_current_pass("");
     if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
     if (result == VK_SUCCESS) {

@@ -187,7 +187,7 @@ VkResult FrameSlots::submit_alone(Slot& slot, uint64_t frame) const {
     return result;
 }
 
-VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame) const {
+VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame, const std::vector<uint8_t>& empty) {
     std::vector<TimelinePoint> last(queues_.size());
     VkResult result = VK_SUCCESS;
     if (frame == 0) {
@@ -195,10 +195,15 @@ VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame) const {
         result = submit_between(*device_, queues_[0].handle, {&slot.prologue, 1}, {}, last[0]);
         slot.in_flight = result == VK_SUCCESS;
     }
+    timelines_.begin_frame();
     for (uint32_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch) {
+        if (batch < empty.size() && empty[batch] != 0) {
+            timelines_.skip(batch);
+            continue;
+        }
         const TimelinePoint end = timelines_.end_of(batch, frame);
         result = submit_between(*device_, queues_[queue_of_[batch]].handle, {&slot.commands[batch], 1},
-                                timelines_.waits_of(batch, frame), end);
+                                timelines_.submit(batch, frame), end);
         if (result != VK_SUCCESS) break;
         last[queue_of_[batch]] = end;
         slot.in_flight = true;
@@ -209,7 +214,7 @@ VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame) const {
     return result;
 }
 
-VkResult FrameSlots::submit(uint32_t index, uint64_t frame) {
+VkResult FrameSlots::submit(uint32_t index, uint64_t frame, const std::vector<uint8_t>& empty) {
     Slot& slot = slots_[index];
     VkResult result = VK_SUCCESS;
     if (frame == 0) result = end_commands(*device_, slot.prologue, queues_[0].family);
@@ -217,7 +222,7 @@ VkResult FrameSlots::submit(uint32_t index, uint64_t frame) {
         result = end_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
     if (result != VK_SUCCESS) return result;
     submitted_ = true;
-    return timelines_.in_use() ? submit_batches(slot, frame) : submit_alone(slot, frame);
+    return timelines_.in_use() ? submit_batches(slot, frame, empty) : submit_alone(slot, frame);
 }
 
 }  // namespace weft::vk

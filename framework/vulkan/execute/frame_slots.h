@@ -42,9 +42,10 @@ class FrameSlots {
     // Returns the command buffer that is used in frame 0 only. It runs before all batches, on queue 0, and
     // initialises persistent resources.
     [[nodiscard]] VkCommandBuffer prologue(uint32_t slot) const { return slots_[slot].prologue; }
-    // Submits the batches of a frame in the order of the plan. If this fails, some of the batches may be in
-    // flight.
-    [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame);
+    // Submits the batches of a frame in the order of the plan. `empty` tells which of them have no commands and
+    // are left out (index: batch; 1: left out); an empty list means that all are submitted. If this fails, some
+    // of the batches may be in flight.
+    [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame, const std::vector<uint8_t>& empty);
 
  private:
     struct Slot {
@@ -63,7 +64,7 @@ class FrameSlots {
     [[nodiscard]] VkResult open(Slot& slot) const;
     [[nodiscard]] VkResult allocate(VkCommandPool pool, VkCommandBuffer& commands) const;
     [[nodiscard]] VkResult submit_alone(Slot& slot, uint64_t frame) const;
-    [[nodiscard]] VkResult submit_batches(Slot& slot, uint64_t frame) const;
+    [[nodiscard]] VkResult submit_batches(Slot& slot, uint64_t frame, const std::vector<uint8_t>& empty);
 
     Device* device_ = nullptr;
     std::vector<PlanQueue> queues_;

@@ -25,9 +25,7 @@ Result<QueueTimelines> QueueTimelines::create(Device& device, const FramePlan& p
     QueueTimelines timelines;
     const std::vector<Batch>& batches = plan.submissions.batches;
     if (batches.size() < 2) return timelines;
-    timelines.counts_.resize(plan.schedule.queues.size(), 0);
-    for (const Batch& batch : batches)
-        timelines.batches_.push_back({batch.queue, timelines.counts_[batch.queue]++, batch.waits});
+    timelines.order_ = BatchOrder(plan);
     timelines.semaphores_.resize(plan.schedule.queues.size());
     for (size_t queue = 0; queue < timelines.semaphores_.size(); ++queue) {
         const std::string name = "queue " + std::to_string(queue);
@@ -40,16 +38,14 @@ Result<QueueTimelines> QueueTimelines::create(Device& device, const FramePlan& p
 }
 
 TimelinePoint QueueTimelines::end_of(uint32_t batch, uint64_t frame) const {
-    const BatchPlace& place = batches_[batch];
-    return {semaphores_[place.queue].get(), frame * counts_[place.queue] + place.rank + 1};
+    const QueuePoint end = order_.end_of(batch, frame);
+    return {semaphores_[end.queue].get(), end.value};
 }
 
-std::vector<TimelinePoint> QueueTimelines::waits_of(uint32_t batch, uint64_t frame) const {
+std::vector<TimelinePoint> QueueTimelines::submit(uint32_t batch, uint64_t frame) {
     std::vector<TimelinePoint> points;
-    for (const QueueWait& wait : batches_[batch].waits) {
-        if (wait.previous_frame && frame == 0) continue;
-        points.push_back(end_of(wait.batch, wait.previous_frame ? frame - 1 : frame));
-    }
+    for (const QueuePoint& point : order_.submit(batch, frame))
+        points.push_back({semaphores_[point.queue].get(), point.value});
     if (frame == 0) points.push_back(ready());
     return points;
 }

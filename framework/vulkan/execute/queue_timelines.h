@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "graph/rest/batch_order.h"
 #include "vulkan/device/handle.h"
 #include "weft/plan.h"
 #include "weft/result.h"
@@ -25,26 +26,22 @@ class QueueTimelines {
     [[nodiscard]] bool in_use() const { return !semaphores_.empty(); }
     // Returns the point that a batch signals when it has finished.
     [[nodiscard]] TimelinePoint end_of(uint32_t batch, uint64_t frame) const;
-    // Returns the points that a batch waits for: the ends of other batches of the same frame or of the
+    // Begins the next frame. Then, for each batch in submission order, call submit() or skip().
+    void begin_frame() { order_.begin_frame(); }
+    // Returns the points that the batch waits for: the ends of other batches of the same frame or of the
     // previous frame. In frame 0, every batch also waits for all earlier work of queue 0: the prologue, and
     // uploads to imports.
-    [[nodiscard]] std::vector<TimelinePoint> waits_of(uint32_t batch, uint64_t frame) const;
+    [[nodiscard]] std::vector<TimelinePoint> submit(uint32_t batch, uint64_t frame);
+    // Leaves out a batch in which nothing is recorded.
+    void skip(uint32_t batch) { order_.skip(batch); }
     // Returns the point that queue 0 signals before frame 0, after the prologue has initialised persistent
     // resources.
     [[nodiscard]] TimelinePoint ready() const { return {ready_.get(), 1}; }
 
  private:
-    struct BatchPlace {
-        QueueIndex queue = kGraphicsQueue;
-        // Position of this batch among the batches of its queue in a frame, from 0.
-        uint64_t rank = 0;
-        std::vector<QueueWait> waits;
-    };
     // One timeline semaphore for each logical queue.
     std::vector<SemaphoreHandle> semaphores_;
-    std::vector<BatchPlace> batches_;
-    // Number of batches of each logical queue in a frame.
-    std::vector<uint64_t> counts_;
+    BatchOrder order_;
     SemaphoreHandle ready_;
 };
 

@@ -62,6 +62,7 @@ class ReplayExecutor final : public Executor {
     void record_step(const RecordContext& context, Position position);
     void record_epilogue(const RecordContext& context);
     void record_start(VkCommandBuffer commands) const;
+    [[nodiscard]] std::vector<uint8_t> empty_batches() const;
     [[nodiscard]] Status submit_frame(uint32_t slot);
     // Called when another executor is about to replace this one. Prepares this executor's resources, so that
     // the first frame of the new executor, which runs the plan `next`, can copy their contents.

@@ -1,0 +1,62 @@
+// Purpose: computes what each batch of a frame waits for if some batches are not submitted, because all their
+// passes rest. The order of all other batches is then the same as if each of these batches were submitted
+// with no commands in it: its waits pass on to the next batch of its queue, and a batch that waits for it
+// waits for its waits and for the batch before it on its queue. Call the functions for each batch in
+// submission order.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "weft/plan.h"
+
+namespace weft {
+
+// A point on the timeline of a queue: the end of a batch. The values are those of Batch in plan.h.
+struct QueuePoint {
+    QueueIndex queue = kGraphicsQueue;
+    uint64_t value = 0;
+    bool operator==(const QueuePoint&) const = default;
+};
+
+class BatchOrder {
+ public:
+    BatchOrder() = default;
+    explicit BatchOrder(const FramePlan& plan);
+
+    // Returns the point that the batch reaches when it has finished.
+    [[nodiscard]] QueuePoint end_of(uint32_t batch, uint64_t frame) const;
+    // Begins the next frame.
+    void begin_frame();
+    // Notes that the batch is submitted, and returns the points that it must wait for: one at most for each
+    // queue.
+    [[nodiscard]] std::vector<QueuePoint> submit(uint32_t batch, uint64_t frame);
+    // Notes that the batch is not submitted.
+    void skip(uint32_t batch);
+
+ private:
+    // Index: queue. The highest value to wait for; 0: nothing.
+    using Values = std::vector<uint64_t>;
+    struct Place {
+        QueueIndex queue = kGraphicsQueue;
+        uint64_t rank = 0;  // Number of batches before this one on its queue in a frame.
+        std::vector<QueueWait> waits;
+    };
+    [[nodiscard]] Values waits_of(uint32_t batch) const;
+    static void include(const Values& from, Values& into);
+
+    std::vector<Place> batches_;
+    std::vector<uint64_t> counts_;  // Index: queue. Number of batches in a frame.
+    std::vector<Values> pending_;  // Index: queue. Waits of skipped batches that the next batch must include.
+    // Index: queue. The points after which the last batch of the queue, submitted or not, has finished.
+    std::vector<Values> queue_ends_;
+    // Index: batch. The same for each batch of this frame and of the previous frame.
+    std::vector<Values> ends_, previous_ends_;
+};
+
+// Returns true if nothing of the batch is recorded in a frame in which these units rest. Index: unit; 1: it
+// rests.
+[[nodiscard]] bool is_empty_batch(const FramePlan& plan, const Batch& batch,
+                                  const std::vector<uint8_t>& resting);
+
+}  // namespace weft
