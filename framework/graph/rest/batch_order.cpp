@@ -41,7 +41,7 @@ std::vector<QueuePoint> BatchOrder::submit(uint32_t batch, uint64_t frame) {
     const Values waits = waits_of(batch);
     std::vector<QueuePoint> points;
     for (QueueIndex queue(0); queue < waits.size(); ++queue)
-        if (waits[queue] > 0 && queue != own) points.push_back({queue, waits[queue]});
+        if (waits[queue] > 0) points.push_back({queue, waits[queue]});
     pending_[own].assign(counts_.size(), 0);
     queue_ends_[own].assign(counts_.size(), 0);
     queue_ends_[own][own] = end_of(batch, frame).value;

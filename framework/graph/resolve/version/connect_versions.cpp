@@ -70,7 +70,7 @@ class VersionConnector {
             const PassId producer = cell.writers[static_cast<size_t>(version)].pass;
             seen.sources.push_back({cell.range, producer});
             seen.this_frame = true;
-        } else if (declared_.shapes.origins[cell.resource].has_content && !writes_anew(u)) {
+        } else if (declared_.shapes.origins[cell.resource].has_content) {
             seen.sources.push_back({cell.range, kNoId});
         } else {
             seen.nothing.push_back({cell.range, kNoId});
@@ -78,13 +78,6 @@ class VersionConnector {
         const auto next = static_cast<size_t>(version + 1);
         const bool only_writes = writes(use(u).access) && port(u).rank == WriteRank::fresh;
         if (!only_writes && next < cell.writers.size()) add_edge(u.pass, cell.writers[next], EdgeKind::war);
-    }
-
-    // Returns true if the pass has "rest" and does not declare that its output keeps earlier content. The
-    // result of such a pass is the same whenever it runs, so it writes all of the output.
-    bool writes_anew(const CellUse& u) {
-        return declared_.expansion.passes[u.pass].desc->rests && writes(use(u).access) &&
-               port(u).rank != WriteRank::in_place;
     }
 
     void add_edge(PassId from, const CellUse& to, EdgeKind kind) {
