@@ -20,7 +20,8 @@ class RunningGraph {
     // Loads the first graph. Call it before the scene is uploaded, so that errors in the graph are found
     // before slow work. `parsed` is the parsed graph; if it is null, the function parses the graph file.
     [[nodiscard]] Status load_first(const ParsedGraph* parsed, Diagnostics& warnings);
-    // Makes the objects of the first graph.
+    // Creates the executor of the first graph, with all its Vulkan objects. The graph runs after adopt() was
+    // called with the result.
     [[nodiscard]] Result<PendingSwap> start(vk::Device& device, const GpuScene& scene,
                                             const StageSettings& settings);
 

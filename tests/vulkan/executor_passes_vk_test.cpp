@@ -94,9 +94,9 @@ TEST_F(ExecutorPassesVk, clear_values_of_integer_images_and_buffers_are_integers
     }
 }
 
-// Vulkan requires that the buffer offset of a depth copy is a multiple of four bytes. Mip 0 of this d16 image
-// has 18 bytes, so mip 1 cannot follow directly in the buffer. But the data that the executor returns must
-// have no gap between the mips.
+// Vulkan requires that the buffer offset of a depth copy is a multiple of four bytes. This d16 image has
+// 3 × 3 texels and two mips. Mip 0 has 18 bytes, so mip 1 cannot follow directly in the buffer. But the data
+// that the executor returns must have no gap between the mips.
 TEST_F(ExecutorPassesVk, depth_reads_back_tightly_packed) {
     GraphBuilder builder;
     const ResourceId depth = builder.image("depth", Format::d16, 3, 2);

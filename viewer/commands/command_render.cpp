@@ -10,6 +10,7 @@
 #include "file/write_file.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/session_setup.h"
+#include "viewer/commands/verify_rest.h"
 #include "viewer/output/output.h"
 #include "viewer/output/progress_text.h"
 #include "viewer/output/report.h"
@@ -165,6 +166,8 @@ ExitCode run_render(const RenderOptions& options) {
         return ExitCode::usage;
     }
     const uint32_t frames = options.frames > 0 ? options.frames : session.frames();
+    if (options.verify_rest)
+        if (Status s = verify_rest(options, session.plan(), frames); !s) return fail_on_device(s.errors());
     Result<RunOutcome> outcome = run_frames(*open, options, frames);
     if (!outcome) {
         report_messages(open->device->messages().messages());

@@ -103,6 +103,8 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->excludes("--resource");
     command.add_flag("--validate", o.validate,
                      "run under the Vulkan validation layer; any message gives exit code 5");
+    command.add_flag("--verify-rest", o.verify_rest,
+                     "render the frames twice, the second time without \"rest\", and compare the results");
     command.add_option("--stats", o.stats, "write times, memory and hashes to this JSON file");
     command.add_option("--device", o.device, "the Vulkan device: its index or a part of its name");
     add_queues(command, o.queues);
@@ -117,8 +119,8 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
 void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
-    for (const char* flag :
-         {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats", "--sandbox"})
+    for (const char* flag : {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames",
+                             "--stats", "--sandbox", "--verify-rest"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "run without a window");
     command.add_option("-o,--output", o.render.output,

@@ -28,6 +28,7 @@ struct RenderOptions {
     // The resource that is written instead of the output, such as "normal" or "hdr@sky".
     std::string resource;
     bool validate = false;
+    bool verify_rest = false;
     // If true, warnings and the progress of frames are not printed. Tests in graph files set it, because
     // `weft check` prints the warnings itself.
     bool quiet = false;

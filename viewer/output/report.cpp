@@ -47,7 +47,7 @@ ExitCode exit_code_for(const Diagnostics& errors) {
     if (it->code.starts_with("V40")) return ExitCode::no_device;
     if (it->code == "X520" || it->code == "X521" || it->code == "X522") return ExitCode::usage;
     if (it->code.starts_with("X53") || it->code.starts_with("X56")) return ExitCode::invalid_input;
-    if (it->code == "W161") return ExitCode::mismatch;
+    if (it->code == "W161" || it->code == "W189") return ExitCode::mismatch;
     if (it->code == "W162") return ExitCode::validation;
     const char kind = it->code.front();
     return kind == 'W' || kind == 'S' ? ExitCode::invalid_input : ExitCode::failed;

@@ -16,7 +16,8 @@ struct FormattedGraph {
     std::vector<BoundPass> passes;
     Suspects suspects;
 };
-// Chooses the formats and completes the uses of the bound passes.
+// Chooses the formats. Then fills in the parts of each use that depend on the format: the aspects of its
+// range.
 [[nodiscard]] FormattedGraph choose_formats(const Declared& declared, BoundPasses bound, Reporter& reporter);
 
 }  // namespace weft

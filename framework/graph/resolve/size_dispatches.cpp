@@ -137,7 +137,9 @@ class DispatchSizer : PassStage<Dispatches> {
         const std::string why =
             extents.empty() ? "the pass writes no image" : "its outputs differ in size: " + listed;
         error(draft_.decl.loc, "the dispatch size of pass " + quote(draft_.decl.name) + " is unknown: " + why,
-              "add \"threads\": \"output\" (invocations) or \"groups\": [x, y, z] (workgroups)");
+              "add \"threads\": \"output\" (one invocation for each pixel of the output size) or \"groups\": "
+              "[x, y, z] "
+              "(numbers of workgroups)");
         return std::nullopt;
     }
 

@@ -52,9 +52,9 @@ QueueUsage queue_usage(const HistoryInput& input, const std::vector<CellAccesses
     return weft::queue_usage(*input.roles.front().decl, *input.order, all);
 }
 
-// The result of tracking one cell (a block of subresources). A persistent resource is tracked in several
-// rounds (kRoundsToSettle), until its state at the end of a round no longer changes. The members have the
-// values of the last round.
+// The result of tracking one cell (a block of subresources). A persistent resource is tracked in
+// kRoundsToSettle rounds; after that many rounds, its state at the end of a round no longer changes. The
+// members have the values of the last round.
 struct CellTrace {
     std::vector<CellSync> sync;  // Index: age in the ring. Barriers and dependencies of the cell.
     std::vector<Layout> entry;   // Index: age in the ring. Layout at the start of the frame.

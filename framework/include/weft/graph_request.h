@@ -22,6 +22,7 @@ struct GraphRequest {
     // Name of a debug view of the graph, or a reference to any resource; empty: none. The view is rendered to
     // the resource "debugView", which `observed` may contain.
     std::string debug = {};
+    bool rests = true;  // False: passes with "rest" run in every frame.
     bool operator==(const GraphRequest&) const = default;
 };
 

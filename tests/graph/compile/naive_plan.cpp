@@ -89,8 +89,9 @@ bool moved_before(const PassDecl& pass, size_t use) {
     return false;
 }
 
-// Adds barriers that bring the persistent resources to the same layout before the first frame (in the
-// prologue) and at the end of each frame (in the epilogue).
+// Adds barriers that bring each persistent resource to its rest layout: before the first frame, in the
+// prologue after the clear, and at the end of each frame, in the epilogue. So every frame begins with the
+// same layouts.
 void plan_rest(FramePlan& plan, Layouts& layouts) {
     for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
         const ResourceDecl& decl = plan.graph.resources[id];

@@ -64,8 +64,11 @@ void check_procedural_shader(PassBinding& pass) {
         if (what.empty() && binding.set >= 2) what = "descriptor set " + std::to_string(binding.set);
     if (what.empty()) return;
     Diagnostic& d =
-        pass.error(desc.shader_loc, "W167", reads + what + ", which exists only in draws of a draw list");
-    add_help(d, "compute vertices from gl_VertexIndex and gl_InstanceIndex, or name a draw list");
+        pass.error(desc.shader_loc, "W167",
+                   reads + what + ", but \"draws\" of this pass names no draw list, so it has no such input");
+    add_help(d,
+             "compute vertices from gl_VertexIndex and gl_InstanceIndex, or list draw lists in \"draws\", "
+             "for example \"draws\": [\"opaque\"]");
 }
 
 // Evaluates the numbers of vertices and instances of a draw without a draw list.

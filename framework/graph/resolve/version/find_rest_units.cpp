@@ -263,7 +263,8 @@ class RestUnitFinder {
 
 void find_rest_units(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                      Reporter& reporter) {
-    const bool any = std::ranges::any_of(declared.expansion.passes,
+    const bool any = declared.input.request.rests &&
+                     std::ranges::any_of(declared.expansion.passes,
                                          [](const PassDraft& draft) { return draft.desc->rests; });
     if (any) RestUnitFinder(declared, cells, graph, reporter).run();
 }

@@ -1,0 +1,105 @@
+#include "viewer/commands/verify_rest.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "viewer/commands/session_setup.h"
+
+namespace weft::viewer {
+namespace {
+
+// Returns the names of all kept resources that passes with "rest" write, in the order of the plan.
+std::vector<std::string> rested_resources(const FramePlan& plan) {
+    std::vector<std::string> names;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        if (pass.rest_unit == kNoId) continue;
+        for (const UseDecl& use : pass.uses) {
+            const ResourceDecl& resource = plan.graph.resources[use.resource];
+            const bool kept = resource.lifetime == ResourceLifetime::persistent;
+            if (writes(use.access) && kept && std::ranges::find(names, resource.name) == names.end())
+                names.push_back(resource.name);
+        }
+    }
+    return names;
+}
+
+// Returns the passes with "rest" that write the resource, for messages.
+std::string writers_of(const FramePlan& plan, const std::string& resource) {
+    std::string names;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        const bool found = std::ranges::any_of(pass.uses, [&](const UseDecl& use) {
+            return writes(use.access) && plan.graph.resources[use.resource].name == resource;
+        });
+        if (found) names += (names.empty() ? "\"" : ", \"") + pass.name + "\"";
+    }
+    return names;
+}
+
+Status render_one(OpenSession& open, const RenderOptions& options, uint32_t frame) {
+    open.frame.delta_time_s = options.fixed_dt_s;
+    open.frame.time_s = frame * options.fixed_dt_s;
+    if (Status done = open.session->render_frame(open.frame); !done) return done;
+    return open.session->finish();
+}
+
+Diagnostic difference(const FramePlan& plan, const vk::ReadbackData& found, const vk::ReadbackData& wanted,
+                      uint32_t frame) {
+    const std::string resource = found.pass.substr(found.pass.find(':') + 1);
+    const auto place = std::ranges::mismatch(found.bytes, wanted.bytes);
+    Diagnostic d;
+    d.code = "W189";
+    d.message = "in frame " + std::to_string(frame) + ", \"" + resource +
+                "\" differs from a run in which no pass rests, from byte " +
+                std::to_string(place.in1 - found.bytes.begin()) + " on; it is written by pass " +
+                writers_of(plan, resource);
+    d.help = {"let the shader write every texel of its outputs, with values that depend only on its inputs",
+              "or remove \"rest\" from the pass"};
+    return d;
+}
+
+}  // namespace
+
+Status verify_rest(const RenderOptions& options, const FramePlan& plan, uint32_t frames) {
+    const std::vector<std::string> names = rested_resources(plan);
+    if (names.empty()) {
+        std::fputs("weft: nothing to verify: no pass of this graph has \"rest\"\n", stderr);
+        return Unit{};
+    }
+    RenderOptions resting = options, running = options;
+    for (RenderOptions* o : {&resting, &running}) {
+        o->resource.clear();
+        o->request.debug.clear();
+        o->request.observed = names;
+        o->quiet = true;
+    }
+    running.request.rests = false;
+    Result<OpenSession> a = open_session(resting), b = open_session(running);
+    if (!a) return a.take_errors();
+    if (!b) return b.take_errors();
+    uint32_t rested = 0, all = 0;
+    for (uint32_t frame = 0; frame < frames; ++frame) {
+        if (Status done = render_one(*a, options, frame); !done) return done;
+        if (Status done = render_one(*b, options, frame); !done) return done;
+        const std::vector<vk::ReadbackData> found = a->session->take_readbacks(),
+                                            wanted = b->session->take_readbacks();
+        for (size_t i = 0; i < std::min(found.size(), wanted.size()); ++i)
+            if (found[i].bytes != wanted[i].bytes) return difference(plan, found[i], wanted[i], frame);
+        for (const vk::FrameTiming& timing : a->session->take_timings())
+            for (const vk::PassTiming& pass : timing.passes) {
+                rested += pass.rested ? 1 : 0;
+                all += pass.rested || !pass.woken_by.empty() ? 1 : 0;
+            }
+    }
+    std::fprintf(
+        stderr,
+        "weft: verified %u frames: passes with \"rest\" rested %u of %u times, and the %zu resources that "
+        "they write had the same bytes as if these passes had always run\n",
+        frames, rested, all, names.size());
+    return Unit{};
+}
+
+}  // namespace weft::viewer
