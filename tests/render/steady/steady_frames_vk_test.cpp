@@ -119,22 +119,21 @@ class SteadyMemoryOfGraph : public SteadyMemory, public testing::WithParamInterf
 
 class SteadyGraph : public Steady, public testing::WithParamInterface<std::string> {};
 
-// Returns the passes that rest in a steady frame of each shipped graph. The scene has a sun, and the camera
-// stands still. Graphs that are not listed have no such passes.
-std::set<std::string> wanted_sleepers(const std::string& graph) {
-    const std::set<std::string> sun_maps{"sunShadows#0", "sunShadows#1", "sunShadows#2"};
+// Returns the passes that rest in a steady frame of a shipped graph, while the camera stands still.
+std::set<std::string> wanted_sleepers(const std::string& graph, bool has_sun) {
     if (graph == "fjord" || graph == "reaction_diffusion") return {};
-    return sun_maps;
+    if (!has_sun) return {"noSun"};
+    return {"sunShadows#0", "sunShadows#1", "sunShadows#2"};
 }
 
 // Checks which passes rested in the last frame, and that a frame records no barrier for them.
-void expect_sleepers(render::Session& session, const std::string& graph) {
+void expect_sleepers(render::Session& session, const std::string& graph, bool has_sun) {
     const std::vector<vk::FrameTiming> timings = session.take_timings();
     ASSERT_FALSE(timings.empty());
     std::set<std::string> sleepers;
     for (const vk::PassTiming& pass : timings.back().passes)
         if (pass.rested) sleepers.insert(pass.pass);
-    EXPECT_EQ(sleepers, wanted_sleepers(graph));
+    EXPECT_EQ(sleepers, wanted_sleepers(graph, has_sun));
     const FramePlan& plan = session.plan();
     uint32_t recorded = 0, left_out = 0;
     for (const PassStep& step : plan.barriers.steps) {
@@ -151,7 +150,7 @@ TEST_P(SteadyGraph, CompilesNothingInAnyTierAndLetsStillPassesRest) {
     const ObjectCounter objects(*device_);
     ASSERT_NO_FATAL_FAILURE(begin(shipped(GetParam()), "spheres"));
     ASSERT_NO_FATAL_FAILURE(expect_steady(objects));
-    expect_sleepers(*session_, GetParam());
+    expect_sleepers(*session_, GetParam(), false);
     for (const std::string& tier : tiers_of(shipped(GetParam()))) {
         SCOPED_TRACE(tier);
         render::Selection selection = session_->selection();
@@ -161,6 +160,22 @@ TEST_P(SteadyGraph, CompilesNothingInAnyTierAndLetsStillPassesRest) {
     }
     session_.reset();
     EXPECT_EQ(objects.live(), 0);
+}
+
+// With a sun, the shadow maps rest while nothing moves. They are drawn again if the camera moves far enough.
+TEST_F(Steady, SunMapsRestWhileNothingMoves) {
+    for (const char* graph : {"deferred", "forward"}) {
+        ASSERT_NO_FATAL_FAILURE(begin(shipped(graph), "atrium"));
+        ASSERT_NO_FATAL_FAILURE(draw_apart(2));
+        expect_sleepers(*session_, graph, true);
+        frame_of(*session_).camera.transform[3].x += 1;
+        ASSERT_NO_FATAL_FAILURE(draw_apart(1));
+        const std::vector<vk::FrameTiming> timings = session_->take_timings();
+        ASSERT_FALSE(timings.empty());
+        // The map that covers the whole scene stays the same.
+        const auto rested = std::ranges::count_if(timings.back().passes, &vk::PassTiming::rested);
+        EXPECT_LE(rested, 1) << graph;
+    }
 }
 
 TEST_P(SteadyMemoryOfGraph, StaysForManyFrames) {

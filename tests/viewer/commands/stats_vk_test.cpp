@@ -33,6 +33,21 @@ TEST(Stats, HoldOfAPassWhatIsMeasured) {
     }
 }
 
+TEST(Stats, TellWhichPassesRestedAndWhyTheOthersRan) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const Json stats =
+        render_stats({"builtin:spheres", "--graph", WEFT_SOURCE_DIR "/tests/render/rest/rest.json", "--size",
+                      "16x16", "--frames", "5", "--verify-rest"});
+    uint32_t with_rest = 0;
+    for (const Json& pass : stats.at("passes")) {
+        if (!pass.contains("rested_frames")) continue;
+        ++with_rest;
+        EXPECT_EQ(pass.at("rested_frames"), 4) << pass.at("name");
+        EXPECT_EQ(pass.at("woken_by").size(), 1u) << pass.at("woken_by");
+    }
+    EXPECT_EQ(with_rest, 6u);
+}
+
 TEST(Stats, CountBarriersThatAreNeededAndPipelinesThatAreMadeLate) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const Json stats = stats_of({"--frames", "3"});
