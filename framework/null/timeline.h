@@ -63,8 +63,9 @@ struct Timeline {
     std::vector<PassInstance> instances;
 };
 
-// Unrolls the plan. The result has pointers into `plan`. `choice` selects pseudo-randomly the stages of
-// writes and of imports' entry states. Passes that rest have no nodes.
+// Unrolls the plan. The result has pointers into `plan`. `choice` is the seed of a pseudo-random choice: in
+// which of its possible stages each write happens, and each access of an import's entry state. A pass that
+// rests in a frame (`resting`) has no node in this frame.
 [[nodiscard]] Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice,
                               const RestChoice& resting);
 

@@ -19,7 +19,8 @@ struct PassDispatch {
     uint32_t draw_commands_use = kNoId;
 };
 struct Dispatches {
-    // The group counts of each pass, indexed by PassId.
+    // The group counts of each pass, or the buffers that contain group counts or draw commands. Indexed by
+    // PassId.
     std::vector<PassDispatch> passes;
     Suspects suspects;
 };

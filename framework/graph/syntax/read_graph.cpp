@@ -95,7 +95,7 @@ class IncludeReader {
         const bool climbs = std::ranges::find(name, "..") != name.end();
         if (!item.string.empty() && name.is_relative() && !climbs) return true;
         fail(item.loc, "W126", "\"" + item.string + "\" is not a path inside the folder of the graph",
-             "write a relative path without \"..\", to a file next to this one or in the shipped graphs "
+             "write a path without \"..\", relative to the folder of this file or to the shipped graphs "
              "folder");
         return false;
     }

@@ -281,8 +281,8 @@ struct PassDecl {
     RasterState state;
     // Names of imported draw lists. The pass draws all objects in these lists.
     std::vector<std::string> draw_lists;
-    // For indirect draws: index into `uses` of the buffer with a draw command for each draw. kNoId: direct
-    // draws.
+    // For indirect draws: the index, in `uses`, of the buffer that contains one draw command for each draw.
+    // kNoId: the draws are direct.
     uint32_t draw_commands_use = kNoId;
     // For a raster pass without draw lists: number of vertices. The shader computes their positions from
     // gl_VertexIndex.

@@ -1,7 +1,8 @@
-// Purpose: Vulkan's functions as plain tables, one per instance and one per device. Weft does not link to
-// libvulkan's symbols, defines none of their names, and has no global table. So the program may link to
-// libvulkan, and each device has its own table, in which a test can replace functions. Errors: load_loader()
-// returns nullopt if no usable loader library is found; functions that do not exist are null in the tables.
+// Purpose: Vulkan's functions as plain tables: one for the loader, one per instance and one per device. Weft
+// does not link to libvulkan, defines no symbols with the names of Vulkan functions, and has no global table.
+// So a program that uses Weft can itself link to libvulkan, and a test can replace functions in the table of
+// one device. Errors: load_loader() returns nullopt if no usable loader library is found; functions that do
+// not exist are null in the tables.
 #pragma once
 
 #include <vulkan/vulkan_core.h>

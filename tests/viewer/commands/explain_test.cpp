@@ -187,5 +187,17 @@ TEST(Explain, TheNameOfARepeatStandsForAllItsRounds) {
         << pair.text();
 }
 
+TEST(Explain, RestTellsWhatMakesAPassRun) {
+    const std::string shadows = ask({"rest", "sunShadows#1"});
+    for (const char* part : {"\"sunShadows#1\"", " rests", "draw list \"opaque\"", "draw list \"masked\"",
+                             "view \"sun(1)\"", "shader \"sun_shadow\""})
+        EXPECT_NE(shadows.find(part), std::string::npos) << shadows;
+    EXPECT_NE(ask({"rest", "gbuffer"}).find("runs in every frame"), std::string::npos);
+    const RunResult run =
+        run_weft({"explain", WEFT_SOURCE_DIR "/tests/render/rest/rest.json", "rest", "halve"});
+    for (const char* part : {"runs only together with \"blurred\"", "\"table\", if pass \"base\""})
+        EXPECT_NE(run.out.find(part), std::string::npos) << run.text();
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -99,7 +99,8 @@ class UselessSearch {
     // Names of the resources that debug views or tests use, or whose use may depend on parameter values: they
     // are inputs of removed passes, or named in an "else".
     ResourceNames at_times_;
-    // Indexed by ResourceId: 1 if a pass of the resolved graph uses the content of the resource.
+    // Indexed by ResourceId: 1 if a pass of the resolved graph, live or culled, needs the earlier content of
+    // the resource.
     std::vector<uint8_t> seen_;
     // Indexed by ResourceId: 1 if a live pass writes the resource.
     std::vector<uint8_t> written_;

@@ -21,6 +21,8 @@ namespace weft {
                                                 const std::string& b);
 // Explains for which passes on other queues the pass waits, and which passes wait for it.
 [[nodiscard]] Result<std::string> explain_wait(const FramePlan& plan, const std::string& pass);
+// Tells whether the pass rests, with which passes it runs together, and which changes make it run.
+[[nodiscard]] Result<std::string> explain_rest(const FramePlan& plan, const std::string& pass);
 // Lists the properties of the resource, its writers and readers, its lifetime and its place in memory.
 [[nodiscard]] Result<std::string> explain_resource(const FramePlan& plan, const std::string& resource);
 

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "graph/report/plan_phrases.h"
+#include "weft/report/plan_explain.h"
+
+namespace weft {
+namespace {
+
+// Collects the reasons for which a rest unit runs again. Each reason is one line of the answer.
+class WakeReasons {
+ public:
+    explicit WakeReasons(const FramePlan& plan) : plan_(plan) {}
+
+    void add(PassId id) {
+        const PassDecl& pass = plan_.graph.passes[id];
+        add_params(id);
+        if (!pass.shader.empty()) {
+            line("a constant of set 0 (frame and view \"" + pass.view + "\") that shader \"" + pass.shader +
+                 "\" reads, if it reads one");
+            line("shader \"" + pass.shader + "\" or one of its specialisation constants");
+        }
+        for (const std::string& list : pass.draw_lists) line("the objects of draw list \"" + list + "\"");
+        for (const UseDecl& use : pass.uses) add_use(pass, use);
+    }
+
+    [[nodiscard]] std::string text() const {
+        std::string all;
+        for (const std::string& reason : lines_) all += "  " + reason + "\n";
+        return all;
+    }
+
+ private:
+    void line(const std::string& text) {
+        if (std::ranges::find(lines_, text) == lines_.end()) lines_.push_back(text);
+    }
+
+    void add_params(PassId id) {
+        for (const ParamWrite& param : plan_.graph.passes[id].params) {
+            const bool always = param.builtin == Builtin::frame_index || param.builtin == Builtin::time_s ||
+                                param.builtin == Builtin::delta_time_s;
+            line("member \"" + param.member + "\" of Params of pass " + describe_pass(plan_, id) +
+                 (always ? ", which changes in every frame" : ""));
+        }
+    }
+
+    void add_use(const PassDecl& pass, const UseDecl& use) {
+        if (plan_.graph.resources[use.resource].import)
+            line("the content of import " + describe_resource(plan_, use.resource));
+        for (const VersionSource& source : use.sources) {
+            if (source.producer == kNoId) continue;
+            const PassDecl& maker = plan_.graph.passes[source.producer];
+            if (maker.rest_unit != pass.rest_unit)
+                line(describe_part(plan_, use.resource, source.range) + ", if pass " +
+                     describe_pass(plan_, source.producer) + " runs");
+        }
+    }
+
+    const FramePlan& plan_;
+    std::vector<std::string> lines_;
+};
+
+std::string describe_rest(const FramePlan& plan, PassId id) {
+    const uint32_t unit = plan.graph.passes[id].rest_unit;
+    if (unit == kNoId)
+        return "pass " + describe_pass(plan, id) + " runs in every frame: it has no \"rest\"\n";
+    WakeReasons reasons(plan);
+    std::string others;
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) {
+        if (plan.graph.passes[pass].rest_unit != unit) continue;
+        reasons.add(pass);
+        if (pass != id) others += (others.empty() ? "" : ", ") + describe_pass(plan, pass);
+    }
+    return "pass " + describe_pass(plan, id) + " rests" +
+           (others.empty() ? std::string() : " and runs only together with " + others) +
+           ". It runs in the first frame, after a change of the plan, and after a change of one of these:\n" +
+           reasons.text();
+}
+
+}  // namespace
+
+Result<std::string> explain_rest(const FramePlan& plan, const std::string& name) {
+    Result<std::vector<PassId>> passes = named_passes(plan, name);
+    if (!passes) return passes.take_errors();
+    std::string text;
+    for (const PassId pass : *passes) text += describe_rest(plan, pass);
+    return text;
+}
+
+}  // namespace weft
