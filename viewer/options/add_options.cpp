@@ -173,7 +173,7 @@ void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command
         .add_option("NAME", o.names,
                     "names for the question: culled PASS, barrier PASS PASS, alias RESOURCE RESOURCE, wait "
-                    "PASS, resource RESOURCE")
+                    "PASS, rest PASS, resource RESOURCE")
         ->required()
         ->expected(1, 2);
     add_tier(command, o.offline, "none");

@@ -90,6 +90,8 @@ class BarrierAnswer {
                 text_ += "  second  " + describe_use(plan_, use) + ".\n";
         text_ += "  from    " + describe_state(b.src, image) + "\n  to      " + describe_state(b.dst, image) +
                  "\n";
+        if (b.if_pass_runs)
+            text_ += "  It is recorded only in frames in which the pass, which may rest, runs.\n";
         if (b.src_family != b.dst_family)
             text_ += "  from queue family " + std::to_string(b.src_family) + " to " +
                      std::to_string(b.dst_family) + "\n";

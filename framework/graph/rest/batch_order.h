@@ -29,7 +29,8 @@ class BatchOrder {
     // Begins the next frame.
     void begin_frame();
     // Notes that the batch is submitted, and returns the points that it must wait for: one at most for each
-    // queue. One of them may be on the batch's own queue, if a batch of another queue between them is skipped.
+    // queue. One of them may be on the batch's own queue, if a batch of another queue between them is
+    // skipped.
     [[nodiscard]] std::vector<QueuePoint> submit(uint32_t batch, uint64_t frame);
     // Notes that the batch is not submitted.
     void skip(uint32_t batch);

@@ -94,6 +94,24 @@ std::vector<Wake> RestState::choose(const std::vector<UnitInput>& inputs) const 
     return wakes;
 }
 
+void RestState::inherit(const RestState& old, const std::vector<uint32_t>& same) {
+    for (uint32_t id = 0; id < units_.size(); ++id) {
+        if (same[id] == kNoId) continue;
+        const Unit& from = old.units_[same[id]];
+        Unit& unit = units_[id];
+        unit.has_run = from.has_run;
+        unit.version = from.version;
+        unit.input = from.input;
+        for (Source& source : unit.sources) {
+            const auto known = std::ranges::find_if(from.sources, [&](const Source& s) {
+                return s.unit == same[source.unit] && s.previous_frame == source.previous_frame;
+            });
+            // No unit has this version, so the unit runs if it reads a unit that the older plan did not have.
+            source.seen = known == from.sources.end() ? UINT64_MAX : known->seen;
+        }
+    }
+}
+
 void RestState::commit(const std::vector<UnitInput>& inputs, const std::vector<Wake>& chosen) {
     const auto runs = [&](uint32_t unit) { return chosen[unit].reason != WakeReason::rests; };
     for (uint32_t id = 0; id < units_.size(); ++id) {

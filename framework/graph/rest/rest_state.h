@@ -44,6 +44,9 @@ class RestState {
     // Remembers the runs of the chosen frame. Call this after the frame was submitted, with the arguments and
     // the result of choose(). A frame that was not submitted changes nothing.
     void commit(const std::vector<UnitInput>& inputs, const std::vector<Wake>& chosen);
+    // Takes over the last runs of the units of an older plan. `same`: for each unit, the unit of the older
+    // plan that computes the same, or kNoId; see unit_match.h.
+    void inherit(const RestState& old, const std::vector<uint32_t>& same);
     // Lets the unit run in the next frame.
     void wake(uint32_t unit) { units_[unit].has_run = false; }
 

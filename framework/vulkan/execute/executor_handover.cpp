@@ -4,6 +4,7 @@
 #include <cassert>
 #include <iterator>
 
+#include "graph/rest/unit_match.h"
 #include "vulkan/device/immediate_submit.h"
 #include "vulkan/execute/replay_executor.h"
 #include "vulkan/execute/transition_record.h"
@@ -20,6 +21,17 @@ ReplayExecutor& executor_of(const Predecessor& predecessor) {
 template <class T>
 void move_to_front(std::vector<T>& to, std::vector<T> from) {
     to.insert(to.begin(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+}
+
+bool same_pipelines(const std::vector<DrawPipeline>& a, const std::vector<DrawPipeline>& b) {
+    return std::ranges::equal(a, b, [](const DrawPipeline& x, const DrawPipeline& y) {
+        return x.pipeline.get() == y.pipeline.get();
+    });
+}
+
+// Returns true if the two passes run the same code and read the same constants of frame and view.
+bool same_pipelines(const PreparedPass& a, const PreparedPass& b) {
+    return same_pipelines(a.pipelines, b.pipelines) && a.frame_ranges == b.frame_ranges;
 }
 
 // Returns true if the plan keeps its structure with this graph. Only an assertion calls it.
@@ -40,6 +52,11 @@ Status ReplayExecutor::take_over(Predecessor predecessor) {
         return quiet;
     }
     objects_->resources.rings.inherit(old.objects_->resources.rings, old.frames_run_, predecessor.transition);
+    rest_.inherit(old.rest_, match_units(old.plan(), plan(), predecessor.transition,
+                                         [&](Position old_position, Position position) {
+                                             return same_pipelines(old.objects_->passes[old_position],
+                                                                   objects_->passes[position]);
+                                         }));
     // This executor continues the frame count of `old`, so its first frame uses the next frame slot. The
     // program's data has one copy per slot. A frame of `old` may still read the copy of its slot, so
     // begin_frame() first waits for the frame of `old` in the same slot.
@@ -126,10 +143,7 @@ void ReplayExecutor::wake_changed(PlanAmendment& amendment) {
         PreparedPass& prepared = objects_->passes[position];
         prepared.frame_ranges = std::move(amendment.frame_ranges[position]);
         const uint32_t unit = objects_->plan.graph.passes[objects_->plan.schedule.order[position]].rest_unit;
-        const bool same = std::ranges::equal(prepared.pipelines, amendment.passes[position],
-                                             [](const DrawPipeline& a, const DrawPipeline& b) {
-                                                 return a.pipeline.get() == b.pipeline.get();
-                                             });
+        const bool same = same_pipelines(prepared.pipelines, amendment.passes[position]);
         if (unit != kNoId && !same) rest_.wake(unit);
     }
 }

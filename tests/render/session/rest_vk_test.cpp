@@ -67,6 +67,19 @@ TEST_F(Rest, APassRunsOnlyIfItsInputsHaveChanged) {
     EXPECT_EQ(frame(*session), Names{}) << "no pass with rest reads the exposure";
 }
 
+// After a resize, a unit rests if its resources keep their size and its inputs have not changed.
+TEST_F(Rest, AResizeWakesOnlyWhatItTouches) {
+    const std::unique_ptr<render::Session> session = begin(read_text);
+    ASSERT_TRUE(session);
+    EXPECT_EQ(frame(*session).size(), 6u);
+    ASSERT_TRUE(session->resize({40, 40, 1}, warnings_));
+    // The transient `rough` is observed, and a new plan does not have its content.
+    EXPECT_EQ(frame(*session), (std::set<std::string>{"blurred", "halve"}));
+    EXPECT_EQ(frame(*session), std::set<std::string>{});
+    ASSERT_TRUE(session->resize({40, 20, 1}, warnings_));
+    EXPECT_TRUE(frame(*session).contains("shape")) << "the view has another shape";
+}
+
 // 60 frames with random changes give the same bytes with and without rest.
 TEST_F(Rest, GivesTheBytesOfASessionWithoutRest) {
     for (queues_ = 1; queues_ <= 3; queues_ += 2) {

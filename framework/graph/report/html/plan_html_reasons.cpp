@@ -46,6 +46,8 @@ void write_waited_for(const PlanPage& page, const BarrierItem& item, Markup& out
         links.push_back({pass_key(pass), page.plan->graph.passes[pass].name, more});
     }
     write_links(out, "Waits for", links);
+    if (item.barrier->if_pass_runs)
+        out.leaf("p", {}, "The barrier is recorded only in frames in which its pass, which may rest, runs.");
     if (!passes.empty()) return;
     if (item.barrier->reason == BarrierReason::acquire_import)
         out.leaf("p", {}, "The barrier waits for uses of the import before the frame.");
