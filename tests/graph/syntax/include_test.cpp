@@ -172,7 +172,7 @@ TEST(Include, NothingOutsideIsRead) {
         expect_fault({{"pipes/main.json", std::string(R"({"version": 1, "include": [$$")") + name + R"("]})"},
                       {"secret.json", kModule},
                       {"/etc/passwd", kModule}},
-                     "W126", "not a path inside the folder of the graph", "relative path");
+                     "W126", "not a path inside the folder of the graph", "without \"..\"");
 }
 
 TEST(Include, FilesThatIncludeEachOther) {
