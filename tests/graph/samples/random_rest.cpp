@@ -10,7 +10,8 @@ namespace {
 
 class RestGenerator {
  public:
-    explicit RestGenerator(uint32_t seed) : random_(seed) {}
+    RestGenerator(uint32_t seed, RestShaders shaders)
+        : random_(seed), is_real_(shaders == RestShaders::real) {}
 
     RandomRest run() {
         add_changing("change0", {});
@@ -24,8 +25,10 @@ class RestGenerator {
             if (chance(60) || i + 1 == kept_.size())
                 pass("see" + std::to_string(i), R"("type": "readback", "in": [")" + kept_[i] + "\"]");
         pass("seeLast", R"("type": "readback", "in": [")" + changing_.back() + "\"]");
-        made_.text = R"("imports": {"noise": "image"}, "resources": {)" + joined(resources_) +
-                     R"(}, "passes": {)" + joined(passes_) + "}";
+        const std::string head =
+            is_real_ ? R"("params": {)" + params() + "}" : R"("imports": {"noise": "image"})";
+        made_.text =
+            head + R"(, "resources": {)" + joined(resources_) + R"(}, "passes": {)" + joined(passes_) + "}";
         return std::move(made_);
     }
 
@@ -50,6 +53,19 @@ class RestGenerator {
         resources_.push_back("\"" + name + R"(": {"format": "rgba16f", "size": 64)" + more + "}");
     }
 
+    std::string params() const {
+        std::string all;
+        for (uint32_t i = 0; i < made_.params; ++i)
+            all += (i == 0 ? "\"p" : ", \"p") + std::to_string(i) + R"(": {"default": 0, "range": [0, 1]})";
+        return all;
+    }
+
+    // Returns the key that gives a shader its parameter.
+    std::string param() {
+        if (!is_real_) return "";
+        return R"(, "params": {"value": "p)" + std::to_string(made_.params++) + "\"}";
+    }
+
     std::string queue() {
         if (chance(55)) return "";
         return chance(60) ? R"(, "queue": "async")" : R"(, "queue": "graphics")";
@@ -67,7 +83,7 @@ class RestGenerator {
             std::string(1, kind) + std::to_string(inputs.size()) + (draws ? ".frag" : ".comp");
         return std::string(R"("type": ")") + (draws ? "fullscreen" : "compute") + R"(", "shader": ")" +
                shader + "\"" + (ports.empty() ? "" : R"(, "in": {)" + ports + "}") + R"(, "out": {"dst": ")" +
-               target + "\"}" + (draws ? "" : queue());
+               target + "\"}" + param() + (draws ? "" : queue());
     }
 
     void resting(const std::string& name, const std::string& body) {
@@ -79,7 +95,8 @@ class RestGenerator {
     std::vector<std::string> still_inputs() {
         std::vector<std::string> inputs;
         while (inputs.size() < 2 && chance(60)) {
-            if (final_.empty() || chance(30))
+            if (is_real_ && final_.empty()) break;
+            if (final_.empty() || (!is_real_ && chance(30)))
                 inputs.emplace_back("noise");
             else
                 inputs.push_back(any(final_));
@@ -131,6 +148,7 @@ class RestGenerator {
     }
 
     std::mt19937 random_;
+    bool is_real_;
     RandomRest made_;
     std::vector<std::string> resources_, passes_;
     std::vector<std::string> final_,
@@ -141,8 +159,8 @@ class RestGenerator {
 
 }  // namespace
 
-RandomRest random_rest(uint32_t seed) {
-    return RestGenerator(seed).run();
+RandomRest random_rest(uint32_t seed, RestShaders shaders) {
+    return RestGenerator(seed, shaders).run();
 }
 
 ShaderCatalog rest_shaders() {

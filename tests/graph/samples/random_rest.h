@@ -16,10 +16,16 @@ struct RandomRest {
     // References to observe, as with `--resource`. They name transients that only a rest unit uses.
     std::vector<std::string> observed;
     uint32_t rest_passes = 0;  // Number of passes with "rest" in the text.
+    uint32_t params = 0;       // Number of parameters; see RestShaders.
 };
 
-// Equal seeds give equal graphs. Most graphs can be resolved; a few have a cycle.
-[[nodiscard]] RandomRest random_rest(uint32_t seed);
+// `fake`: the shaders are those of rest_shaders(), and the graph reads an import "noise". `real`: the shaders
+// are the files in tests/render/rest/random/. The graph has no import, and each shader has a parameter: "p0",
+// "p1" and so on.
+enum class RestShaders : uint8_t { fake, real };
+
+// Equal arguments give equal graphs.
+[[nodiscard]] RandomRest random_rest(uint32_t seed, RestShaders shaders = RestShaders::fake);
 
 [[nodiscard]] ShaderCatalog rest_shaders();
 

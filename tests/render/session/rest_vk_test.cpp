@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "tests/graph/samples/random_rest.h"
 #include "tests/render/session_fixture.h"
 
 namespace weft::test {
@@ -39,9 +40,32 @@ class Rest : public SessionTest {
         return ran;
     }
 
-    void set_power(render::Session& session, double power) {
+    std::unique_ptr<render::Session> begin_random(const RandomRest& made, const FileReader& reader,
+                                                  bool rests) {
+        const Result<scene::Scene> scene = scene::make_builtin("spheres");
+        passes_ = registered_passes();
+        render::SessionInput input;
+        input.request.path = WEFT_SOURCE_DIR "/tests/render/rest/random/graph.json";
+        input.request.size = {64, 64, 1};
+        input.request.observed = made.observed;
+        input.request.rests = rests;
+        input.load.reader = reader;
+        input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.passes = &passes_;
+        input.check_plan = true;
+        input.queues = queues_;
+        Result<std::unique_ptr<render::Session>> session =
+            render::Session::create(*device_, *scene, input, warnings_);
+        EXPECT_TRUE(session) << to_text(session.errors());
+        if (!session) return nullptr;
+        frame_of(**session) = {.camera = scene::framing_camera(*scene, 1)};
+        return std::move(*session);
+    }
+
+    void set_power(render::Session& session, double power) { set_param(session, "power", power); }
+    void set_param(render::Session& session, const std::string& name, double value) {
         render::Selection selection = session.selection();
-        selection.request.params["power"] = power;
+        selection.request.params[name] = value;
         render::PrepareResult made = session.prepare(selection);
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
         const Result<bool> swapped = session.swap_in(std::move(*made.result));
@@ -115,6 +139,43 @@ TEST_F(Rest, GivesTheBytesOfASessionWithoutRest) {
         std::printf("%u queues: %zu of 360 passes ran\n", queues_, ran);
         EXPECT_LT(ran, 250u);
     }
+}
+
+// Random graphs with random changes of their parameters give the same bytes with and without rest.
+TEST_F(Rest, RandomGraphsGiveTheBytesOfRunningEverything) {
+    size_t ran = 0, all = 0;
+    queues_ = 3;
+    make_device(true);
+    for (uint32_t seed = 1; seed <= 50; ++seed) {
+        queues_ = 1 + seed % 3;
+        const RandomRest made = random_rest(seed + 60000, RestShaders::real);
+        SCOPED_TRACE("seed " + std::to_string(seed + 60000) + "\n" + made.text);
+        const FileReader reader = [&](const std::string& path) {
+            return path.ends_with("graph.json") ? std::optional("{\"version\": 1, " + made.text + "}")
+                                                : read_text(path);
+        };
+        const std::unique_ptr<render::Session> resting = begin_random(made, reader, true),
+                                               running = begin_random(made, reader, false);
+        ASSERT_TRUE(resting && running);
+        std::mt19937 random(seed);
+        for (uint32_t i = 0; i < 8; ++i) {
+            for (uint32_t change = random() % 3; change > 0; --change) {
+                const std::string param = "p" + std::to_string(random() % made.params);
+                const double value = static_cast<double>(random() % 8) / 8;
+                set_param(*resting, param, value);
+                set_param(*running, param, value);
+            }
+            ran += frame(*resting).size();
+            all += made.rest_passes;
+            EXPECT_TRUE(frame(*running).empty());
+            const std::vector<vk::ReadbackData> a = resting->take_readbacks(), b = running->take_readbacks();
+            ASSERT_EQ(a.size(), b.size());
+            for (size_t k = 0; k < a.size(); ++k)
+                ASSERT_EQ(a[k].bytes, b[k].bytes) << a[k].pass << " in frame " << i;
+        }
+    }
+    std::printf("seeds 60001..60050: %zu of %zu passes with rest ran\n", ran, all);
+    EXPECT_LT(ran * 3, all * 2);
 }
 
 }  // namespace

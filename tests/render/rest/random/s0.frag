@@ -1,0 +1,8 @@
+#version 460
+layout(push_constant) uniform Params { float value; } params;
+layout(location = 0) out vec4 dst;
+
+void main() {
+    const ivec2 at = ivec2(gl_FragCoord.xy);
+    dst = vec4(params.value + 0.125, vec2(at) / 64.0, 1);
+}

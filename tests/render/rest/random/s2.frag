@@ -1,0 +1,10 @@
+#version 460
+layout(push_constant) uniform Params { float value; } params;
+uniform sampler2D a;
+uniform sampler2D b;
+layout(location = 0) out vec4 dst;
+
+void main() {
+    const ivec2 at = ivec2(gl_FragCoord.xy);
+    dst = vec4(params.value + 0.125 + 0.5 * texelFetch(a, at, 0).x + 0.25 * texelFetch(b, at, 0).x, vec2(at) / 64.0, 1);
+}
