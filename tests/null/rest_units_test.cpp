@@ -189,6 +189,7 @@ TEST_F(RestUnits, ChangesOfInputsGiveWhatRunningEverythingGives) {
         observed = made.observed;
         SCOPED_TRACE("seed " + std::to_string(seed + 20000) + "\n" + made.text);
         const FramePlan plan = plan_of(good(made.text), 1 + seed % 3);
+        ASSERT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
         for (uint32_t sequence = 0; sequence < sequences; ++sequence) {
             const InputChoice inputs = random_inputs(plan, seed * 100 + sequence);
             const RestChoice resting = chosen(plan, inputs);
@@ -196,7 +197,8 @@ TEST_F(RestUnits, ChangesOfInputsGiveWhatRunningEverythingGives) {
             const NullRun wanted = run_reference(plan.graph, plan.live, kFrames, {}, inputs);
             const NullRun found = run_null(plan, {kFrames, seed, NullOrder::shuffled, resting, inputs});
             const std::vector<std::string> different = differences(plan.graph, wanted, found);
-            ASSERT_TRUE(different.empty()) << different.front();
+            ASSERT_TRUE(different.empty()) << different.front() << "\n"
+                                           << (found.faults.empty() ? "" : found.faults.front());
             for (const std::vector<uint8_t>& frame : resting)
                 for (const uint8_t rests : frame) units += 1, ran += rests == 0 ? 1 : 0;
         }

@@ -46,7 +46,11 @@ MultiQueueTracker::MultiQueueTracker(const QueueRules& rules, const AccessState&
     : rules_(&rules), entered_(true), layout_(entry.layout) {
     if (changes) source_ = Past{rules.epilogue, kGraphicsQueue, entry.stages, kNoId, true};
     source_writes_ = unflushed_ = entry.access & access::kAllWrites;
-    if (unflushed_ == 0) visible_.fill(~access::kNone);
+    if (unflushed_ != 0) return;
+    visible_.fill(~access::kNone);
+    // The program may still read the import. A later write or layout change must wait for that, too, even if
+    // passes of this frame read the import before.
+    if (source_ && entry.stages != stage::kNone) readers_.push_back(*source_);
 }
 
 bool MultiQueueTracker::visible(const AccessState& state) const {
