@@ -135,7 +135,6 @@ BarrierDecl barrier_of(ResourceId resource, const TrackedBarrier& tracked) {
     barrier.reason = tracked.reason;
     barrier.from = tracked.from;
     barrier.from_previous_frame = tracked.from_previous_frame;
-    barrier.if_pass_runs = tracked.if_pass_runs;
     return barrier;
 }
 
@@ -169,6 +168,21 @@ BarrierDecl& add_barrier(const PlacedBarrier& placed, ResourceId resource, const
     BarrierDecl& barrier = step.barriers.emplace_back(barrier_of(resource, placed.barrier));
     barrier.to = order.order[placed.position];
     return barrier;
+}
+
+// Marks the barriers around the writes of rest units: they are recorded only in frames in which the pass
+// runs.
+void mark_rest_units(const ResolvedGraph& graph, BarrierPlan& plan) {
+    for (PassStep& step : plan.steps) {
+        const PassDecl& pass = graph.passes[step.pass];
+        if (pass.rest_unit == kNoId) continue;
+        for (std::vector<BarrierDecl>* list : {&step.barriers, &step.after})
+            for (BarrierDecl& barrier : *list)
+                barrier.if_pass_runs = std::ranges::any_of(pass.uses, [&](const UseDecl& use) {
+                    return writes(use.access) && use.resource == barrier.resource &&
+                           overlaps(use.range, barrier.range);
+                });
+    }
 }
 
 // Adds the commands that initialise one copy of a persistent resource to the prologue: for an image a
@@ -216,6 +230,7 @@ BarrierResult barriers(const ResolvedGraph& graph, const Schedule& order, const 
         }
         if (!history.entry.empty()) add_to_prologue(graph, id, history.entry, plan.prologue);
     }
+    if (graph.rest_unit_count > 0) mark_rest_units(graph, plan);
     return result;
 }
 

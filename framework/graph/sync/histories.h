@@ -21,7 +21,6 @@ struct TrackedBarrier {
     BarrierReason reason = BarrierReason::raw;
     PassId from = kNoId;
     bool from_previous_frame = false;
-    bool if_pass_runs = false;
 };
 
 struct PlacedBarrier {

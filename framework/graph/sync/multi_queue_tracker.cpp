@@ -48,6 +48,7 @@ MultiQueueTracker::MultiQueueTracker(const QueueRules& rules, const AccessState&
     source_writes_ = unflushed_ = entry.access & access::kAllWrites;
     if (unflushed_ != 0) return;
     visible_.fill(~access::kNone);
+    enters_visible_ = true;
     // The program may still read the import. A later write or layout change must wait for that, too, even if
     // passes of this frame read the import before.
     if (source_ && entry.stages != stage::kNone) readers_.push_back(*source_);
@@ -171,7 +172,6 @@ void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> eve
                              .dst = dst,
                              .reason = reason(event),
                              .from = past.pass});
-    moved_ = moved_ || layout_ != dst.layout;
     layout_ = dst.layout;
     unflushed_ = source_writes_ = access::kNone;
     visible_.fill(access::kNone);
@@ -257,7 +257,6 @@ void MultiQueueTracker::change(std::span<const AccessEvent> events, CellSync& sy
 void MultiQueueTracker::note_source(const AccessEvent& event, const AccessState& made_visible) {
     source_ = Past{event.position, event.queue, event.state.stages, event.pass, false};
     readers_.clear();
-    moved_ = moved_ || layout_ != made_visible.layout;
     layout_ = made_visible.layout;
     source_writes_ = event.writes ? event.state.access & access::kAllWrites : access::kNone;
     unflushed_ = source_writes_;
@@ -271,8 +270,8 @@ void MultiQueueTracker::note_source(const AccessEvent& event, const AccessState&
 
 void MultiQueueTracker::release(const AccessState& exit, CellSync& sync) {
     const bool overwritten_next = touched_ && (exit.access & access::kAllWrites) != 0;
-    const bool here = source_ && source_->queue == kGraphicsQueue;
-    const bool seen = layout_ == exit.layout && (!moved_ || (here && visible(exit)));
+    const bool here = !source_ || source_->queue == kGraphicsQueue;
+    const bool seen = layout_ == exit.layout && (!enters_visible_ || (here && visible(exit)));
     if (!written_ && !overwritten_next && seen) return;
     AccessState src{stage::kNone, access::kNone, layout_};
     for (const Past& past : predecessors()) {

@@ -72,7 +72,8 @@ class MultiQueueTracker {
     bool taken_over_ = false;
     bool entered_ = false;
     bool written_ = false;
-    bool moved_ = false;  // True if this frame changed the layout.
+    // True for an import without a pending write: all accesses see its content until the frame changes it.
+    bool enters_visible_ = false;
     bool touched_ = false;
     Layout layout_ = Layout::undefined;
     // The last write or layout transition. It determines the current content and layout.

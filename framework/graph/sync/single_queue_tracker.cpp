@@ -31,6 +31,7 @@ SingleQueueTracker::SingleQueueTracker(const AccessState& entry)
         return;
     }
     reader_stages_ = entry.stages;
+    enters_visible_ = true;
     // The import has no pending write. So all accesses already see its content, and need no barrier for that.
     visible_.fill(~access::kNone);
 }
@@ -78,7 +79,7 @@ void SingleQueueTracker::advance(std::span<const AccessEvent> events, CellSync& 
 
 void SingleQueueTracker::release(const AccessState& exit, CellSync& sync) {
     const bool overwritten_next = touched_ && (exit.access & access::kAllWrites) != 0;
-    const bool seen = layout_ == exit.layout && (!moved_ || visible(exit));
+    const bool seen = layout_ == exit.layout && (!enters_visible_ || visible(exit));
     if (!written_ && !overwritten_next && seen) return;
     sync.barriers.push_back({.position = kEpiloguePosition,
                              .src = {pending_stages(), unflushed_, layout_},
@@ -102,7 +103,6 @@ void SingleQueueTracker::apply_barrier(const CellBarrier& barrier) {
     if (layout_ != barrier.dst.layout || unflushed_ != 0) visible_.fill(access::kNone);
     for (StageMask left = barrier.dst.stages; left != 0; left &= left - 1)
         visible_[first_stage(left)] |= barrier.dst.access;
-    moved_ = moved_ || layout_ != barrier.dst.layout;
     layout_ = barrier.dst.layout;
     unflushed_ = access::kNone;
     reader_stages_ = stage::kNone;

@@ -38,8 +38,6 @@ struct CellBarrier {
     BarrierReason reason = BarrierReason::raw;
     PassId from = kNoId;          // The pass to wait for; kNoId if there is no single such pass.
     bool previous_frame = false;  // True if the accesses to wait for are in the previous frame.
-    // True: recorded only in frames in which the pass at `position` runs. See track_home.h.
-    bool if_pass_runs = false;
     uint32_t src_family = 0, dst_family = 0;
     // Only for an ownership transfer between queue families. It needs two barriers: a release and an acquire.
     // These are the position and the state of the other one of these two barriers. Barriers of several cells
@@ -52,9 +50,8 @@ struct CellBarrier {
 // layouts as the barrier itself. Barriers with equal keys are merged into one barrier for all their cells.
 [[nodiscard]] inline auto merge_key(const CellBarrier& b) {
     return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
-                           b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.if_pass_runs,
-                           b.src_family, b.dst_family, b.pair_position, b.pair_state.stages,
-                           b.pair_state.access);
+                           b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.src_family,
+                           b.dst_family, b.pair_position, b.pair_state.stages, b.pair_state.access);
 }
 
 // The barriers of one cell (a block of subresources with the same accesses) in one frame, and its
@@ -119,7 +116,8 @@ class SingleQueueTracker {
     PassId pass_ = kNoId;  // The pass of the pending accesses; kNoId if there are several.
     bool several_ = false;
     bool written_ = false;
-    bool moved_ = false;  // True if this frame changed the layout.
+    // True for an import without a pending write: all accesses see its content until the frame changes it.
+    bool enters_visible_ = false;
     bool touched_ = false;
     bool previous_frame_ = false;        // True if the last access was in the previous frame.
     QueueIndex queue_ = kGraphicsQueue;  // Queue of the last access to the subresource.

@@ -63,8 +63,7 @@ HomeTrace track_home(const ResourceDecl& decl, ResourceId resource, std::span<co
                                        .reason = begins  ? BarrierReason::alias
                                                  : alone ? BarrierReason::waw
                                                          : BarrierReason::war,
-                                       .previous_frame = true,
-                                       .if_pass_runs = true});
+                                       .previous_frame = true});
         add_dependencies(event, events, resource, trace.sync);
         if (!returns) continue;
         const AccessState dst{home_stages, readers.access, trace.home};
@@ -74,8 +73,7 @@ HomeTrace track_home(const ResourceDecl& decl, ResourceId resource, std::span<co
              .src = {event.state.stages, event.state.access & access::kAllWrites, event.state.layout},
              .dst = dst,
              .reason = BarrierReason::raw,
-             .from = event.pass,
-             .if_pass_runs = true});
+             .from = event.pass});
     }
     return trace;
 }

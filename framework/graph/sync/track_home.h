@@ -1,7 +1,8 @@
 // Purpose: computes the barriers of one cell that a rest unit writes. While no pass of the unit runs, the
 // cell stays in its home state: the layout that its readers need, with the content visible to all of them. So
 // its readers need no barriers, whether the unit rests or runs. Each writing pass brings the cell from the
-// home state to its own state and back. These barriers are recorded only in frames in which the pass runs.
+// home state to its own state and back. barriers() marks these barriers: they are recorded only in frames in
+// which the pass runs.
 #pragma once
 
 #include <span>

@@ -165,8 +165,7 @@ PlacedBarrier placed_barrier(const CellBarrier& barrier, const SubresourceRange&
              .dst_family = barrier.dst_family,
              .reason = barrier.reason,
              .from = barrier.from,
-             .from_previous_frame = barrier.previous_frame,
-             .if_pass_runs = barrier.if_pass_runs}};
+             .from_previous_frame = barrier.previous_frame}};
 }
 
 RingHistory track_resource(const HistoryInput& input) {
