@@ -74,7 +74,8 @@ std::string describe_rest(const FramePlan& plan, PassId id) {
     }
     return "pass " + describe_pass(plan, id) + " rests" +
            (others.empty() ? std::string() : " and runs only together with " + others) +
-           ". It runs in the first frame, after a change of the plan, and after a change of one of these:\n" +
+           ". It runs in the first frame, and after a change of its declaration, of the size of its "
+           "resources, or of one of these:\n" +
            reasons.text();
 }
 
