@@ -155,7 +155,7 @@ TEST_F(RestUnits, AnySubsetOfUnitsGivesWhatTheReferenceGives) {
     const uint32_t seeds = extended() ? 700 : 60;
     uint32_t graphs = 0, refused = 0, units = 0, most = 0;
     for (uint32_t seed = 1; seed <= seeds; ++seed) {
-        const RandomRest made = random_rest(seed);
+        const RandomRest made = random_rest(seed, RestShaders::fake, seed % 2 == 0);
         SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + made.text);
         observed = made.observed;
         const Result<ResolvedGraph> graph = run(made.text);
@@ -212,7 +212,7 @@ TEST_F(RestUnits, WhatTheNullExecutorBreaksTheCheckerCatches) {
     const uint32_t seeds = extended() ? 300 : 25;
     Tallies tallies{};
     for (uint32_t seed = 1; seed <= seeds; ++seed) {
-        const RandomRest made = random_rest(seed + 5000);
+        const RandomRest made = random_rest(seed + 5000, RestShaders::fake, seed % 2 == 0);
         SCOPED_TRACE("seed " + std::to_string(seed + 5000) + "\n" + made.text);
         observed = made.observed;
         const Result<ResolvedGraph> graph = run(made.text);

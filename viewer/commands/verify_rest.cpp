@@ -10,12 +10,30 @@
 namespace weft::viewer {
 namespace {
 
-// Returns the names of all kept resources that passes with "rest" write, in the order of the plan.
+// Returns for each rest unit whether a port with "wakes": false affects its results, directly or through
+// another unit. Then the results may differ from those of a unit that always runs.
+std::vector<uint8_t> find_unwoken(const FramePlan& plan) {
+    std::vector<uint8_t> unwoken(plan.graph.rest_unit_count, 0);
+    for (size_t round = 0; round <= unwoken.size(); ++round)
+        for (const PassDecl& pass : plan.graph.passes)
+            for (const UseDecl& use : pass.uses) {
+                if (pass.rest_unit == kNoId) continue;
+                if (!use.wakes) unwoken[pass.rest_unit] = 1;
+                for (const VersionSource& source : use.sources)
+                    if (source.producer != kNoId && plan.graph.passes[source.producer].rest_unit != kNoId)
+                        unwoken[pass.rest_unit] |= unwoken[plan.graph.passes[source.producer].rest_unit];
+            }
+    return unwoken;
+}
+
+// Returns the names of all kept resources that passes with "rest" write, in the order of the plan, without
+// those of find_unwoken().
 std::vector<std::string> rested_resources(const FramePlan& plan) {
+    const std::vector<uint8_t> unwoken = find_unwoken(plan);
     std::vector<std::string> names;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
-        if (pass.rest_unit == kNoId) continue;
+        if (pass.rest_unit == kNoId || unwoken[pass.rest_unit] != 0) continue;
         for (const UseDecl& use : pass.uses) {
             const ResourceDecl& resource = plan.graph.resources[use.resource];
             const bool kept = resource.lifetime == ResourceLifetime::persistent;

@@ -42,6 +42,10 @@ void read_else(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     if (read_reference(context, node, ref)) draft.port.otherwise = std::move(ref);
 }
 
+void read_wakes(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    read_bool(context, node, draft.port.wakes);
+}
+
 void read_optional(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     read_bool(context, node, draft.port.optional);
 }
@@ -56,6 +60,7 @@ void read_port_clear(ParseContext& context, const JsonNode& node, PortDraft& dra
 
 constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref}, KeyRule<PortDraft>{"else", read_else},
                                 KeyRule<PortDraft>{"optional", read_optional},
+                                KeyRule<PortDraft>{"wakes", read_wakes},
                                 KeyRule<PortDraft>{"sampler", read_sampler}};
 constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref},
                                  KeyRule<PortDraft>{"clear", read_port_clear}};

@@ -49,7 +49,7 @@ void visit_fields(V& v, const UseDecl& x) {
     v("port", x.port), v("resource", x.resource), v("range", x.range), v("access", x.access),
         v("state", x.state);
     v("history", x.history), v("isOutput", x.is_output), v("sources", x.sources), v("binding", x.binding);
-    v("sampler", x.sampler);
+    v("sampler", x.sampler), v("wakes", x.wakes);
 }
 template <class V>
 void visit_fields(V& v, const EdgeDecl& x) {

@@ -46,6 +46,7 @@ class WakeReasons {
     }
 
     void add_use(const PassDecl& pass, const UseDecl& use) {
+        if (!use.wakes) return;
         if (plan_.graph.resources[use.resource].import)
             line("the content of import " + describe_resource(plan_, use.resource));
         for (const VersionSource& source : use.sources) {

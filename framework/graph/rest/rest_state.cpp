@@ -41,7 +41,8 @@ void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
         else if (source != pass.rest_unit)
             add_source(pass.rest_unit, source, previous_frame);
     };
-    for (const UseDecl& use : pass.uses)
+    for (const UseDecl& use : pass.uses) {
+        if (!use.wakes) continue;
         for (const VersionSource& source : use.sources) {
             if (source.producer != kNoId) {
                 add_writer(source.producer, false);
@@ -56,6 +57,7 @@ void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
                         overlaps(written.range, source.range))
                         add_writer(writer, true);
         }
+    }
 }
 
 void RestState::add_source(uint32_t unit, uint32_t source, bool previous_frame) {

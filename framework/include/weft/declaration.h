@@ -176,6 +176,8 @@ struct UseDecl {
     // ports of copies, ports of passes in C++.
     uint32_t binding = kNoId;
     SamplerDecl sampler;
+    // Only for passes with `rest`. False: a change of the content does not make the pass run.
+    bool wakes = true;
     SourceLoc loc;
 };
 

@@ -84,6 +84,8 @@ struct PortDesc {
     std::optional<RefDesc> otherwise;
     // True: the port may have no resource. The shader's constant HAS_<port> tells whether it has one.
     bool optional = false;
+    // False: a change of the content of this port does not make a pass with "rest" run.
+    bool wakes = true;
     std::optional<SamplerDecl> sampler;
     SourceLoc loc;  // Place of the port's name in the file.
 };

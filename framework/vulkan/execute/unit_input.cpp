@@ -32,7 +32,7 @@ bool add_draws(const UnitInputContext& context, const PassDecl& pass, const Prep
 bool add_imports(const UnitInputContext& context, const PassDecl& pass, std::vector<std::byte>& bytes) {
     for (const UseDecl& use : pass.uses) {
         const ResourceDecl& resource = context.objects.plan.graph.resources[use.resource];
-        if (resource.lifetime != ResourceLifetime::imported) continue;
+        if (resource.lifetime != ResourceLifetime::imported || !use.wakes) continue;
         const auto version = context.frame.import_versions.find(resource.name);
         if (version == context.frame.import_versions.end()) return false;
         add_number(version->second, bytes);

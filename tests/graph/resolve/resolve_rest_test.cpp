@@ -99,6 +99,18 @@ TEST_F(ResolveRest, RefusesWhatItCannotKeep) {
         "only its result exists", "after pass \"change\"");
 }
 
+TEST_F(ResolveRest, APortThatDoesNotWakeMayReadWhatChanges) {
+    const std::string make_t = R"("make": {"type": "compute", "shader": "make.comp", "out": {"dst": "t"}},)";
+    const std::string port = R"("in": {"a": {"ref": "t", "wakes": false}}, "out": {"dst": "k"})";
+    const ResolvedGraph made = good(graph(make_t + R"("table": {"type": "compute", "shader": "read.comp", )" +
+                                          port + R"(, "rest": true},)" + show("k")));
+    EXPECT_FALSE(use(made, "table", "a").wakes);
+    EXPECT_NE(pass_in(made, "table").rest_unit, kNoId);
+    expect_refused(
+        make_t + R"("table": {"type": "compute", "shader": "read.comp", )" + port + "}," + show("k"),
+        "has no \"rest\"", "remove \"wakes\"");
+}
+
 TEST_F(ResolveRest, AHistoryMakesRestImpossible) {
     expect_refused(R"("make": {"type": "compute", "shader": "make.comp", "out": {"dst": "h"}},)" +
                        rest("table", "read", "h[-1]", "k") + show("k"),

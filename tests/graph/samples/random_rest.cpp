@@ -10,8 +10,8 @@ namespace {
 
 class RestGenerator {
  public:
-    RestGenerator(uint32_t seed, RestShaders shaders)
-        : random_(seed), is_real_(shaders == RestShaders::real) {}
+    RestGenerator(uint32_t seed, RestShaders shaders, bool has_unwoken)
+        : random_(seed), is_real_(shaders == RestShaders::real), has_unwoken_(has_unwoken) {}
 
     RandomRest run() {
         add_changing("change0", {});
@@ -71,13 +71,19 @@ class RestGenerator {
         return chance(60) ? R"(, "queue": "async")" : R"(, "queue": "graphics")";
     }
 
+    // Returns the value of an input port. The sign "?" before a name means "wakes": false.
+    static std::string reference(const std::string& input) {
+        if (input.front() != '?') return "\"" + input + "\"";
+        return R"({"ref": ")" + input.substr(1) + R"(", "wakes": false})";
+    }
+
     // Returns the keys of a pass that reads `inputs` (at most two) and writes all of `target`.
     std::string work(const std::vector<std::string>& inputs, const std::string& target) {
         const bool draws = chance(25);
         std::string ports;
         for (size_t i = 0; i < inputs.size(); ++i)
             ports +=
-                (i == 0 ? "" : ", ") + std::string(i == 0 ? "\"a\": \"" : "\"b\": \"") + inputs[i] + "\"";
+                (i == 0 ? "" : ", ") + std::string(i == 0 ? "\"a\": " : "\"b\": ") + reference(inputs[i]);
         const char kind = !draws && chance(30) ? 'i' : 's';  // Storage images or sampled images as inputs.
         const std::string shader =
             std::string(1, kind) + std::to_string(inputs.size()) + (draws ? ".frag" : ".comp");
@@ -94,6 +100,7 @@ class RestGenerator {
     // Returns up to two inputs whose content changes only if a unit runs.
     std::vector<std::string> still_inputs() {
         std::vector<std::string> inputs;
+        if (has_unwoken_ && chance(40)) inputs.push_back("?" + any(changing_));
         while (inputs.size() < 2 && chance(60)) {
             if (is_real_ && final_.empty()) break;
             if (final_.empty() || (!is_real_ && chance(30)))
@@ -148,7 +155,7 @@ class RestGenerator {
     }
 
     std::mt19937 random_;
-    bool is_real_;
+    bool is_real_, has_unwoken_;
     RandomRest made_;
     std::vector<std::string> resources_, passes_;
     std::vector<std::string> final_,
@@ -159,8 +166,8 @@ class RestGenerator {
 
 }  // namespace
 
-RandomRest random_rest(uint32_t seed, RestShaders shaders) {
-    return RestGenerator(seed, shaders).run();
+RandomRest random_rest(uint32_t seed, RestShaders shaders, bool has_unwoken) {
+    return RestGenerator(seed, shaders, has_unwoken).run();
 }
 
 ShaderCatalog rest_shaders() {

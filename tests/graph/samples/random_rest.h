@@ -24,8 +24,10 @@ struct RandomRest {
 // "p1" and so on.
 enum class RestShaders : uint8_t { fake, real };
 
-// Equal arguments give equal graphs.
-[[nodiscard]] RandomRest random_rest(uint32_t seed, RestShaders shaders = RestShaders::fake);
+// `has_unwoken`: some passes with "rest" read changing images through ports with "wakes": false. Equal
+// arguments give equal graphs.
+[[nodiscard]] RandomRest random_rest(uint32_t seed, RestShaders shaders = RestShaders::fake,
+                                     bool has_unwoken = false);
 
 [[nodiscard]] ShaderCatalog rest_shaders();
 

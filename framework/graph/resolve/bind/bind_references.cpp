@@ -149,6 +149,7 @@ class ReferenceBinder {
         bound.use.is_output = is_output;
         bound.use.loc = ref.loc;
         if (port.sampler) bound.use.sampler = *port.sampler;
+        bound.use.wakes = port.wakes;
         return bound;
     }
 

@@ -48,7 +48,7 @@ class RestUnitFinder {
         for (const Cell& cell : cells_) note_change(cell);
         for (const Cell& cell : cells_)
             if (cell.ordered) unite(cell);
-        for (PassId pass(0); pass < graph_.passes.size(); ++pass) check_slices(pass);
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass) check_keys(pass);
         for (const Cell& cell : cells_)
             if (cell.ordered) check(cell);
         agree_on_layouts();
@@ -95,8 +95,13 @@ class RestUnitFinder {
         return version >= 0 && version + 1 < static_cast<int>(cell.writers.size());
     }
 
-    void check_slices(PassId pass) {
+    void check_keys(PassId pass) {
         const PassDraft& draft = declared_.expansion.passes[pass];
+        for (const UseDecl& u : graph_.passes[pass].uses)
+            if (!u.wakes && !rests(pass))
+                add_help(
+                    error(pass, u.loc, "has no \"rest\", but its port " + quote(u.port) + " has \"wakes\""),
+                    "remove \"wakes\", or add \"rest\": true to the pass");
         if (!rests(pass) || draft.decl.frame_slices == 0) return;
         add_help(error(pass, draft.desc->rest_loc, "has both \"rest\" and \"perFrame\""),
                  "remove one of the two keys");
@@ -111,7 +116,7 @@ class RestUnitFinder {
         const ResourceId id = resource(cell).ring == kNoId ? cell.resource : resource(cell).ring;
         if (changes_[id] == kNoId) return;
         for (const CellUse& reader : cell.readers)
-            if (rests(reader.pass)) report_restless(cell, reader, changes_[id]);
+            if (rests(reader.pass) && use(reader).wakes) report_restless(cell, reader, changes_[id]);
     }
 
     void check_writer(const Cell& cell, const CellUse& writer) {
@@ -155,8 +160,10 @@ class RestUnitFinder {
         Diagnostic& d = error(reader.pass, use(reader).loc,
                               "has \"rest\", but would never rest: it reads " + what(cell) + ", and pass " +
                                   name + " writes this resource in every frame");
-        add_help(d, "remove \"rest\" from pass " + quote(declared_.author_name(reader.pass)) +
-                        ", or add \"rest\": true to pass " + name + ", too");
+        add_help(d,
+                 "remove \"rest\" from pass " + quote(declared_.author_name(reader.pass)) +
+                     ", or add \"rest\": true to pass " + name +
+                     ", too; or add \"wakes\": false to the port, if the pass need not run for each change");
     }
 
     void report_other_writer(const Cell& cell, const CellUse& writer) {
@@ -263,9 +270,12 @@ class RestUnitFinder {
 
 void find_rest_units(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                      Reporter& reporter) {
-    const bool any = declared.input.request.rests &&
-                     std::ranges::any_of(declared.expansion.passes,
-                                         [](const PassDraft& draft) { return draft.desc->rests; });
+    if (!declared.input.request.rests) return;
+    const auto has_key = [](const PassDraft& draft) {
+        return draft.desc->rests ||
+               std::ranges::any_of(draft.desc->in, [](const PortDesc& port) { return !port.wakes; });
+    };
+    const bool any = std::ranges::any_of(declared.expansion.passes, has_key);
     if (any) RestUnitFinder(declared, cells, graph, reporter).run();
 }
 
