@@ -26,8 +26,8 @@ std::vector<uint8_t> find_unwoken(const FramePlan& plan) {
     return unwoken;
 }
 
-// Returns the names of all kept resources that passes with "rest" write, in the order of the plan, without
-// those of find_unwoken().
+// Returns the names of all resources that passes with "rest" write, in the order of the plan, without those
+// of find_unwoken().
 std::vector<std::string> rested_resources(const FramePlan& plan) {
     const std::vector<uint8_t> unwoken = find_unwoken(plan);
     std::vector<std::string> names;
@@ -36,8 +36,7 @@ std::vector<std::string> rested_resources(const FramePlan& plan) {
         if (pass.rest_unit == kNoId || unwoken[pass.rest_unit] != 0) continue;
         for (const UseDecl& use : pass.uses) {
             const ResourceDecl& resource = plan.graph.resources[use.resource];
-            const bool kept = resource.lifetime == ResourceLifetime::persistent;
-            if (writes(use.access) && kept && std::ranges::find(names, resource.name) == names.end())
+            if (writes(use.access) && std::ranges::find(names, resource.name) == names.end())
                 names.push_back(resource.name);
         }
     }
@@ -68,12 +67,12 @@ Diagnostic difference(const FramePlan& plan, const vk::ReadbackData& found, cons
                       uint32_t frame) {
     const std::string resource = found.pass.substr(found.pass.find(':') + 1);
     const auto place = std::ranges::mismatch(found.bytes, wanted.bytes);
-    Diagnostic d;
-    d.code = "W189";
-    d.message = "in frame " + std::to_string(frame) + ", \"" + resource +
-                "\" differs from a run in which no pass rests, from byte " +
-                std::to_string(place.in1 - found.bytes.begin()) + " on; it is written by pass " +
-                writers_of(plan, resource);
+    const ResourceId id = find_resource(plan.graph, resource);
+    Diagnostic d = plan.graph.sources.error(id == kNoId ? SourceLoc{} : plan.graph.resources[id].loc, "W189",
+                                            "in frame " + std::to_string(frame) + ", \"" + resource +
+                                                "\" differs from a run in which no pass rests, from byte " +
+                                                std::to_string(place.in1 - found.bytes.begin()) +
+                                                " on; it is written by pass " + writers_of(plan, resource));
     d.help = {"let the shader write every texel of its outputs, with values that depend only on its inputs",
               "or remove \"rest\" from the pass"};
     return d;
@@ -104,19 +103,31 @@ Status verify_rest(const RenderOptions& options, const FramePlan& plan, uint32_t
         if (Status done = render_one(*b, options, frame); !done) return done;
         const std::vector<vk::ReadbackData> found = a->session->take_readbacks(),
                                             wanted = b->session->take_readbacks();
-        for (size_t i = 0; i < std::min(found.size(), wanted.size()); ++i)
-            if (found[i].bytes != wanted[i].bytes) return difference(plan, found[i], wanted[i], frame);
+        // The first difference in the order of the plan is the cause of all others.
+        for (const std::string& name : names) {
+            const auto is_of = [&](const vk::ReadbackData& data) { return data.pass == "observe:" + name; };
+            const auto x = std::ranges::find_if(found, is_of), y = std::ranges::find_if(wanted, is_of);
+            if (x != found.end() && y != wanted.end() && x->bytes != y->bytes)
+                return difference(plan, *x, *y, frame);
+        }
         for (const vk::FrameTiming& timing : a->session->take_timings())
             for (const vk::PassTiming& pass : timing.passes) {
                 rested += pass.rested ? 1 : 0;
                 all += pass.rested || !pass.woken_by.empty() ? 1 : 0;
             }
     }
-    std::fprintf(
-        stderr,
-        "weft: verified %u frames: passes with \"rest\" rested %u of %u times, and the %zu resources that "
-        "they write had the same bytes as if these passes had always run\n",
-        frames, rested, all, names.size());
+    if (rested == 0)
+        std::fputs(
+            "weft: no pass rested in these frames, so nothing was verified; render more frames (--frames), "
+            "and "
+            "see weft explain FILE rest PASS\n",
+            stderr);
+    else
+        std::fprintf(stderr,
+                     "weft: verified %u frames: passes with \"rest\" rested %u of %u times, and all "
+                     "resources that they "
+                     "write (%zu) had the same bytes as if these passes had always run\n",
+                     frames, rested, all, names.size());
     return Unit{};
 }
 

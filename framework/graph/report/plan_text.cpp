@@ -115,7 +115,7 @@ class PlanText {
         waits(position);
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
             text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
-        if (decl.rest_unit != kNoId) text_ += "    rests with " + rest_unit(decl.rest_unit) + "\n";
+        if (decl.rest_unit != kNoId) text_ += "    rest " + rest_unit(decl.rest_unit) + "\n";
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];
@@ -136,7 +136,7 @@ class PlanText {
         std::string names;
         for (const PassId id : plan_.schedule.order)
             if (plan_.graph.passes[id].rest_unit == unit) names += (names.empty() ? "" : ", ") + pass(id);
-        return "unit " + std::to_string(unit) + " (" + names + ")";
+        return "unit " + std::to_string(unit) + ": " + names;
     }
 
     void barrier(const BarrierDecl& b) {

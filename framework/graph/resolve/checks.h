@@ -38,6 +38,8 @@ void warn_unused(const Declared& declared, Reporter& reporter);
 // Warns about resources that no pass reads, and about passes that have no effect. Warnings: W135, W136.
 void warn_useless(const Declared& declared, const VersionedGraph& versioned, const ResolvedGraph& graph,
                   const Suspects& suspects, Reporter& reporter);
+// Warns about passes with "rest" whose shader reads a value that changes in every frame. Warnings: W138.
+void warn_restless(const Declared& declared, const ResolvedGraph& graph, Reporter& reporter);
 // Fills in how much work a change of each parameter causes. Also warns about names that nothing uses.
 // Warnings: W132 to W134.
 [[nodiscard]] std::vector<GraphParam> weigh_params(const ResolveInput& input, std::vector<GraphParam> params,

@@ -28,6 +28,7 @@ ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
     warn_unused(declared, reporter);
     resolved.params = weigh_params(input, std::move(resolved.params), reporter);
     warn_useless(declared, graph, resolved, blocks.suspects, reporter);
+    warn_restless(declared, resolved, reporter);
     return resolved;
 }
 

@@ -219,8 +219,10 @@ class RestUnitFinder {
         Diagnostic& d = error(u.pass, use(u).loc,
                               "has \"rest\", but its result depends on the content that " + what(cell) +
                                   " had before: it would differ whenever the pass runs again");
-        if (const ShaderBinding* binding = graph_.passes[u.pass].ports[u.use].binding;
-            binding != nullptr && binding->writes)
+        const ShaderBinding* binding = graph_.passes[u.pass].ports[u.use].binding;
+        if (declared_.expansion.passes[u.pass].desc->partial)
+            add_help(d, "if the pass writes all of " + what(cell) + ", remove \"partial\"");
+        else if (binding != nullptr && binding->writes)
             add_help(d, "if the shader only writes " + quote(binding->name) + ", declare it as `writeonly`");
         add_help(d, "let the pass, or a pass with \"rest\" before it, write all of " + what(cell) +
                         "; or remove \"rest\"");
