@@ -1,0 +1,8 @@
+#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32f) writeonly uniform image2D dst;
+
+void main() {
+    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (at.x < 32) imageStore(dst, at, vec4(1));
+}
