@@ -119,14 +119,12 @@ Status verify_rest(const RenderOptions& options, const FramePlan& plan, uint32_t
     if (rested == 0)
         std::fputs(
             "weft: no pass rested in these frames, so nothing was verified; render more frames (--frames), "
-            "and "
-            "see weft explain FILE rest PASS\n",
+            "and see weft explain FILE rest PASS\n",
             stderr);
     else
         std::fprintf(stderr,
                      "weft: verified %u frames: passes with \"rest\" rested %u of %u times, and all "
-                     "resources that they "
-                     "write (%zu) had the same bytes as if these passes had always run\n",
+                     "resources that they write (%zu) had the same bytes as if these passes had always run\n",
                      frames, rested, all, names.size());
     return Unit{};
 }

@@ -56,7 +56,7 @@ class DispatchSizer : PassStage<Dispatches> {
     }
 
     void count_indirectly() {
-        constexpr uint64_t kCountsBytes = 12;  // Size of a VkDispatchIndirectCommand.
+        constexpr uint64_t kCountsBytes = 12;  // Three 32-bit group counts.
         const auto port = std::ranges::find_if(bound_.ports, &PortDraft::is_indirect);
         // If the port is missing, bind() has already reported an error.
         if (port == bound_.ports.end()) return;
@@ -138,8 +138,7 @@ class DispatchSizer : PassStage<Dispatches> {
             extents.empty() ? "the pass writes no image" : "its outputs differ in size: " + listed;
         error(draft_.decl.loc, "the dispatch size of pass " + quote(draft_.decl.name) + " is unknown: " + why,
               "add \"threads\": \"output\" (one invocation for each pixel of the output size) or \"groups\": "
-              "[x, y, z] "
-              "(numbers of workgroups)");
+              "[x, y, z] (numbers of workgroups)");
         return std::nullopt;
     }
 
@@ -166,7 +165,7 @@ class DispatchSizer : PassStage<Dispatches> {
 // draw of the draw list.
 void find_draw_commands(const Declared& declared, const VersionedGraph& graph, PassId pass,
                         Dispatches& dispatches, PassReporter& report) {
-    constexpr uint64_t kCommandBytes = 20;  // Size of a VkDrawIndexedIndirectCommand.
+    constexpr uint64_t kCommandBytes = 20;  // Five 32-bit words of an indexed draw command.
     const BoundPass& bound = graph.passes[pass];
     PassDispatch& dispatch = dispatches.passes[pass];
     const auto port = std::ranges::find_if(bound.ports, &PortDraft::is_indirect);
