@@ -74,7 +74,10 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
             continue;
         }
         if (events[id].empty()) continue;
-        const bool has_home = graph.rest_unit_count > 0 && unit_writes(graph, events[id]);
+        const bool has_home =
+            graph.rest_unit_count > 0 && std::ranges::any_of(events[id], [&](const RangeAccess& access) {
+                return is_unit_write(graph, access.event);
+            });
         const WholeHistory* found = has_home ? nullptr : whole.track(id, resource, events[id]);
         if (found == nullptr) {
             track_ring({&id, 1}, graph, order, events, table);

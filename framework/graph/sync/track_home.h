@@ -17,18 +17,9 @@ struct HomeTrace {
     Layout home = Layout::undefined;
 };
 
-// Returns true if a pass with a rest unit writes the resource in one of these accesses.
-template <class Events>
-[[nodiscard]] bool unit_writes(const ResolvedGraph& graph, const Events& events) {
-    for (const auto& item : events) {
-        const AccessEvent* event = nullptr;
-        if constexpr (requires { item.event; })
-            event = &item.event;
-        else
-            event = &item;
-        if (event->writes && graph.passes[event->pass].rest_unit != kNoId) return true;
-    }
-    return false;
+// Returns true if the access is a write of a pass with a rest unit.
+[[nodiscard]] inline bool is_unit_write(const ResolvedGraph& graph, const AccessEvent& event) {
+    return event.writes && graph.passes[event.pass].rest_unit != kNoId;
 }
 
 // `events` are the accesses to the cell in one frame, sorted by schedule position.

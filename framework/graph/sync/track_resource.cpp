@@ -85,6 +85,13 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
     return trace;
 }
 
+// Returns true if a rest unit writes the cell with these accesses.
+bool has_home(const HistoryInput& input, std::span<const AccessEvent> events) {
+    return input.graph->rest_unit_count > 0 && std::ranges::any_of(events, [&](const AccessEvent& event) {
+               return is_unit_write(*input.graph, event);
+           });
+}
+
 // Traces a cell that a rest unit writes. Such a cell is in its home state at the start of each frame.
 CellTrace trace_home(const HistoryInput& input, std::span<const AccessEvent> events) {
     HomeTrace home = track_home(*input.roles.front().decl, input.resource, events);
@@ -101,8 +108,7 @@ CellTrace trace_home(const HistoryInput& input, std::span<const AccessEvent> eve
 CellTrace trace_cell(const HistoryInput& input, const QueueUsage& usage, const QueueRules& rules,
                      const std::vector<CellAccesses>& roles, uint32_t cell) {
     const ResourceDecl& decl = *input.roles.front().decl;
-    if (input.graph->rest_unit_count > 0 && unit_writes(*input.graph, roles.front()[cell]))
-        return trace_home(input, roles.front()[cell]);
+    if (has_home(input, roles.front()[cell])) return trace_home(input, roles.front()[cell]);
     const auto start = decl.lifetime == ResourceLifetime::persistent ? SingleQueueTracker::Start::known
                                                                      : SingleQueueTracker::Start::taken_over;
     if (usage.several_queues)
@@ -174,8 +180,7 @@ RingHistory track_resource(const HistoryInput& input) {
     for (const Role& role : input.roles) roles.push_back(events_by_cell(grid, role.events));
     QueueUsage usage = queue_usage(input, roles);
     // A transfer of ownership needs both passes in one frame, but a rest unit runs only in some frames.
-    const auto has_home = [&](const auto& events) { return unit_writes(*input.graph, events); };
-    if (input.graph->rest_unit_count > 0 && std::ranges::any_of(roles.front(), has_home))
+    if (std::ranges::any_of(roles.front(), [&](const auto& events) { return has_home(input, events); }))
         usage.exclusive = false;
     const QueueRules rules{input.order->queues, input.resource,
                            input.roles.front().decl->kind == ResourceKind::image, usage.exclusive,
