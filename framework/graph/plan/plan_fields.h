@@ -49,7 +49,7 @@ void visit_fields(V& v, const UseDecl& x) {
     v("port", x.port), v("resource", x.resource), v("range", x.range), v("access", x.access),
         v("state", x.state);
     v("history", x.history), v("isOutput", x.is_output), v("sources", x.sources), v("binding", x.binding);
-    v("sampler", x.sampler), v("wakes", x.wakes);
+    v("sampler", x.sampler), v("wakes", x.wakes), v("latest", x.latest);
 }
 template <class V>
 void visit_fields(V& v, const EdgeDecl& x) {
@@ -116,9 +116,15 @@ void visit_fields(V& v, const PassDecl& x) {
         v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit);
 }
 template <class V>
+void visit_fields(V& v, const GroupDecl& x) {
+    v("name", x.name), v("firstUnit", x.first_unit), v("rounds", x.rounds), v("perFrame", x.per_frame);
+    v("warmUp", x.warm_up), v("rests", x.rests), v("settle", x.settle), v("turns", x.turns);
+}
+template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {
     v("name", x.name), v("outputExtent", x.output_extent), v("resources", x.resources), v("passes", x.passes);
     v("edges", x.edges), v("output", x.output), v("params", x.params), v("restUnitCount", x.rest_unit_count);
+    v("groups", x.groups);
 }
 template <class V>
 void visit_fields(V& v, const LiveGraph& x) {

@@ -178,6 +178,10 @@ struct UseDecl {
     SamplerDecl sampler;
     // Only for passes with `rest`. False: a change of the content does not make the pass run.
     bool wakes = true;
+    // Only for a pass of a group that reads what other rounds of the group write: it sees the content at the
+    // time when its round runs, whichever rounds have run before. Sources without a producer stand for this
+    // content.
+    bool latest = false;
     SourceLoc loc;
 };
 
@@ -300,8 +304,8 @@ struct PassDecl {
     // in every frame.
     uint32_t frame_slice = 0;
     uint32_t frame_slices = 0;
-    // For a pass with `rest`: the number of its rest unit, less than ResolvedGraph::rest_unit_count. In each
-    // frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
+    // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
+    // In each frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
     // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
@@ -313,6 +317,27 @@ struct PassDecl {
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
 
+// A group of passes. Its rounds are units, and each frame runs some of them, in any order.
+struct GroupDecl {
+    static constexpr uint32_t kAll = UINT32_MAX;
+
+    std::string name;
+    // Round r is the unit first_unit + r.
+    uint32_t first_unit = 0;
+    uint32_t rounds = 0;
+    uint32_t per_frame = kAll;  // Number of rounds that may run in each frame.
+    uint32_t warm_up = kAll;    // The same, while some rounds have not run yet. The higher number counts.
+    // True: a round runs only if something has changed that its result depends on.
+    bool rests = false;
+    uint32_t settle = 0;  // How often a round runs again after a change.
+    std::string turns;    // The import with the list of the rounds to run; empty: the rounds run in turn.
+    SourceLoc loc;
+
+    [[nodiscard]] bool has_unit(uint32_t unit) const {
+        return unit >= first_unit && unit - first_unit < rounds;
+    }
+};
+
 struct ResolvedGraph {
     std::string name;
     Extent3D output_extent;
@@ -322,7 +347,8 @@ struct ResolvedGraph {
     // The import of kind "output", to which the picture is written; kNoId if the graph has no output.
     ResourceId output = kNoId;
     std::vector<GraphParam> params;  // The graph's parameters with their values.
-    uint32_t rest_unit_count = 0;    // Number of rest units; see PassDecl::rest_unit.
+    uint32_t rest_unit_count = 0;    // Number of units; see PassDecl::rest_unit.
+    std::vector<GroupDecl> groups;   // Sorted by name. Their units have the highest numbers.
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };

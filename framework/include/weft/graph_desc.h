@@ -138,6 +138,9 @@ struct ResourceDesc {
     // Initial content of a resource with `history` or `keep`; absent: 0.
     std::optional<ColorDesc> first_frame;
     OnResize on_resize = OnResize::clear;
+    // Name of the group to which the resource belongs; empty: none. The name of such a resource begins with
+    // the group: "relight::raw". Only the passes of the group use it.
+    std::string group;
     SourceLoc loc;
 };
 
@@ -183,7 +186,9 @@ struct StateLocs {
 };
 
 struct PassDesc {
+    // For a pass of a group: "relight::filter".
     std::string name;
+    std::string group;  // Name of the group to which the pass belongs; empty: none.
     std::string type;
     QueueKind queue = QueueKind::graphics;
     std::string shader;
@@ -202,7 +207,8 @@ struct PassDesc {
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // Values of the shader's specialisation constants, by name.
     Expr condition;  // The key "if": the pass is removed if the value is 0; absent: it is never removed.
-    // The indices of the key "repeat". If there are several, the first is the outermost loop.
+    // The indices of the key "repeat". If there are several, the first is the outermost loop. The repeat of a
+    // pass in a group begins with the indices of the group.
     std::vector<RepeatDesc> repeat;
     // The key "perFrame": number of passes of the repeat that run in each frame; absent or 0: all.
     Expr per_frame;
@@ -234,6 +240,26 @@ struct PassDesc {
     // Passes without dependencies on each other are ordered by this key, then by name. Graph files do not set
     // it.
     uint32_t order_key = 0;
+};
+
+// A group of passes. Each value of the group's repeat makes a round: one copy of all passes of the group. The
+// passes of a round run together, one after the other. The passes and resources of the group are in
+// GraphDesc::passes and GraphDesc::resources.
+struct GroupDesc {
+    std::string name;
+    std::vector<RepeatDesc> repeat;  // The indices of the key "repeat"; empty: the group has one round.
+    Expr per_frame;                  // Number of rounds that may run in each frame; absent: all.
+    SourceLoc per_frame_loc;
+    std::string turns;  // The import with the list of the rounds to run; empty: the rounds run in turn.
+    SourceLoc turns_loc;
+    // Number of rounds per frame while some rounds have not run yet; absent: all.
+    Expr warm_up;
+    SourceLoc warm_up_loc;
+    bool rests = false;  // A round runs only if something has changed that its result depends on.
+    SourceLoc rest_loc;
+    Expr settle;  // How often a round runs again after a change; absent: 0.
+    SourceLoc settle_loc;
+    SourceLoc loc;
 };
 
 // A debug view: it shows the values of a resource as colours.
@@ -289,6 +315,7 @@ struct GraphDesc {
     std::map<std::string, ImportDesc> imports;
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
+    std::map<std::string, GroupDesc> groups;
     Expr frames;  // Number of frames of a run; absent: 1.
     std::map<std::string, DebugViewDesc> debug;
     std::vector<GraphTestDesc> tests;

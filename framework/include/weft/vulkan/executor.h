@@ -53,6 +53,9 @@ struct FrameInput {
     // Versions of the contents of imported buffers and images, by name. Give an import a new number whenever
     // its content changes. A rest unit that reads an import without a version runs in every frame.
     std::map<std::string, uint64_t, std::less<>> import_versions = {};
+    // For each import of kind "turns": the rounds of the group to run in this frame, in this order. A group
+    // without a list runs its rounds in turn.
+    std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
 };
 
 // Hooks for tests: they omit barriers, so that a test can check that the validation layer reports the missing
