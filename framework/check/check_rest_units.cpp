@@ -9,8 +9,10 @@ namespace {
 
 // One mip of one layer of one aspect of an image, or a buffer.
 struct Part {
-    uint32_t unit = kNoId;  // The rest unit that writes the part.
-    PassId last = kNoId;    // The last live pass of the schedule that writes the part.
+    uint32_t unit = kNoId;  // The unit that writes the part.
+    // True if several rounds of one group write the part. Then it has content only while a round runs.
+    bool shared = false;
+    PassId last = kNoId;  // The last live pass of the schedule that writes the part.
     bool home_known = false;
     Layout home = Layout::undefined;  // Layout of the part outside the steps of its unit.
 };
@@ -60,6 +62,22 @@ class RestCheck {
 
  private:
     [[nodiscard]] uint32_t unit_of(PassId pass) const { return plan_.graph.passes[pass].rest_unit; }
+    [[nodiscard]] const GroupDecl* group_of(uint32_t unit) const {
+        for (const GroupDecl& group : plan_.graph.groups)
+            if (unit != kNoId && group.has_unit(unit)) return &group;
+        return nullptr;
+    }
+    // Returns true if the result of the pass must not depend on its own earlier result.
+    [[nodiscard]] bool is_pure(PassId pass) const {
+        const GroupDecl* group = group_of(unit_of(pass));
+        return group == nullptr || group->rests;
+    }
+    // Returns true if a port of the pass declares that the pass reads its own earlier result.
+    [[nodiscard]] bool declares_own_content(PassId pass, const UseDecl& read) const {
+        return std::ranges::any_of(plan_.graph.passes[pass].uses, [&](const UseDecl& use) {
+            return !use.wakes && use.resource == read.resource && overlaps(use.range, read.range);
+        });
+    }
 
     void fault(const char* code, PassId pass, SourceLoc loc, const std::string& text, const char* help) {
         faults_.add(code, loc, "pass " + faults_.pass_name(pass) + " " + text, help);
@@ -76,7 +94,13 @@ class RestCheck {
             if (!writes(use.access)) continue;
             const ResourceDecl& resource = plan_.graph.resources[use.resource];
             if (parts_[use.resource].empty()) parts_[use.resource].create(resource);
-            parts_[use.resource].each(use.range, [&](Part& part) { part.unit = pass.rest_unit; });
+            const GroupDecl* group = group_of(pass.rest_unit);
+            const bool local = resource.lifetime == ResourceLifetime::transient;
+            parts_[use.resource].each(use.range, [&](Part& part) {
+                const bool other = part.unit != kNoId && part.unit != pass.rest_unit;
+                part.shared |= other && local && group != nullptr && group->has_unit(part.unit);
+                part.unit = pass.rest_unit;
+            });
             if (!keeps_content(use.resource))
                 fault("C333", id, use.loc,
                       "rests in some frames and writes " + faults_.resource_name(use.resource) +
@@ -95,12 +119,17 @@ class RestCheck {
         return span.first == 0 && span.last + 1u >= plan_.schedule.order.size();
     }
 
+    // Returns true if the pass is in the group whose rounds share the part.
+    [[nodiscard]] bool is_shared_with(const Part& part, PassId pass) const {
+        return part.shared && unit_of(pass) != kNoId && group_of(part.unit)->has_unit(unit_of(pass));
+    }
+
     void check_writes(PassId id) {
         for (const UseDecl& use : plan_.graph.passes[id].uses) {
             if (!writes(use.access)) continue;
             bool shared = false;
             parts_[use.resource].each(use.range, [&](const Part& part) {
-                shared |= part.unit != kNoId && part.unit != unit_of(id);
+                shared |= part.unit != kNoId && part.unit != unit_of(id) && !is_shared_with(part, id);
             });
             if (shared)
                 fault("C333", id, use.loc,
@@ -119,10 +148,15 @@ class RestCheck {
         for (const UseDecl& use : plan_.graph.passes[id].uses)
             for (const VersionSource& source : use.sources) {
                 bool own = false, middle = false;
+                const bool pure = is_pure(id) && !declares_own_content(id, use);
                 parts_[use.resource].each(source.range, [&](const Part& part) {
                     if (part.unit == kNoId) return;
+                    if (is_shared_with(part, id)) {
+                        own |= source.producer == kNoId || unit_of(source.producer) != unit_of(id);
+                        return;
+                    }
                     const bool together = part.unit == unit_of(id);
-                    own |= together && source.producer == kNoId;
+                    own |= together && source.producer == kNoId && pure;
                     middle |= !together && source.producer != kNoId && source.producer != part.last;
                 });
                 const std::string what = faults_.resource_name(use.resource) + range_text(source.range);
@@ -171,8 +205,9 @@ class RestCheck {
                 }
                 bool own = unit_of(step.pass) != kNoId && !parts_[barrier.resource].empty() &&
                            barrier.src_family == barrier.dst_family && !step.merges_render_pass;
-                parts_[barrier.resource].each(
-                    barrier.range, [&](const Part& part) { own &= part.unit == unit_of(step.pass); });
+                parts_[barrier.resource].each(barrier.range, [&](const Part& part) {
+                    own &= part.unit == unit_of(step.pass) || is_shared_with(part, step.pass);
+                });
                 if (!own) report_barrier(barrier, step.pass, "only in frames in which that pass runs");
             }
         if (unit_of(step.pass) == kNoId) return;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/check_frame_slices.h"
+#include "check/check_groups.h"
 #include "check/check_rest_units.h"
 #include "check/check_scopes.h"
 #include "check/memory_collisions.h"
@@ -272,6 +273,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_stages(plan, faults);
     check_frame_slices(plan, faults);
     check_rest_units(plan, faults);
+    check_groups(plan, faults);
     return true;
 }
 

@@ -75,6 +75,7 @@ class Replay {
     // entry that matched the previous cell of this use. The search starts at this entry, because neighbouring
     // cells often match the same entry.
     void expect_content(PassId id, const UseDecl& use, const Cell& cell, size_t& hint);
+    [[nodiscard]] bool is_latest_content(PassId reader, const UseDecl& use, const Cell& cell) const;
     [[nodiscard]] bool is_wanted_content(const UseDecl& use, const Cell& cell, PassId wanted) const;
     [[nodiscard]] bool anybody_writes(ResourceId ring, const SubresourceRange& range) const;
     void expect_order(const Actor& by, const UseDecl& use, Cell& cell, const AccessState& state, bool writes);
@@ -94,7 +95,7 @@ class Replay {
     // Sorted pairs: a resource, and the index of a barrier in the call that affects this resource.
     std::vector<std::pair<ResourceId, size_t>> on_resource_;
     std::vector<Scopes> on_memory_;  // The scopes of the barriers that affect the current cell.
-    uint64_t barrier_batches_ = 0;  // Number of vkCmdPipelineBarrier2 calls so far, on all queues.
+    uint64_t barrier_batches_ = 0;   // Number of vkCmdPipelineBarrier2 calls so far, on all queues.
     uint32_t frame_ = 0;
     // Number of the current rendering scope, counted over all frames.
     uint32_t scope_ = 0;

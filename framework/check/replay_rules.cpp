@@ -85,6 +85,20 @@ bool Replay::anybody_writes(ResourceId ring, const SubresourceRange& range) cons
     return std::ranges::any_of(written_[ring], [&](const SubresourceRange& r) { return overlaps(r, range); });
 }
 
+// Returns true if the use may see whatever the rounds of a group have left, and the cell has such content:
+// the content of an earlier frame, or of a round of the group in this frame.
+bool Replay::is_latest_content(PassId reader, const UseDecl& use, const Cell& cell) const {
+    const Content& found = cell.content;
+    if (!use.latest) return false;
+    if (found.kind == Content::Kind::initial || found.kind == Content::Kind::carried) return true;
+    if (found.kind != Content::Kind::written || found.frame != frame_) return false;
+    const uint32_t own = plan_.graph.passes[reader].rest_unit;
+    const uint32_t writer = plan_.graph.passes[found.pass].rest_unit;
+    return std::ranges::any_of(plan_.graph.groups, [&](const GroupDecl& group) {
+        return own != kNoId && writer != kNoId && group.has_unit(own) && group.has_unit(writer);
+    });
+}
+
 // Returns true if the cell has the content that the use wants:
 // - If `wanted` is a pass: the content that this pass wrote in this frame.
 // - If `wanted` is kNoId, for an import: the content that the program wrote before the frame.
@@ -135,6 +149,7 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
     const PassId wanted = source == use.sources.end() ? kNoId : source->producer;
     const Content& found = cell.content;
     if (is_wanted_content(use, cell, wanted)) return;
+    if (wanted == kNoId && is_latest_content(id, use, cell)) return;
     std::string holds = "has no content";
     if (found.kind == Content::Kind::written)
         holds = "has the content that " + faults_.actor_text({found.pass, found.frame}, frame_) + " wrote";

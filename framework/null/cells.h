@@ -61,11 +61,10 @@ inline bool defined_before_frame(const ResourceDecl& resource) {
     return resource.lifetime != ResourceLifetime::transient;
 }
 
-// Returns true if the pass belongs to a rest unit that rests in this frame.
-[[nodiscard]] inline bool rests(const RestChoice& resting, const PassDecl& pass, uint32_t frame) {
-    if (pass.rest_unit == kNoId || frame >= resting.size() || pass.rest_unit >= resting[frame].size())
-        return false;
-    return resting[frame][pass.rest_unit] != 0;
+// Returns true if the unit rests in this frame. kNoId stands for a pass without a unit.
+[[nodiscard]] inline bool rests(const RestChoice& resting, uint32_t unit, uint32_t frame) {
+    return unit != kNoId && frame < resting.size() && unit < resting[frame].size() &&
+           resting[frame][unit] != 0;
 }
 
 }  // namespace weft::null

@@ -195,7 +195,8 @@ class Execution {
 }  // namespace null
 
 NullRun run_null(const FramePlan& plan, const NullOptions& options) {
-    const null::Timeline timeline = null::unroll(plan, options.frames, options.seed, options.resting);
+    const null::Timeline timeline =
+        null::unroll(plan, options.frames, options.seed, options.resting, options.rounds);
     return null::Execution(plan, timeline, options).run();
 }
 

@@ -33,6 +33,10 @@ using RestChoice = std::vector<std::vector<uint8_t>>;
 // number 0.
 using InputChoice = std::vector<std::vector<uint32_t>>;
 
+// Index: frame. The units of the rounds that run in the frame, in the order in which they run; see GroupDecl.
+// In a frame that the list does not contain, the rounds that do not rest run in the order of their numbers.
+using RoundOrder = std::vector<std::vector<uint32_t>>;
+
 struct NullOptions {
     uint32_t frames = 3;
     // Selects the order if `order` is `shuffled`. For a write that may happen in several stages, the seed
@@ -41,6 +45,7 @@ struct NullOptions {
     NullOrder order = NullOrder::shuffled;
     RestChoice resting = {};
     InputChoice inputs = {};
+    RoundOrder rounds = {};
 };
 
 // A number that stands for the content of a subresource or buffer. Equal numbers mean equal content; 0 means
@@ -67,10 +72,11 @@ struct NullRun {
 [[nodiscard]] NullRun run_null(const FramePlan& plan, const NullOptions& options = {});
 
 // Computes the result that every correct plan of the graph has. It runs the passes one after another with
-// separate memory for every resource, so that every read sees the version given by the graph. It uses only
-// the declarations.
+// separate memory for every resource, and for every round of a group, so that every read sees the version
+// given by the graph. It uses only the declarations.
 [[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3,
-                                    const RestChoice& resting = {}, const InputChoice& inputs = {});
+                                    const RestChoice& resting = {}, const InputChoice& inputs = {},
+                                    const RoundOrder& rounds = {});
 
 // Returns a text for each observed value of `wanted` that `found` lacks or has with another value. Undefined
 // values in `wanted`, and values that only `found` has, are not compared.

@@ -34,6 +34,52 @@ std::vector<PassId> program_order(const ResolvedGraph& graph, const LiveGraph& l
     return order;
 }
 
+// Passes that run one after another: one pass, or all passes of a group.
+struct Block {
+    const GroupDecl* group = nullptr;
+    std::vector<PassId> passes;
+};
+
+const GroupDecl* group_of(const ResolvedGraph& graph, PassId pass) {
+    for (const GroupDecl& group : graph.groups)
+        if (graph.passes[pass].rest_unit != kNoId && group.has_unit(graph.passes[pass].rest_unit))
+            return &group;
+    return nullptr;
+}
+
+// Divides the program order into blocks. A block is moved behind all blocks that it depends on, directly or
+// not.
+std::vector<Block> blocks_of(const ResolvedGraph& graph, const std::vector<PassId>& order) {
+    std::vector<Block> left;
+    for (const PassId pass : order) {
+        const GroupDecl* group = group_of(graph, pass);
+        const auto same = std::ranges::find_if(
+            left, [&](const Block& block) { return group != nullptr && block.group == group; });
+        if (same == left.end())
+            left.push_back({group, {pass}});
+        else
+            same->passes.push_back(pass);
+    }
+    const auto block_with = [&](PassId pass) {
+        return std::ranges::find_if(left, [&](const Block& block) {
+            return std::ranges::find(block.passes, pass) != block.passes.end();
+        });
+    };
+    std::vector<Block> sorted;
+    while (!left.empty()) {
+        std::set<const Block*> waiting;
+        for (const EdgeDecl& edge : graph.edges) {
+            const auto from = block_with(edge.from), to = block_with(edge.to);
+            if (from != left.end() && to != left.end() && from != to) waiting.insert(&*to);
+        }
+        const auto ready = std::ranges::find_if(left, [&](const Block& b) { return !waiting.contains(&b); });
+        if (ready == left.end()) break;
+        sorted.push_back(std::move(*ready));
+        left.erase(ready);
+    }
+    return sorted;
+}
+
 // The values of one cell in one frame: its value before the frame, and every value written since, with the
 // writing pass.
 struct Versions {
@@ -51,11 +97,12 @@ struct Versions {
 class Reference {
  public:
     Reference(const ResolvedGraph& graph, const LiveGraph& live, const RestChoice& resting,
-              const InputChoice& inputs)
+              const InputChoice& inputs, const RoundOrder& rounds)
         : graph_(graph),
           live_(live),
           resting_(resting),
           inputs_(inputs),
+          rounds_(rounds),
           used_(used_resources(graph, live)),
           written_(graph.resources.size(), 0),
           rested_(graph.resources.size(), 0) {
@@ -76,13 +123,14 @@ class Reference {
     }
 
     NullRun run(uint32_t frames) {
+        std::vector<Block> blocks;
         const std::vector<PassId> order = program_order(graph_, live_);
+        if (!graph_.groups.empty()) blocks = blocks_of(graph_, order);
         for (frame_ = 0; frame_ < frames; ++frame_) {
             begin_frame();
-            for (const PassId pass : order) {
-                const PassDecl& decl = graph_.passes[pass];
-                runs_in_frame(decl, frame_) && !rests(resting_, decl, frame_) ? execute(pass) : pass_on(pass);
-            }
+            if (blocks.empty())
+                for (const PassId pass : order) run_pass(pass);
+            for (const Block& block : blocks) run_block(block);
             for (ResourceId id(0); id < cells_.size(); ++id) {
                 const ResourceLifetime lifetime = graph_.resources[id].lifetime;
                 const bool last = frame_ + 1 == frames;
@@ -96,6 +144,29 @@ class Reference {
     }
 
  private:
+    void run_pass(PassId pass) {
+        const PassDecl& decl = graph_.passes[pass];
+        const bool runs = runs_in_frame(decl, frame_) && !rests(resting_, decl.rest_unit, frame_);
+        runs ? execute(pass) : pass_on(pass);
+    }
+
+    // Runs the rounds of a group in the order of this frame.
+    void run_block(const Block& block) {
+        if (block.group == nullptr || frame_ >= rounds_.size()) {
+            // Without an order, the rounds run in the order of their numbers.
+            std::vector<PassId> passes = block.passes;
+            std::ranges::stable_sort(passes, {}, [&](PassId p) { return graph_.passes[p].rest_unit; });
+            for (const PassId pass : passes) run_pass(pass);
+            return;
+        }
+        const std::vector<uint32_t>& units = rounds_[frame_];
+        for (const uint32_t unit : units)
+            for (const PassId pass : block.passes)
+                if (graph_.passes[pass].rest_unit == unit) execute(pass);
+        for (const PassId pass : block.passes)
+            if (std::ranges::find(units, graph_.passes[pass].rest_unit) == units.end()) pass_on(pass);
+    }
+
     // Starts a frame. Transients start undefined, and so do image imports whose entry layout is `undefined`.
     // In a ring with history, from the second frame on, age a gets the last content of age a - 1; see role()
     // for age 0. All other resources keep their last content.
@@ -138,7 +209,9 @@ class Reference {
             const ResourceDecl& decl = graph_.resources[use.resource];
             for_each_cell(decl, use.range, [&](uint32_t cell, const SubresourceRange& range) {
                 const PassId source = source_of(use, range);
-                const CellValue value = cells_[use.resource][cell].by(source);
+                const Versions& versions = cells_[use.resource][cell];
+                const bool own = source != kNoId && graph_.passes[source].rest_unit == pass.rest_unit;
+                const CellValue value = use.latest && !own ? versions.last() : versions.by(source);
                 const bool nobody_wrote = source == kNoId && !defined_before_frame(decl);
                 defined = defined && (value != kUndefinedValue || nobody_wrote);
                 hash.add(value);
@@ -178,6 +251,7 @@ class Reference {
     const LiveGraph& live_;
     const RestChoice& resting_;
     const InputChoice& inputs_;
+    const RoundOrder& rounds_;
     // Index: ResourceId. `used_`: 1 if a live pass uses a resource of the same ring. `written_`: 1 if a live
     // pass writes this resource. `rested_`: 1 if a rest unit writes this resource.
     std::vector<uint8_t> used_, written_, rested_;
@@ -190,8 +264,8 @@ class Reference {
 }  // namespace null
 
 NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames,
-                      const RestChoice& resting, const InputChoice& inputs) {
-    return null::Reference(graph, live, resting, inputs).run(frames);
+                      const RestChoice& resting, const InputChoice& inputs, const RoundOrder& rounds) {
+    return null::Reference(graph, live, resting, inputs, rounds).run(frames);
 }
 
 }  // namespace weft

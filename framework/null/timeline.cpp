@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "graph/rest/frame_steps.h"
 #include "null/cells.h"
 #include "null/effective_use.h"
 
@@ -61,10 +62,11 @@ struct QueueProgress {
 
 class Unroller {
  public:
-    Unroller(const FramePlan& plan, uint64_t choice, const RestChoice& resting)
+    Unroller(const FramePlan& plan, uint64_t choice, const RestChoice& resting, const RoundOrder& rounds)
         : plan_(plan),
           choice_(choice),
           resting_(resting),
+          rounds_(rounds),
           queues_(plan.schedule.queues.size()),
           entered_(plan.graph.resources.size(), kNoNode),
           uses_of_import_(plan.graph.resources.size()) {
@@ -126,11 +128,12 @@ class Unroller {
 
     // Adds the nodes of one vkCmdPipelineBarrier2 call. The barriers of one call do not chain with each
     // other.
-    void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& all, bool pass_rests = false) {
+    void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& all, const FrameStep& step = {},
+                  bool is_before = true) {
         QueueProgress& queue = queues_[queue_index];
         std::vector<const BarrierDecl*> batch;
         for (const BarrierDecl& barrier : all)
-            if (!pass_rests || !barrier.if_pass_runs) batch.push_back(&barrier);
+            if (step.records(barrier, is_before)) batch.push_back(&barrier);
         std::vector<uint32_t> added;
         for (const BarrierDecl* recorded : batch) {
             const BarrierDecl& barrier = *recorded;
@@ -174,6 +177,22 @@ class Unroller {
         for (QueueIndex q(1); q < queues_.size(); ++q) add_wait(q, signal);
     }
 
+    std::vector<FrameStep> recorded_steps(const Batch& batch) const {
+        const bool ordered = frame_ < rounds_.size();
+        std::vector<uint8_t> runs(plan_.graph.rest_unit_count, 1);
+        for (uint32_t unit = 0; unit < runs.size(); ++unit)
+            runs[unit] = rests(resting_, unit, frame_) ? 0 : 1;
+        std::vector<uint32_t> rounds = ordered ? rounds_[frame_] : std::vector<uint32_t>{};
+        for (const GroupDecl& group : plan_.graph.groups)
+            for (uint32_t unit = group.first_unit; unit < group.first_unit + group.rounds; ++unit) {
+                if (ordered)
+                    runs[unit] = std::ranges::find(rounds, unit) != rounds.end() ? 1 : 0;
+                else if (runs[unit] != 0)
+                    rounds.push_back(unit);
+            }
+        return frame_steps(plan_, batch, runs, rounds);
+    }
+
     void batch(uint32_t index) {
         const Batch& batch = plan_.submissions.batches[index];
         for (const QueueWait& wait : batch.waits) {
@@ -183,15 +202,15 @@ class Unroller {
             if (wait.previous_frame && plan_.submissions.batches[wait.batch].epilogue)
                 add_wait(batch.queue, owners_signal_);
         }
-        for (size_t i = 0; i < batch.positions.size(); ++i) {
-            const PassStep& step = plan_.barriers.steps[batch.positions[i]];
-            const bool last = i + 1 == batch.positions.size();
-            const bool pass_rests = rests(resting_, plan_.graph.passes[step.pass], frame_);
-            barriers(batch.queue, step.barriers, pass_rests);
-            if (!pass_rests)
-                pass(batch.queue, batch.positions[i],
-                     !last && plan_.barriers.steps[batch.positions[i + 1]].merges_render_pass);
-            barriers(batch.queue, step.after, pass_rests);
+        const std::vector<FrameStep> steps = recorded_steps(batch);
+        for (size_t i = 0; i < steps.size(); ++i) {
+            const PassStep& step = plan_.barriers.steps[steps[i].position];
+            const bool last = i + 1 == steps.size();
+            barriers(batch.queue, step.barriers, steps[i], true);
+            if (steps[i].runs)
+                pass(batch.queue, steps[i].position,
+                     !last && plan_.barriers.steps[steps[i + 1].position].merges_render_pass);
+            barriers(batch.queue, step.after, steps[i], false);
         }
         if (batch.epilogue) barriers(batch.queue, plan_.barriers.epilogue);
         Node node;
@@ -323,6 +342,7 @@ class Unroller {
     const FramePlan& plan_;
     uint64_t choice_;
     const RestChoice& resting_;
+    const RoundOrder& rounds_;
     uint32_t frame_ = 0;
     uint32_t scope_ = 0;
     Drawing drawing_;
@@ -340,8 +360,9 @@ class Unroller {
 
 }  // namespace
 
-Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice, const RestChoice& resting) {
-    return Unroller(plan, choice, resting).run(frames);
+Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice, const RestChoice& resting,
+                const RoundOrder& rounds) {
+    return Unroller(plan, choice, resting, rounds).run(frames);
 }
 
 }  // namespace weft::null

@@ -67,6 +67,6 @@ struct Timeline {
 // which of its possible stages each write happens, and each access of an import's entry state. A pass that
 // rests in a frame (`resting`) has no node in this frame.
 [[nodiscard]] Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice,
-                              const RestChoice& resting);
+                              const RestChoice& resting, const RoundOrder& rounds);
 
 }  // namespace weft::null

@@ -97,10 +97,10 @@ class RestUnits : public ResolveTest {
                 for (const std::byte byte : std::as_bytes(std::span(&frame[pass], 1)))
                     bytes[unit]->push_back(byte);
             }
-            const std::vector<Wake> wakes = state.choose(bytes);
+            const UnitChoice choice = state.choose(bytes);
             resting.emplace_back();
-            for (const Wake& wake : wakes) resting.back().push_back(wake.reason == WakeReason::rests ? 1 : 0);
-            state.commit(bytes, wakes);
+            for (const Wake& wake : choice.wakes) resting.back().push_back(wake.runs() ? 0 : 1);
+            state.commit(bytes, choice);
         }
         return resting;
     }

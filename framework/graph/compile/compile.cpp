@@ -10,16 +10,19 @@
 #include "graph/schedule/lifetimes.h"
 #include "graph/schedule/schedule.h"
 #include "graph/sync/barriers.h"
+#include "graph/sync/group_blocks.h"
 #include "graph/sync/submissions.h"
 #include "graph/sync/synchronize.h"
 
 namespace weft {
 namespace {
 
-std::vector<QueueDependency> all_dependencies(const SyncTable& sync, const BarrierResult& recorded) {
+std::vector<QueueDependency> all_dependencies(const ResolvedGraph& graph, const Schedule& order,
+                                              const SyncTable& sync, const BarrierResult& recorded) {
     std::vector<QueueDependency> all = sync.dependencies;
     all.insert(all.end(), recorded.memory_dependencies.begin(), recorded.memory_dependencies.end());
-    return all;
+    if (graph.groups.empty() || all.empty()) return all;
+    return outside_blocks(group_blocks(graph, order), std::move(all));
 }
 
 }  // namespace
@@ -38,13 +41,13 @@ FramePlan compile(ResolvedGraph graph, const MemoryNeeds& needs, const CompileOp
         timer.stage("alias", alias(graph, live, order, spans, needs, options.granularity_bytes));
     BarrierResult recorded = timer.stage("barriers", barriers(graph, order, sync, memory, ops));
     SubmissionPlan submitted =
-        timer.stage("submissions", submissions(order, all_dependencies(sync, recorded)));
+        timer.stage("submissions", submissions(order, all_dependencies(graph, order, sync, recorded)));
     // A rendering scope cannot continue in another batch. So the barriers and batches are computed again
     // without the scopes that a batch boundary divides. The waits between queues stay the same.
     if (ScopeTable kept = within_batches(sync.scopes, submitted); kept != sync.scopes) {
         sync = synchronize(graph, order, ops, std::move(kept));
         recorded = barriers(graph, order, sync, memory, ops);
-        submitted = submissions(order, all_dependencies(sync, recorded));
+        submitted = submissions(order, all_dependencies(graph, order, sync, recorded));
     }
     return timer.stage("link", link({.graph = std::move(graph),
                                      .live = std::move(live),

@@ -44,6 +44,7 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
     resolved.params = declared.values.params;
     resolved.frames = declared.values.frames;
     resolved.rest_unit_count = graph.rest_unit_count;
+    resolved.groups = graph.groups;
     for (PassId id(0); id < graph.passes.size(); ++id) {
         PassDecl& pass = resolved.passes.emplace_back(declared.expansion.passes[id].decl);
         add_bound(graph.passes[id], pass);

@@ -2,6 +2,7 @@
 
 #include "graph/parse/reference.h"
 #include "graph/resolve/expand/draft_pass.h"
+#include "graph/resolve/expand/expand_groups.h"
 #include "graph/resolve/expand/expand_repeat.h"
 #include "graph/resolve/fault_text.h"
 
@@ -97,6 +98,7 @@ Expansion expand(const ResolveInput& input, const Values& values, const Shapes& 
     expansion.observers = find_observers(input, reporter);
     const Evaluator evaluator(values, shapes, expansion.suspects, reporter);
     name_passes(evaluator, draft_passes(input, evaluator, shapes, expansion, reporter), expansion);
+    if (!input.graph.groups.empty()) expand_groups(input, evaluator, expansion);
     PassReporter report(shapes, expansion, expansion.suspects, reporter);
     for (PassId id(0); id < expansion.passes.size(); ++id) {
         PassDraft& draft = expansion.passes[id];

@@ -1,7 +1,8 @@
 // Purpose: the stage of resolve() that makes the passes of the graph from their descriptions. A description
 // results in one pass, in several passes (`repeat`), or in none (`if`). Each reference in
 // GraphRequest::observed becomes a separate pass that reads the resource back. Each pass gets its kind,
-// shader and fixed-function state. Errors: W106, W107, W109, W115, W125, W177, W187, and those of references.
+// shader and fixed-function state. Each group gets its rounds. Errors: W106, W107, W109, W115, W125, W177,
+// W187, and those of references.
 #pragma once
 
 #include <map>
@@ -22,12 +23,20 @@ struct PassDraft {
     std::map<std::string, double> indices = {};
     // Number of this pass within its repeat, from 0.
     uint32_t instance = 0;
+    // For a pass of a group: the index of the group in Expansion::groups, and the number of the round.
+    uint32_t group = kNoId;
+    uint32_t round = 0;
     // The interface of the shader. Null if the pass has no shader, or if an error about the shader was
     // reported.
     const ShaderInterface* shader = nullptr;
     const PassType* custom = nullptr;  // The C++ pass type. Null if the type is built in or unknown.
     bool is_observer = false;          // True if the pass reads back an observed resource.
 };
+
+// Returns true if both passes belong to one group, but to different rounds of it.
+[[nodiscard]] inline bool in_other_round(const PassDraft& a, const PassDraft& b) {
+    return a.group != kNoId && a.group == b.group && a.round != b.round;
+}
 
 struct Expansion {
     // All passes, sorted by name. The index is the PassId.
@@ -41,6 +50,8 @@ struct Expansion {
     // Names of the descriptions whose `repeat` or `if` has an error, so that it is unknown whether the passes
     // run. The error was reported.
     std::set<std::string, std::less<>> faulty = {};
+    // The groups, sorted by name. Their units are not known yet.
+    std::vector<GroupDecl> groups = {};
     // The descriptions of the passes that read back observed resources. PassDraft::desc points to them.
     std::map<std::string, PassDesc> observers = {};
     // Number of ports of all passes, including passes that `if` removes.

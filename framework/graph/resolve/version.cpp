@@ -1,6 +1,7 @@
 #include "graph/resolve/version.h"
 
 #include "graph/resolve/version/connect_versions.h"
+#include "graph/resolve/version/group_rounds.h"
 #include "graph/resolve/version/order_writers.h"
 
 namespace weft {
@@ -31,10 +32,11 @@ VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects 
                              .edges = {},
                              .suspects = std::move(suspects)};
     find_in_place_writes(versioned.passes);
-    std::vector<Cell> cells = make_cells(versioned, reporter);
+    std::vector<Cell> cells = separate_rounds(declared, make_cells(versioned, reporter), versioned, reporter);
     if (!order_writers(declared, versioned, cells, reporter)) return versioned;
     connect_versions(declared, cells, versioned, reporter);
     check_sliced_reads(declared, cells, versioned, reporter);
+    check_group_order(declared, versioned, reporter);
     find_rest_units(declared, cells, versioned, reporter);
     return versioned;
 }

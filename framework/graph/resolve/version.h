@@ -1,6 +1,6 @@
 // Purpose: the stage of resolve() that finds, for each use, the version of the resource that the use sees:
 // the content after one particular write. The versions determine the final access of each use and the edges
-// between passes. Errors: W104, W110, W111, W124, W150, W188.
+// between passes. Errors: W104, W110, W111, W124, W150, W188, W190.
 #pragma once
 
 #include <vector>
@@ -16,9 +16,10 @@ struct VersionedGraph {
     // The dependencies between passes, sorted by (to, from, kind, resource).
     std::vector<EdgeDecl> edges;
     Suspects suspects;
-    // Index: PassId. The rest unit of each pass, or kNoId. Empty if no pass has "rest".
+    // Index: PassId. The unit of each pass, or kNoId. Empty if no pass has "rest" or belongs to a group.
     std::vector<uint32_t> rest_units = {};
     uint32_t rest_unit_count = 0;
+    std::vector<GroupDecl> groups = {};  // Sorted by name.
 };
 // Finds the versions and adds them to the graph. `suspects` comes from the checks after choose_formats().
 [[nodiscard]] VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects suspects,

@@ -7,6 +7,7 @@ namespace weft {
 std::string wake_text(const FramePlan& plan, const Wake& wake) {
     switch (wake.reason) {
         case WakeReason::rests:
+        case WakeReason::waits:
             return {};
         case WakeReason::first_run:
             return "the pass has not run with this plan and these shaders";
@@ -14,6 +15,10 @@ std::string wake_text(const FramePlan& plan, const Wake& wake) {
             return "an input may change in every frame";
         case WakeReason::input:
             return "a parameter, a constant of the frame or view, a draw list or an import has changed";
+        case WakeReason::settles:
+            return "the round runs again to settle after a change";
+        case WakeReason::turn:
+            return "it is the turn of this round";
         case WakeReason::unit:
             break;
     }
@@ -27,6 +32,11 @@ RestState::RestState(const FramePlan& plan) : units_(plan.graph.rest_unit_count)
         if (pass.rest_unit == kNoId) continue;
         units_[pass.rest_unit].exists = true;
         add_sources(plan, pass);
+        const auto group = std::ranges::find_if(
+            plan.graph.groups, [&](const GroupDecl& g) { return g.has_unit(pass.rest_unit); });
+        if (group == plan.graph.groups.end()) continue;
+        if (groups_.empty() || groups_.back().name != group->name) groups_.push_back(*group);
+        units_[pass.rest_unit].group = static_cast<uint32_t>(groups_.size() - 1);
     }
 }
 
@@ -70,38 +80,78 @@ void RestState::add_source(uint32_t unit, uint32_t source, bool previous_frame) 
 Wake RestState::own_wake(const Unit& unit, const UnitInput& input) const {
     if (!unit.exists) return {};
     if (!unit.has_run) return {WakeReason::first_run};
+    if (unit.group != kNoId && !groups_[unit.group].rests) return {WakeReason::turn};
     if (unit.changing || !input) return {WakeReason::changing};
     if (*input != unit.input) return {WakeReason::input};
     for (const Source& source : unit.sources)
         if (units_[source.unit].version != source.seen) return {WakeReason::unit, source.unit};
-    return {};
+    return {unit.settles > 0 ? WakeReason::settles : WakeReason::rests};
 }
 
-std::vector<Wake> RestState::choose(const std::vector<UnitInput>& inputs) const {
-    std::vector<Wake> wakes(units_.size());
-    for (size_t unit = 0; unit < units_.size(); ++unit) wakes[unit] = own_wake(units_[unit], inputs[unit]);
-    // A unit that wakes also wakes the units that read its results in the same frame.
+// A unit that runs also wakes the units that read its results in the same frame. `decided`: for each group, 1
+// if it is known which of its rounds run.
+void RestState::wake_readers(std::vector<Wake>& wakes, const std::vector<uint8_t>& decided) const {
+    const auto runs = [&](const Source& source) {
+        const uint32_t group = units_[source.unit].group;
+        return !source.previous_frame && wakes[source.unit].runs() && (group == kNoId || decided[group] != 0);
+    };
     for (bool changed = true; changed;) {
         changed = false;
-        for (size_t unit = 0; unit < units_.size(); ++unit) {
-            if (wakes[unit].reason != WakeReason::rests || !units_[unit].exists) continue;
-            const auto awake = std::ranges::find_if(units_[unit].sources, [&](const Source& source) {
-                return !source.previous_frame && wakes[source.unit].reason != WakeReason::rests;
-            });
-            if (awake == units_[unit].sources.end()) continue;
-            wakes[unit] = {WakeReason::unit, awake->unit};
+        for (size_t id = 0; id < units_.size(); ++id) {
+            const Unit& unit = units_[id];
+            if (wakes[id].reason != WakeReason::rests || !unit.exists) continue;
+            if (unit.group != kNoId && decided[unit.group] != 0) continue;
+            const auto awake = std::ranges::find_if(unit.sources, runs);
+            if (awake == unit.sources.end()) continue;
+            wakes[id] = {WakeReason::unit, awake->unit};
             changed = true;
         }
     }
-    return wakes;
+}
+
+void RestState::choose_rounds(const GroupDecl& group, const TurnLists& turns, UnitChoice& choice) const {
+    std::vector<AwakeRound> awake;
+    for (uint32_t round = 0; round < group.rounds; ++round) {
+        const Unit& unit = units_[group.first_unit + round];
+        if (choice.wakes[group.first_unit + round].runs())
+            awake.push_back({round, unit.has_result, unit.waits ? unit.waits_since : frame_});
+    }
+    const auto list = turns.find(group.turns);
+    TurnChoice chosen =
+        choose_turns(group, awake, list == turns.end() || group.turns.empty() ? nullptr : &list->second);
+    choice.dropped_turns += chosen.dropped;
+    for (const AwakeRound& round : awake)
+        if (std::ranges::find(chosen.rounds, round.round) == chosen.rounds.end())
+            choice.wakes[group.first_unit + round.round] = {WakeReason::waits};
+    for (const uint32_t round : chosen.rounds) choice.rounds.push_back(group.first_unit + round);
+}
+
+UnitChoice RestState::choose(const std::vector<UnitInput>& inputs, const TurnLists& turns) const {
+    UnitChoice choice;
+    choice.wakes.resize(units_.size());
+    for (size_t unit = 0; unit < units_.size(); ++unit)
+        choice.wakes[unit] = own_wake(units_[unit], inputs[unit]);
+    std::vector<uint8_t> decided(groups_.size(), 0);
+    wake_readers(choice.wakes, decided);
+    for (size_t group = 0; group < groups_.size(); ++group) {
+        choose_rounds(groups_[group], turns, choice);
+        decided[group] = 1;
+        wake_readers(choice.wakes, decided);
+    }
+    return choice;
 }
 
 void RestState::inherit(const RestState& old, const std::vector<uint32_t>& same) {
+    frame_ = old.frame_;
     for (uint32_t id = 0; id < units_.size(); ++id) {
         if (same[id] == kNoId) continue;
         const Unit& from = old.units_[same[id]];
         Unit& unit = units_[id];
         unit.has_run = from.has_run;
+        unit.has_result = from.has_result;
+        unit.settles = from.settles;
+        unit.waits = from.waits;
+        unit.waits_since = from.waits_since;
         unit.version = from.version;
         unit.input = from.input;
         for (Source& source : unit.sources) {
@@ -114,12 +164,27 @@ void RestState::inherit(const RestState& old, const std::vector<uint32_t>& same)
     }
 }
 
-void RestState::commit(const std::vector<UnitInput>& inputs, const std::vector<Wake>& chosen) {
-    const auto runs = [&](uint32_t unit) { return chosen[unit].reason != WakeReason::rests; };
+// Remembers whether the unit waits for a turn, and how often it must run again to settle.
+void RestState::commit_unit(Unit& unit, const Wake& wake) const {
+    const bool waits = wake.reason == WakeReason::waits;
+    // A round of a group without "rest" begins to wait when it has run.
+    const bool waits_again = unit.group != kNoId && !groups_[unit.group].rests && wake.runs();
+    if (waits_again || (waits && !unit.waits)) unit.waits_since = frame_ + (waits ? 0 : 1);
+    unit.waits = waits || waits_again;
+    if (!wake.runs()) return;
+    unit.has_run = unit.has_result = true;
+    if (wake.reason == WakeReason::settles)
+        --unit.settles;
+    else if (unit.group != kNoId)
+        unit.settles = groups_[unit.group].settle;
+}
+
+void RestState::commit(const std::vector<UnitInput>& inputs, const UnitChoice& chosen) {
+    const auto runs = [&](uint32_t unit) { return chosen.wakes[unit].runs(); };
     for (uint32_t id = 0; id < units_.size(); ++id) {
-        if (!runs(id)) continue;
         Unit& unit = units_[id];
-        unit.has_run = true;
+        commit_unit(unit, chosen.wakes[id]);
+        if (!runs(id)) continue;
         unit.input = inputs[id].value_or(std::vector<std::byte>{});
         for (Source& source : unit.sources) {
             const uint64_t before = units_[source.unit].version;
@@ -128,6 +193,7 @@ void RestState::commit(const std::vector<UnitInput>& inputs, const std::vector<W
     }
     for (uint32_t id = 0; id < units_.size(); ++id)
         if (runs(id)) ++units_[id].version;
+    ++frame_;
 }
 
 }  // namespace weft

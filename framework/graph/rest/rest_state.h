@@ -1,14 +1,17 @@
-// Purpose: chooses in each frame which rest units run. A unit rests if everything is equal to its last run:
-// its own inputs (parameters, constants, imports) and the versions of the parts that other units wrote. All
-// of this is known before the frame is recorded.
+// Purpose: chooses in each frame which units run: passes with "rest", and rounds of groups. A unit that may
+// rest rests if everything is equal to its last run: its own inputs (parameters, constants, imports) and the
+// versions of the parts that other units wrote. The rounds of a group that are awake take turns. All of this
+// is known before the frame is recorded.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "graph/rest/turns.h"
 #include "weft/plan.h"
 
 namespace weft {
@@ -17,21 +20,38 @@ namespace weft {
 // in every frame, so the unit always runs.
 using UnitInput = std::optional<std::vector<std::byte>>;
 
-// The reason why a unit runs.
+// The reason why a unit runs, or does not run.
 enum class WakeReason : uint8_t {
-    rests,      // The unit does not run.
+    rests,      // The unit does not run, because nothing has changed.
+    waits,      // The unit does not run, because other rounds of its group have their turn.
     first_run,  // The unit has not run yet since the plan was made, or it was woken by wake().
     changing,   // Something that the unit reads may change in every frame.
     input,      // The unit's own inputs have changed.
     unit,       // A unit whose results this unit reads has run.
+    settles,    // The unit runs again after a change: GroupDecl::settle.
+    turn,       // The group has no "rest", and it is the round's turn.
 };
 
 struct Wake {
     WakeReason reason = WakeReason::rests;
     uint32_t unit = kNoId;  // For WakeReason::unit: the other unit.
+
+    [[nodiscard]] bool runs() const { return reason != WakeReason::rests && reason != WakeReason::waits; }
 };
 
-// Returns the reason as text, such as `pass "table" ran`. Returns an empty text if the unit rests.
+// For each import of kind "turns": the rounds to run in a frame, in this order.
+using TurnLists = std::map<std::string, std::vector<uint32_t>, std::less<>>;
+
+// The units that run in a frame.
+struct UnitChoice {
+    std::vector<Wake> wakes;  // Index: unit.
+    // The units of rounds that run, in the order in which they run. The rounds of one group are in the right
+    // order; rounds of different groups have no order.
+    std::vector<uint32_t> rounds;
+    uint32_t dropped_turns = 0;  // Number of entries of lists that were ignored; see TurnChoice::dropped.
+};
+
+// Returns the reason as text, such as `pass "table" ran`. Returns an empty text if the unit does not run.
 [[nodiscard]] std::string wake_text(const FramePlan& plan, const Wake& wake);
 
 class RestState {
@@ -39,11 +59,11 @@ class RestState {
     explicit RestState(const FramePlan& plan);
 
     [[nodiscard]] uint32_t unit_count() const { return static_cast<uint32_t>(units_.size()); }
-    // Chooses the units that run in the next frame. Index of `inputs` and of the result: unit.
-    [[nodiscard]] std::vector<Wake> choose(const std::vector<UnitInput>& inputs) const;
+    // Chooses the units that run in the next frame. Index of `inputs`: unit.
+    [[nodiscard]] UnitChoice choose(const std::vector<UnitInput>& inputs, const TurnLists& turns = {}) const;
     // Remembers the runs of the chosen frame. Call this after the frame was submitted, with the arguments and
     // the result of choose(). A frame that was not submitted changes nothing.
-    void commit(const std::vector<UnitInput>& inputs, const std::vector<Wake>& chosen);
+    void commit(const std::vector<UnitInput>& inputs, const UnitChoice& chosen);
     // Takes over the last runs of the units of an older plan. `same`: for each unit, the unit of the older
     // plan that computes the same, or kNoId; see unit_match.h.
     void inherit(const RestState& old, const std::vector<uint32_t>& same);
@@ -62,6 +82,12 @@ class RestState {
         bool exists = false;    // False if all passes of the unit were culled.
         bool changing = false;  // True if a pass of the unit reads content that changes in every frame.
         bool has_run = false;
+        uint32_t group = kNoId;  // For a round: index into groups_.
+        // True if the unit has run since its results were made or cleared.
+        bool has_result = false;
+        uint32_t settles = 0;      // Number of runs that are left to settle.
+        uint64_t waits_since = 0;  // The frame in which the unit began to wait for its turn.
+        bool waits = false;
         uint64_t version = 0;  // Number of runs.
         std::vector<std::byte> input;
         std::vector<Source> sources;
@@ -69,8 +95,13 @@ class RestState {
     void add_sources(const FramePlan& plan, const PassDecl& pass);
     void add_source(uint32_t unit, uint32_t source, bool previous_frame);
     [[nodiscard]] Wake own_wake(const Unit& unit, const UnitInput& input) const;
+    void wake_readers(std::vector<Wake>& wakes, const std::vector<uint8_t>& decided) const;
+    void choose_rounds(const GroupDecl& group, const TurnLists& turns, UnitChoice& choice) const;
+    void commit_unit(Unit& unit, const Wake& wake) const;
 
     std::vector<Unit> units_;
+    std::vector<GroupDecl> groups_;  // In schedule order.
+    uint64_t frame_ = 0;             // Number of frames that were committed.
 };
 
 }  // namespace weft

@@ -44,6 +44,25 @@ uint32_t family_of(const DeviceProfile& profile, QueueKind kind) {
                                         : 0;
 }
 
+// Gives all passes of each group one queue: the queue of its first pass, or the graphics queue if that queue
+// cannot run all of them. `order` has the passes of a group one after another.
+void unite_groups(const ResolvedGraph& graph, const std::vector<PassId>& order,
+                  const std::vector<LogicalQueue>& queues, std::vector<QueueIndex>& assigned) {
+    for (const GroupDecl& group : graph.groups) {
+        std::vector<size_t> members;
+        for (size_t i = 0; i < order.size(); ++i)
+            if (group.has_unit(graph.passes[order[i]].rest_unit)) members.push_back(i);
+        if (members.empty()) continue;
+        const QueueIndex first = assigned[members.front()];
+        const bool fits = std::ranges::all_of(members, [&](size_t i) {
+            const PassDecl& pass = graph.passes[order[i]];
+            return assigned[i] != kGraphicsQueue && can_run(pass, queues[first]) &&
+                   owns_imports(graph, pass, queues[first]);
+        });
+        for (const size_t i : members) assigned[i] = fits ? first : kGraphicsQueue;
+    }
+}
+
 }  // namespace
 
 std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vector<PassId>& order,
@@ -64,6 +83,7 @@ std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vec
         }
         assigned.push_back(chosen);
     }
+    unite_groups(graph, order, queues, assigned);
     // Queue 0 begins and ends every frame. If no pass would run on queue 0, further queues bring no
     // advantage, so all passes go to queue 0.
     if (std::find(assigned.begin(), assigned.end(), kGraphicsQueue) == assigned.end())

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "graph/schedule/gather_groups.h"
 #include "graph/schedule/queue_assign.h"
 #include "graph/schedule/schedule.h"
 #include "graph/schedule/schedule_candidates.h"
@@ -42,6 +43,9 @@ Schedule schedule(const ResolvedGraph& graph, const LiveGraph& live, const Memor
     NamedOrder candidates[] = {{"program", program},
                                {"forward", only ? program : forward_greedy_order(problem)},
                                {"backward", only ? program : backward_greedy_order(problem)}};
+    if (!graph.groups.empty())
+        for (NamedOrder& candidate : candidates)
+            candidate.order = gather_groups(graph, problem, candidate.order);
     Schedule result;
     size_t best = 0;
     for (size_t i = 0; i < std::size(candidates); ++i) {

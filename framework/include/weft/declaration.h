@@ -178,9 +178,9 @@ struct UseDecl {
     SamplerDecl sampler;
     // Only for passes with `rest`. False: a change of the content does not make the pass run.
     bool wakes = true;
-    // Only for a pass of a group that reads what other rounds of the group write: it sees the content at the
-    // time when its round runs, whichever rounds have run before. Sources without a producer stand for this
-    // content.
+    // True for a pass of a group that reads what other rounds of the group write, and for a readback of a
+    // resource of a group. Such a pass sees the content at the time when it runs, whichever rounds have run
+    // before, unless a pass of its own round has written the content.
     bool latest = false;
     SourceLoc loc;
 };

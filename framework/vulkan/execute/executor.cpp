@@ -97,7 +97,7 @@ PassTiming ReplayExecutor::pass_timing(Position position, double gpu_ms,
     PassTiming timing{pass.name, gpu_ms, false, {}};
     if (pass.rest_unit == kNoId || wakes.empty()) return timing;
     const Wake& wake = wakes[pass.rest_unit];
-    timing.rested = wake.reason == WakeReason::rests;
+    timing.rested = !wake.runs();
     timing.woken_by = wake_text(objects_->plan, wake);
     return timing;
 }
@@ -151,12 +151,13 @@ void ReplayExecutor::choose_units(const FrameInput& frame, uint32_t slot) {
         add_unit_input({*objects_, frame, {objects_->resources, frames_run_}, slot}, position,
                        unit_inputs_[pass.rest_unit]);
     }
-    wakes_ = rest_.choose(unit_inputs_);
+    chosen_ = rest_.choose(unit_inputs_, frame.turns);
 }
 
-bool ReplayExecutor::rests(Position position) const {
-    const uint32_t unit = objects_->plan.graph.passes[objects_->plan.schedule.order[position]].rest_unit;
-    return unit != kNoId && wakes_[unit].reason == WakeReason::rests;
+std::vector<uint8_t> ReplayExecutor::running_units() const {
+    std::vector<uint8_t> runs;
+    for (const Wake& wake : chosen_.wakes) runs.push_back(wake.runs() ? 1 : 0);
+    return runs;
 }
 
 void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
@@ -172,19 +173,20 @@ void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
     }
 }
 
-void ReplayExecutor::record_step(const RecordContext& context, Position position) {
+void ReplayExecutor::record_step(const RecordContext& context, const FrameStep& recorded) {
     const FramePlan& plan = objects_->plan;
+    const Position position = recorded.position;
     const PassStep& step = plan.barriers.steps[position];
     const std::string& name = plan.graph.passes[step.pass].name;
     device_.messages().set_current_pass(name);
     if (context.labels) begin_label(device_, context.commands, name);
-    const bool resting = rests(position);
     if (position != hooks_.drop_barriers_of_position)
-        record_barriers(device_, context.commands, step.barriers, plan, context.resources, resting);
-    if (!resting && runs_in_frame(plan.graph.passes[step.pass], frames_run_)) record_pass(context, position);
-    record_barriers(device_, context.commands, step.after, plan, context.resources, resting);
+        record_barriers(device_, context.commands, step.barriers, plan, context.resources, recorded, true);
+    if (recorded.runs && runs_in_frame(plan.graph.passes[step.pass], frames_run_))
+        record_pass(context, position);
+    record_barriers(device_, context.commands, step.after, plan, context.resources, recorded, false);
     if (context.labels) end_label(device_, context.commands);
-    objects_->timer.record_pass_end(context.commands, context.slot, position);
+    if (!recorded.is_border()) objects_->timer.record_pass_end(context.commands, context.slot, position);
 }
 
 void ReplayExecutor::record_epilogue(const RecordContext& context) {
@@ -197,6 +199,7 @@ void ReplayExecutor::record_epilogue(const RecordContext& context) {
 void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     if (frames_run_ == 0) record_start(slots_->prologue(slot));
+    const std::vector<uint8_t> running = running_units();
     for (uint32_t i = 0; i < plan.submissions.batches.size(); ++i) {
         const Batch& batch = plan.submissions.batches[i];
         const BatchCommands place = slots_->batch(slot, i);
@@ -208,7 +211,8 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
                                     *objects_,
                                     {objects_->resources, frames_run_}};
         objects_->timer.record_batch_start(context.commands, slot, i);
-        for (const Position position : batch.positions) record_step(context, position);
+        for (const FrameStep& step : frame_steps(plan, batch, running, chosen_.rounds))
+            record_step(context, step);
         if (batch.epilogue) record_epilogue(context);
         objects_->readbacks.record_visibility(device_, context.commands, slot, batch);
     }
@@ -216,9 +220,9 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
 
 // Returns the batches in which nothing was recorded, because all their passes rest. Index: batch.
 std::vector<uint8_t> ReplayExecutor::empty_batches() const {
-    if (wakes_.empty()) return {};
+    if (chosen_.wakes.empty()) return {};
     std::vector<uint8_t> resting, empty;
-    for (const Wake& wake : wakes_) resting.push_back(wake.reason == WakeReason::rests ? 1 : 0);
+    for (const Wake& wake : chosen_.wakes) resting.push_back(wake.runs() ? 0 : 1);
     for (const Batch& batch : objects_->plan.submissions.batches)
         empty.push_back(is_empty_batch(objects_->plan, batch, resting) ? 1 : 0);
     return empty;
@@ -232,7 +236,7 @@ Status ReplayExecutor::submit_frame(uint32_t slot) {
     if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
     if (result == VK_SUCCESS) {
         ++frames_run_;
-        rest_.commit(unit_inputs_, wakes_);
+        rest_.commit(unit_inputs_, chosen_);
         return Unit{};
     }
     const Diagnostic failed = failed_call("V418", "submitting passes " + all_passes, result);
@@ -253,7 +257,7 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     prepare_host_data(frame, slot);
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);
-    in_flight.wakes = wakes_;
+    in_flight.wakes = chosen_.wakes;
     in_flight.timing.record_ms = record_watch.ms();
     const Stopwatch submit_watch;
     Status submitted = submit_frame(slot);

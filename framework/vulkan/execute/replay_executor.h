@@ -40,7 +40,7 @@ class ReplayExecutor final : public Executor {
  private:
     struct InFlight {
         uint64_t frame_index = 0;
-        std::vector<Wake> wakes;  // Index: rest unit.
+        std::vector<Wake> wakes;  // Index: unit.
         FrameTiming timing;
     };
     // Pipelines that amend() replaced by new ones, and the frame slots whose frames in flight may still use
@@ -54,14 +54,14 @@ class ReplayExecutor final : public Executor {
     void wake_changed(PlanAmendment& amendment);
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
     void choose_units(const FrameInput& frame, uint32_t slot);
-    [[nodiscard]] bool rests(Position position) const;
     [[nodiscard]] PassTiming pass_timing(Position position, double gpu_ms,
                                          const std::vector<Wake>& wakes) const;
     void prepare_host_data(const FrameInput& frame, uint32_t slot);
     void record_frame(const FrameInput& frame, uint32_t slot);
-    void record_step(const RecordContext& context, Position position);
+    void record_step(const RecordContext& context, const FrameStep& step);
     void record_epilogue(const RecordContext& context);
     void record_start(VkCommandBuffer commands) const;
+    [[nodiscard]] std::vector<uint8_t> running_units() const;
     [[nodiscard]] std::vector<uint8_t> empty_batches() const;
     [[nodiscard]] Status submit_frame(uint32_t slot);
     // Called when another executor is about to replace this one. Prepares this executor's resources, so that
@@ -77,10 +77,10 @@ class ReplayExecutor final : public Executor {
     std::unique_ptr<FrameSlots> slots_;
     ExecutorHooks hooks_;
     RestState rest_;
-    // The inputs of the rest units in the frame that is being recorded, and the units that run in it. Index:
-    // unit.
+    // The inputs of the units in the frame that is being recorded (index: unit), and the units that run in
+    // it.
     std::vector<UnitInput> unit_inputs_;
-    std::vector<Wake> wakes_;
+    UnitChoice chosen_;
     std::array<InFlight, kFramesInFlight> in_flight_;
     // Number of frames that have begun. It continues the count of the executor that this one replaces.
     uint64_t frames_begun_ = 0;

@@ -73,12 +73,13 @@ VkMemoryBarrier2 memory_barrier(const BarrierDecl& barrier, bool is_image) {
 }  // namespace
 
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
-                     const FramePlan& plan, const FrameResources& resources, bool pass_rests) {
+                     const FramePlan& plan, const FrameResources& resources, const FrameStep& step,
+                     bool is_before) {
     std::vector<VkMemoryBarrier2> memory;
     std::vector<VkImageMemoryBarrier2> images;
     std::vector<VkBufferMemoryBarrier2> buffers;
     for (const BarrierDecl& barrier : barriers) {
-        if (pass_rests && barrier.if_pass_runs) continue;
+        if (!step.records(barrier, is_before)) continue;
         const ResourceDecl& decl = plan.graph.resources[barrier.resource];
         const bool is_image = decl.kind == ResourceKind::image;
         const Families families = families_of(device, barrier);

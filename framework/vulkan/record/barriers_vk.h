@@ -5,13 +5,15 @@
 
 #include <span>
 
+#include "graph/rest/frame_steps.h"
 #include "vulkan/memory/resource_table.h"
 
 namespace weft::vk {
 
-// Records the barriers of a list with one command; records nothing if there is none to record. `pass_rests`
-// is true if the pass of the step does not run in this frame: then barriers with if_pass_runs are left out.
+// Records the barriers of a list with one command; records nothing if there is none to record.
+// `step` tells which of the barriers are recorded, and `is_before` whether the list stands before the pass.
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
-                     const FramePlan& plan, const FrameResources& resources, bool pass_rests = false);
+                     const FramePlan& plan, const FrameResources& resources, const FrameStep& step = {},
+                     bool is_before = true);
 
 }  // namespace weft::vk

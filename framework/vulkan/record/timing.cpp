@@ -12,25 +12,22 @@ namespace weft::vk {
 Result<PassTimer> PassTimer::create(Device& device, const FramePlan& plan, bool enabled) {
     PassTimer timer;
     timer.device_ = &device;
-    timer.before_.resize(plan.schedule.order.size(), kNoId);
+    timer.pass_timed_.resize(plan.schedule.order.size(), 0);
+    timer.before_.fill(std::vector<uint32_t>(plan.schedule.order.size(), kNoId));
     for (Position position(0); position < plan.schedule.order.size(); ++position)
         timer.inside_scope_.push_back(scope_continues(plan, position) ? 1 : 0);
     const std::vector<PlanQueue> queues = map_queues(device, plan.schedule.queues);
     for (const Batch& batch : plan.submissions.batches) {
-        uint32_t before = static_cast<uint32_t>(timer.batch_timed_.size());
         timer.batch_timed_.push_back(enabled && queues[batch.queue].timestamps ? 1 : 0);
-        if (timer.batch_timed_.back() == 0) continue;
-        for (const Position position : batch.positions) {
-            timer.before_[position] = before;
-            before = static_cast<uint32_t>(plan.submissions.batches.size()) + position;
-        }
+        for (const Position position : batch.positions)
+            timer.pass_timed_[position] = timer.batch_timed_.back();
     }
     const auto timed = [](uint8_t flag) { return flag != 0; };
     if (std::none_of(timer.batch_timed_.begin(), timer.batch_timed_.end(), timed)) return timer;
     for (QueryPoolHandle& pool : timer.pools_) {
         VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
         info.queryType = VK_QUERY_TYPE_TIMESTAMP;
-        info.queryCount = timer.end_query(timer.before_.size());
+        info.queryCount = timer.end_query(timer.pass_timed_.size());
         VkQueryPool object = VK_NULL_HANDLE;
         const VkResult result = device.fn().vkCreateQueryPool(device.handle(), &info, nullptr, &object);
         if (result != VK_SUCCESS) return failed_call("V418", "creating the timestamp queries", result);
@@ -57,20 +54,26 @@ void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query, b
 void PassTimer::reset(uint32_t slot) const {
     // The host resets the queries, because a transfer queue cannot.
     if (pools_[slot])
-        device_->fn().vkResetQueryPool(device_->handle(), pools_[slot].get(), 0, end_query(before_.size()));
+        device_->fn().vkResetQueryPool(device_->handle(), pools_[slot].get(), 0,
+                                       end_query(pass_timed_.size()));
 }
 
-void PassTimer::record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) const {
-    if (batch_timed_[batch] != 0) write(commands, slot, batch, false);
+void PassTimer::record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) {
+    if (batch_timed_[batch] == 0) return;
+    write(commands, slot, batch, false);
+    last_query_ = batch;
 }
 
-void PassTimer::record_pass_end(VkCommandBuffer commands, uint32_t slot, Position position) const {
-    if (before_[position] != kNoId) write(commands, slot, end_query(position), inside_scope_[position] != 0);
+void PassTimer::record_pass_end(VkCommandBuffer commands, uint32_t slot, Position position) {
+    if (pass_timed_[position] == 0) return;
+    write(commands, slot, end_query(position), inside_scope_[position] != 0);
+    before_[slot][position] = last_query_;
+    last_query_ = end_query(position);
 }
 
 std::vector<PassTimer::Stamp> PassTimer::stamps(uint32_t slot) const {
     if (!pools_[slot]) return {};
-    std::vector<Stamp> stamps(end_query(before_.size()));
+    std::vector<Stamp> stamps(end_query(pass_timed_.size()));
     const VkResult result = device_->fn().vkGetQueryPoolResults(
         device_->handle(), pools_[slot].get(), 0, static_cast<uint32_t>(stamps.size()),
         stamps.size() * sizeof(Stamp), stamps.data(), sizeof(Stamp),
@@ -80,11 +83,11 @@ std::vector<PassTimer::Stamp> PassTimer::stamps(uint32_t slot) const {
 }
 
 std::vector<double> PassTimer::read_ms(uint32_t slot) const {
-    std::vector<double> times(before_.size(), -1);
+    std::vector<double> times(pass_timed_.size(), -1);
     const std::vector<Stamp> all = stamps(slot);
     for (size_t i = 0; i < times.size() && !all.empty(); ++i) {
-        if (before_[i] == kNoId) continue;
-        const Stamp& start = all[before_[i]];
+        if (pass_timed_[i] == 0 || before_[slot][i] == kNoId) continue;
+        const Stamp& start = all[before_[slot][i]];
         const Stamp& end = all[end_query(i)];
         if (start.available == 0 || end.available == 0) continue;
         times[i] = static_cast<double>(end.ticks - start.ticks) * device_->info().timestamp_period_ns * 1e-6;
@@ -94,9 +97,9 @@ std::vector<double> PassTimer::read_ms(uint32_t slot) const {
 
 uint32_t PassTimer::first_unfinished(uint32_t slot) const {
     const std::vector<Stamp> all = stamps(slot);
-    for (uint32_t i = 0; i < before_.size() && !all.empty(); ++i)
-        if (before_[i] != kNoId && all[end_query(i)].available == 0) return i;
-    return static_cast<uint32_t>(before_.size());
+    for (uint32_t i = 0; i < pass_timed_.size() && !all.empty(); ++i)
+        if (pass_timed_[i] != 0 && all[end_query(i)].available == 0) return i;
+    return static_cast<uint32_t>(pass_timed_.size());
 }
 
 }  // namespace weft::vk

@@ -20,8 +20,10 @@ class PassTimer {
 
     // Resets the queries of a frame slot. Call this after the slot's last frame has finished.
     void reset(uint32_t slot) const;
-    void record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch) const;
-    void record_pass_end(VkCommandBuffer commands, uint32_t slot, Position position) const;
+    // The passes of a batch may be recorded in any order. The time of a pass counts from the end of the pass
+    // that was recorded before it, or else from the start of the batch.
+    void record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch);
+    void record_pass_end(VkCommandBuffer commands, uint32_t slot, Position position);
     // Returns the time of each pass in ms, indexed by the position of the pass in the execution order. Call
     // this after the slot's frame has finished.
     [[nodiscard]] std::vector<double> read_ms(uint32_t slot) const;
@@ -46,9 +48,11 @@ class PassTimer {
     std::vector<uint8_t> batch_timed_;
     // For each pass, in execution order, 1 if the next pass continues the same rendering scope.
     std::vector<uint8_t> inside_scope_;
-    // For each pass, in execution order, the index of the query from which its time counts: the end of the
-    // previous pass in its batch, or else the start of the batch. kNoId if the pass is not timed.
-    std::vector<uint32_t> before_;
+    // For each pass, in execution order, 1 if the pass is timed.
+    std::vector<uint8_t> pass_timed_;
+    // For each frame slot, then for each pass: the index of the query from which the time of the pass counts.
+    std::array<std::vector<uint32_t>, kFramesInFlight> before_;
+    uint32_t last_query_ = kNoId;  // The query that was recorded last.
     std::array<QueryPoolHandle, kFramesInFlight> pools_;
 };
 

@@ -59,6 +59,9 @@ void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const
         const std::vector<PassId>& pins = expansion.instances.at(*name);
         reporter_.spend(1 + pins.size(), ref.loc);
         port.draft.pins = pins;
+        std::erase_if(port.draft.pins, [&](PassId pin) {
+            return in_other_round(expansion.passes[pin], expansion.passes[pass]);
+        });
         if (port.draft.pinned()) return;
         const PassDesc& dropped = *expansion.dropped.at(*name);
         if (!passes_on(dropped, ref.name)) break;

@@ -1,5 +1,6 @@
-// Finds the rest units: sets of passes with "rest" that must run together. Also checks that the result of
-// each unit depends only on its inputs, and that every reader sees the right content while the unit rests.
+// Finds the units: sets of passes with "rest" that must run together, and the rounds of groups. Also checks
+// that the result of each unit with "rest" depends only on its inputs, and that every reader sees the right
+// content in frames in which a unit does not run.
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -51,19 +52,36 @@ class RestUnitFinder {
         for (PassId pass(0); pass < graph_.passes.size(); ++pass) check_keys(pass);
         for (const Cell& cell : cells_)
             if (cell.ordered) check(cell);
+        for (uint32_t group = 0; group < declared_.expansion.groups.size(); ++group) agree_in_group(group);
         agree_on_layouts();
         number_units();
     }
 
  private:
-    [[nodiscard]] bool rests(PassId pass) const { return declared_.expansion.passes[pass].desc->rests; }
-    [[nodiscard]] bool observes(PassId pass) const { return declared_.expansion.passes[pass].is_observer; }
+    [[nodiscard]] const PassDraft& draft(PassId pass) const { return declared_.expansion.passes[pass]; }
+    [[nodiscard]] const GroupDecl* group_of(PassId pass) const {
+        return draft(pass).group == kNoId ? nullptr : &declared_.expansion.groups[draft(pass).group];
+    }
+    [[nodiscard]] bool says_rest(PassId pass) const {
+        return draft(pass).desc->rests && declared_.input.request.rests;
+    }
+    // Returns true if the pass belongs to a unit.
+    [[nodiscard]] bool has_unit(PassId pass) const { return says_rest(pass) || group_of(pass); }
+    // Returns true if the pass, or its group, has "rest".
+    [[nodiscard]] bool rests(PassId pass) const {
+        return group_of(pass) ? group_of(pass)->rests : says_rest(pass);
+    }
+    [[nodiscard]] bool in_one_unit(PassId a, PassId b) {
+        if (!has_unit(a) || !has_unit(b) || draft(a).group != draft(b).group) return false;
+        return group_of(a) ? draft(a).round == draft(b).round : sets_.find(a) == sets_.find(b);
+    }
+    [[nodiscard]] bool observes(PassId pass) const { return draft(pass).is_observer; }
     [[nodiscard]] const UseDecl& use(const CellUse& u) const { return graph_.passes[u.pass].uses[u.use]; }
     [[nodiscard]] const ResourceDecl& resource(const Cell& cell) const {
         return graph_.resources[cell.resource];
     }
     [[nodiscard]] bool unit_writes(const Cell& cell) const {
-        return std::ranges::any_of(cell.writers, [&](const CellUse& w) { return rests(w.pass); });
+        return std::ranges::any_of(cell.writers, [&](const CellUse& w) { return has_unit(w.pass); });
     }
     [[nodiscard]] bool is_kept(const Cell& cell) const {
         return resource(cell).lifetime == ResourceLifetime::persistent && resource(cell).history == 0;
@@ -76,17 +94,17 @@ class RestUnitFinder {
             if (!rests(writer.pass)) changes_[id] = writer.pass;
     }
 
-    // Unites the passes that must run together because of this cell: all its writers, and the resting readers
-    // that see a version before the last one.
+    // Unites the passes with "rest" that must run together because of this cell: all its writers, and the
+    // readers that see a version before the last one.
     void unite(const Cell& cell) {
         if (!unit_writes(cell)) return;
         const PassId first = cell.writers.front().pass;
+        const auto joins = [&](PassId pass) { return says_rest(pass) && says_rest(first); };
         for (const CellUse& writer : cell.writers)
-            if (rests(writer.pass) && rests(first)) sets_.unite(first, writer.pass);
+            if (joins(writer.pass)) sets_.unite(first, writer.pass);
         const bool local = resource(cell).lifetime == ResourceLifetime::transient;
         for (const CellUse& reader : cell.readers)
-            if (rests(reader.pass) && rests(first) && (local || sees_middle(cell, reader)))
-                sets_.unite(first, reader.pass);
+            if (joins(reader.pass) && (local || sees_middle(cell, reader))) sets_.unite(first, reader.pass);
     }
 
     // Returns true if the reader sees a version of this frame that a later pass overwrites.
@@ -96,55 +114,97 @@ class RestUnitFinder {
     }
 
     void check_keys(PassId pass) {
-        const PassDraft& draft = declared_.expansion.passes[pass];
         for (const UseDecl& u : graph_.passes[pass].uses)
-            if (!u.wakes && !rests(pass))
+            if (!u.wakes && !draft(pass).desc->rests && !in_resting_group(pass))
                 add_help(
                     error(pass, u.loc, "has no \"rest\", but its port " + quote(u.port) + " has \"wakes\""),
-                    "remove \"wakes\", or add \"rest\": true to the pass");
-        if (!rests(pass) || draft.decl.frame_slices == 0) return;
-        add_help(error(pass, draft.desc->rest_loc, "has both \"rest\" and \"perFrame\""),
+                    "remove \"wakes\", or add \"rest\": true to the " +
+                        std::string(group_of(pass) ? "group" : "pass"));
+        if (group_of(pass) && draft(pass).decl.kind == PassKind::custom)
+            add_help(report_.error(pass, draft(pass).desc->loc, "W190",
+                                   "pass " + quote(declared_.author_name(pass)) +
+                                       " has a type in C++, which a group cannot contain"),
+                     "move the pass out of the group");
+        if (!says_rest(pass) || draft(pass).decl.frame_slices == 0) return;
+        add_help(error(pass, draft(pass).desc->rest_loc, "has both \"rest\" and \"perFrame\""),
                  "remove one of the two keys");
     }
 
+    // Returns true if the graph file gives "rest" to the group of the pass.
+    [[nodiscard]] bool in_resting_group(PassId pass) const {
+        return group_of(pass) && declared_.input.graph.groups.at(group_of(pass)->name).rests;
+    }
+
     void check(const Cell& cell) {
+        if (graph_.suspects.writers[cell.resource]) return;
         if (unit_writes(cell)) {
             for (const CellUse& writer : cell.writers) check_writer(cell, writer);
             for (const CellUse& reader : cell.readers) check_reader(cell, reader);
             return;
         }
         const ResourceId id = resource(cell).ring == kNoId ? cell.resource : resource(cell).ring;
-        if (changes_[id] == kNoId) return;
-        for (const CellUse& reader : cell.readers)
-            if (rests(reader.pass) && use(reader).wakes) report_restless(cell, reader, changes_[id]);
+        for (const CellUse& reader : cell.readers) {
+            if (!rests(reader.pass) || !use(reader).wakes) continue;
+            if (use(reader).latest)
+                report_other_rounds(cell, reader);
+            else if (changes_[id] != kNoId)
+                report_restless(cell, reader, changes_[id]);
+        }
+    }
+
+    // Returns true if a port with "wakes": false reads the cell.
+    [[nodiscard]] bool declares_own_content(const Cell& cell, PassId pass) const {
+        return std::ranges::any_of(graph_.passes[pass].uses, [&](const UseDecl& u) {
+            return !u.wakes && u.resource == cell.resource && overlaps(u.range, cell.range);
+        });
     }
 
     void check_writer(const Cell& cell, const CellUse& writer) {
-        if (!rests(writer.pass)) return report_other_writer(cell, writer);
+        if (!has_unit(writer.pass)) return report_other_writer(cell, writer);
         if (!is_kept(cell) && resource(cell).lifetime != ResourceLifetime::transient)
             return report_not_kept(cell, writer);
         const auto& sources = use(writer).sources;
         const bool own = std::ranges::any_of(sources, [&](const VersionSource& s) {
             return s.producer == kNoId && overlaps(s.range, cell.range);
         });
-        if (own) report_own_content(cell, writer);
+        if (own && rests(writer.pass) && !declares_own_content(cell, writer.pass))
+            report_own_content(cell, writer);
     }
 
     void check_reader(const Cell& cell, const CellUse& reader) {
         const CellUse& writer = cell.writers.back();
-        const bool together = rests(reader.pass) && sets_.find(reader.pass) == sets_.find(writer.pass);
-        if (together && version_seen(graph_, cell, reader) < 0) return report_own_content(cell, reader);
-        if (together || observes(reader.pass) || !rests(writer.pass)) return;
+        const bool together = in_one_unit(reader.pass, writer.pass);
+        if (together && rests(reader.pass) && use(reader).wakes && version_seen(graph_, cell, reader) < 0)
+            return report_own_content(cell, reader);
+        if (together || observes(reader.pass) || !has_unit(writer.pass)) return;
         if (resource(cell).lifetime == ResourceLifetime::transient) return report_lost(cell, reader, writer);
-        if (sees_middle(cell, reader)) report_middle(cell, reader, writer);
+        if (sees_middle(cell, reader)) return report_middle(cell, reader, writer);
+        const bool restless = rests(reader.pass) && use(reader).wakes && !rests(writer.pass);
+        if (restless) report_restless(cell, reader, writer.pass);
     }
 
     [[nodiscard]] std::string what(const Cell& cell) const {
         return quote(range_of(resource(cell), cell.range));
     }
 
+    // Adds an error about a rule of "rest", or about the same rule of groups.
     Diagnostic& error(PassId pass, SourceLoc loc, const std::string& fault) {
         return report_.error(pass, loc, "W188", "pass " + quote(declared_.author_name(pass)) + " " + fault);
+    }
+
+    // Returns the reason why the pass does not run in every frame: it `has "rest"`, or its group.
+    [[nodiscard]] std::string reason(PassId pass) const {
+        return group_of(pass) ? "belongs to group " + quote(group_of(pass)->name) : "has \"rest\"";
+    }
+
+    void report_other_rounds(const Cell& cell, const CellUse& reader) {
+        if (!is_new(cell, reader.pass, reader.pass)) return;
+        Diagnostic& d = error(reader.pass, use(reader).loc,
+                              "belongs to a group with \"rest\", but its result depends on " + what(cell) +
+                                  ", which another round of the group writes");
+        add_help(d,
+                 "add \"wakes\": false to the port, if a round need not run again when other rounds have "
+                 "run; or remove \"rest\" from the group");
     }
 
     // Returns true if no error about these two descriptions and this resource was reported yet. The passes of
@@ -167,7 +227,8 @@ class RestUnitFinder {
     }
 
     void report_other_writer(const Cell& cell, const CellUse& writer) {
-        const auto resting = std::ranges::find_if(cell.writers, [&](const auto& w) { return rests(w.pass); });
+        const auto resting =
+            std::ranges::find_if(cell.writers, [&](const auto& w) { return has_unit(w.pass); });
         if (!is_new(cell, resting->pass, writer.pass)) return;
         const std::string name = quote(declared_.author_name(writer.pass));
         Diagnostic& d = error(resting->pass, use(*resting).loc,
@@ -185,7 +246,7 @@ class RestUnitFinder {
         const bool imported = resource(cell).lifetime == ResourceLifetime::imported;
         Diagnostic& d = error(
             writer.pass, use(writer).loc,
-            "has \"rest\" and writes " + what(cell) +
+            reason(writer.pass) + " and writes " + what(cell) +
                 (imported ? ", but the program owns this import and may change its content"
                           : ", but the content of a resource with \"history\" moves on in every frame"));
         add_help(d, imported
@@ -198,7 +259,7 @@ class RestUnitFinder {
         if (!is_new(cell, reader.pass, writer.pass)) return;
         Diagnostic& d =
             error(writer.pass, use(writer).loc,
-                  "has \"rest\" and writes " + what(cell) + ", which pass " +
+                  reason(writer.pass) + " and writes " + what(cell) + ", which pass " +
                       quote(declared_.author_name(reader.pass)) +
                       " reads in every frame, but this resource does not keep its content between frames");
         add_help(d, "add \"keep\": true to resource " + quote(resource(cell).name));
@@ -234,26 +295,53 @@ class RestUnitFinder {
         std::vector<Layout> layouts(graph_.resources.size(), Layout::undefined);
         std::vector<uint8_t> general(graph_.resources.size(), 0);
         for (const Cell& cell : cells_) {
-            if (!unit_writes(cell) || resource(cell).kind != ResourceKind::image) continue;
-            for (const CellUse& reader : cell.readers) {
-                Layout& layout = layouts[cell.resource];
-                const Layout wanted = use(reader).state.layout;
-                general[cell.resource] |= layout != Layout::undefined && layout != wanted ? 1 : 0;
-                layout = wanted;
-            }
+            if (resource(cell).kind != ResourceKind::image) continue;
+            for (const CellUse& reader : cell.readers)
+                if (unit_writes(cell) || use(reader).latest)
+                    agree(use(reader).state.layout, layouts[cell.resource], general[cell.resource]);
         }
         for (BoundPass& pass : graph_.passes)
             for (UseDecl& u : pass.uses)
                 if (general[u.resource] && !writes(u.access)) u.state.layout = Layout::general;
     }
 
+    static void agree(Layout wanted, Layout& layout, uint8_t& general) {
+        general |= layout != Layout::undefined && layout != wanted ? 1 : 0;
+        layout = wanted;
+    }
+
+    // The rounds of a group run in any order, so no layout may change between two of its reads: if they need
+    // different layouts, all of them use GENERAL.
+    void agree_in_group(uint32_t group) {
+        std::vector<Layout> layouts(graph_.resources.size(), Layout::undefined);
+        std::vector<uint8_t> general(graph_.resources.size(), 0);
+        const auto each_read = [&](const auto& visit) {
+            for (PassId pass(0); pass < graph_.passes.size(); ++pass)
+                for (UseDecl& u : graph_.passes[pass].uses)
+                    if (draft(pass).group == group && u.access != Access::none && !writes(u.access)) visit(u);
+        };
+        each_read([&](UseDecl& u) { agree(u.state.layout, layouts[u.resource], general[u.resource]); });
+        each_read([&](UseDecl& u) {
+            if (general[u.resource] && graph_.resources[u.resource].kind == ResourceKind::image)
+                u.state.layout = Layout::general;
+        });
+    }
+
     void number_units() {
         graph_.rest_units.assign(graph_.passes.size(), kNoId);
         for (PassId pass(0); pass < graph_.passes.size(); ++pass) {
-            if (!rests(pass)) continue;
+            if (!says_rest(pass)) continue;
             const PassId first = sets_.find(pass);
             graph_.rest_units[pass] = first == pass ? graph_.rest_unit_count++ : graph_.rest_units[first];
         }
+        graph_.groups = declared_.expansion.groups;
+        for (GroupDecl& group : graph_.groups) {
+            group.first_unit = graph_.rest_unit_count;
+            graph_.rest_unit_count += group.rounds;
+        }
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass)
+            if (draft(pass).group != kNoId)
+                graph_.rest_units[pass] = graph_.groups[draft(pass).group].first_unit + draft(pass).round;
     }
 
     const Declared& declared_;
@@ -272,13 +360,13 @@ class RestUnitFinder {
 
 void find_rest_units(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                      Reporter& reporter) {
-    if (!declared.input.request.rests) return;
     const auto has_key = [](const PassDraft& draft) {
-        return draft.desc->rests ||
+        return draft.desc->rests || draft.group != kNoId ||
                std::ranges::any_of(draft.desc->in, [](const PortDesc& port) { return !port.wakes; });
     };
     const bool any = std::ranges::any_of(declared.expansion.passes, has_key);
-    if (any) RestUnitFinder(declared, cells, graph, reporter).run();
+    if (any && (declared.input.request.rests || !declared.expansion.groups.empty()))
+        RestUnitFinder(declared, cells, graph, reporter).run();
 }
 
 }  // namespace weft

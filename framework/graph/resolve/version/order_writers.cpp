@@ -101,6 +101,7 @@ class WriterOrder {
         const bool itself = name == declared_.author_name(pass);
         if (found != declared_.expansion.instances.end() && !itself) {
             for (const PassId from : found->second) {
+                if (in_other_round(drafts()[from], drafts()[pass])) continue;
                 add_arc({from, pass, EdgeKind::after, kNoId, loc});
                 graph_.edges.push_back({from, pass, EdgeKind::after, kNoId, loc});
             }

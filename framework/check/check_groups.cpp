@@ -1,0 +1,91 @@
+#include "check/check_groups.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace weft::check {
+namespace {
+
+class GroupCheck {
+ public:
+    GroupCheck(const FramePlan& plan, const GroupDecl& group, FaultList& faults)
+        : plan_(plan), group_(group), faults_(faults) {
+        for (Position position(0); position < plan.schedule.order.size(); ++position)
+            if (is_member(plan.schedule.order[position])) members_.push_back(position);
+    }
+
+    void run() {
+        const uint64_t end = uint64_t{group_.first_unit} + group_.rounds;
+        if (end > plan_.graph.rest_unit_count) fault("has units that the plan does not have");
+        if (members_.empty()) return;
+        check_order();
+        for (const Position position : members_) check_step(position);
+    }
+
+ private:
+    [[nodiscard]] const PassDecl& pass_at(Position position) const {
+        return plan_.graph.passes[plan_.schedule.order[position]];
+    }
+    [[nodiscard]] bool is_member(PassId pass) const {
+        const uint32_t unit = plan_.graph.passes[pass].rest_unit;
+        return unit != kNoId && group_.has_unit(unit);
+    }
+
+    void fault(const std::string& text) {
+        faults_.add(
+            "C335", group_.loc, "group \"" + group_.name + "\" " + text,
+            "the rounds of a group must be able to run in any order, without other passes between them");
+    }
+
+    void check_order() {
+        const auto starts = [&](const Batch& batch) {
+            return std::ranges::find(batch.positions, members_.front()) != batch.positions.end();
+        };
+        const auto batch = std::ranges::find_if(plan_.submissions.batches, starts);
+        for (size_t i = 1; i < members_.size(); ++i) {
+            const Position before = members_[i - 1], position = members_[i];
+            if (position != before + 1) return fault("has another pass between its passes");
+            if (pass_at(position).rest_unit < pass_at(before).rest_unit)
+                return fault("has rounds that are not one after another");
+            if (batch == plan_.submissions.batches.end() ||
+                std::ranges::find(batch->positions, position) == batch->positions.end())
+                return fault("is divided into several batches");
+        }
+    }
+
+    void check_step(Position position) {
+        const PassStep& step = plan_.barriers.steps[position];
+        const auto shared = [](const BarrierDecl& barrier) { return !barrier.if_pass_runs; };
+        const bool before = position != members_.front() && std::ranges::any_of(step.barriers, shared);
+        const bool after = position != members_.back() && std::ranges::any_of(step.after, shared);
+        if (before || after)
+            fault("has a barrier at pass " + faults_.pass_name(step.pass) +
+                  " that is recorded in every frame, but depends on the order of the rounds");
+    }
+
+    const FramePlan& plan_;
+    const GroupDecl& group_;
+    FaultList& faults_;
+    std::vector<Position> members_;  // Positions of the passes of the group, in schedule order.
+};
+
+}  // namespace
+
+void check_groups(const FramePlan& plan, FaultList& faults) {
+    for (const GroupDecl& group : plan.graph.groups) GroupCheck(plan, group, faults).run();
+    for (const PassDecl& pass : plan.graph.passes)
+        for (const UseDecl& use : pass.uses) {
+            const bool may = pass.kind == PassKind::readback ||
+                             std::ranges::any_of(plan.graph.groups, [&](const GroupDecl& group) {
+                                 return pass.rest_unit != kNoId && group.has_unit(pass.rest_unit);
+                             });
+            if (use.latest && !may)
+                faults.add(
+                    "C335", use.loc,
+                    "pass \"" + pass.name + "\" belongs to no group, but reads whatever rounds have left",
+                    "only passes of a group and readbacks may do this");
+        }
+}
+
+}  // namespace weft::check

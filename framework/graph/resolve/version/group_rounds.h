@@ -1,0 +1,21 @@
+// Purpose: the rules of groups for the versions of resources. Each round of a group sees, of what the group
+// writes, only what the same round wrote before; for all other parts it sees the content at the time when the
+// round runs. Private to version().
+#pragma once
+
+#include <vector>
+
+#include "graph/resolve/version/cells.h"
+
+namespace weft {
+
+// Returns the cells with the accesses of different rounds in separate cells, and marks the uses that read
+// what other rounds write (UseDecl::latest). Errors: W190 if several rounds, or a round and a pass outside
+// the group, write the same part, or if a pass outside the group uses a resource of the group.
+[[nodiscard]] std::vector<Cell> separate_rounds(const Declared& declared, std::vector<Cell> cells,
+                                                VersionedGraph& graph, Reporter& reporter);
+// Checks that no pass must run between two passes of a group. The edges of the graph must be complete.
+// Errors: W190.
+void check_group_order(const Declared& declared, VersionedGraph& graph, Reporter& reporter);
+
+}  // namespace weft

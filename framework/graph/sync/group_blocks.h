@@ -1,0 +1,33 @@
+// Purpose: the block of each group in the schedule: its passes run one after another on one queue, round by
+// round. A frame may run the rounds in another order or leave some out. So everything that is not part of a
+// round (semaphore waits, and barriers of resources that no round writes) stands before or after the whole
+// block.
+#pragma once
+
+#include <vector>
+
+#include "weft/plan.h"
+
+namespace weft {
+
+// The positions first to last, inclusive. Empty if first > last: all passes of the group were culled.
+struct GroupBlock {
+    Position first = 1;
+    Position last = 0;
+
+    [[nodiscard]] bool empty() const { return first > last; }
+    [[nodiscard]] bool contains(Position position) const { return position >= first && position <= last; }
+};
+
+// Returns the block of each group, in the order of ResolvedGraph::groups.
+[[nodiscard]] std::vector<GroupBlock> group_blocks(const ResolvedGraph& graph, const Schedule& order);
+
+// Moves each dependency to the borders of the blocks: a block waits before its first pass, and other passes
+// wait for its last pass.
+[[nodiscard]] std::vector<QueueDependency> outside_blocks(const std::vector<GroupBlock>& blocks,
+                                                          std::vector<QueueDependency> dependencies);
+// Moves the barriers that are recorded in every frame to the borders of the blocks: barriers before a pass to
+// the first step of its block, and barriers after a pass to the last step.
+void move_shared_barriers(const std::vector<GroupBlock>& blocks, BarrierPlan& plan);
+
+}  // namespace weft
