@@ -1,6 +1,7 @@
 #include "check/check_groups.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,11 @@ class GroupCheck {
         if (members_.empty()) return;
         check_order();
         for (const Position position : members_) check_step(position);
+        if (group_.rounds == 1) return;
+        find_needs();
+        for (const Position position : members_)
+            for (const UseDecl& use : pass_at(position).uses)
+                if (writes(use.access) && is_local(use)) check_local(plan_.barriers.steps[position], use);
     }
 
  private:
@@ -64,10 +70,78 @@ class GroupCheck {
                   " that is recorded in every frame, but depends on the order of the rounds");
     }
 
+    // What a round must wait for before it writes a part of a resource of the group: any round may have used
+    // the part before.
+    struct Need {
+        StageMask stages = stage::kNone;
+        AccessMask writes = access::kNone;
+    };
+
+    [[nodiscard]] bool is_local(const UseDecl& use) const {
+        return plan_.graph.resources[use.resource].lifetime == ResourceLifetime::transient;
+    }
+
+    // A part of a local resource: one mip of one layer of one aspect, or a buffer.
+    using Part = std::pair<ResourceId, SubresourceRange>;
+
+    template <class Visit>
+    static void each_part(const UseDecl& use, Visit visit) {
+        const SubresourceRange& r = use.range;
+        for (unsigned bit = 1; bit <= r.aspects; bit <<= 1)
+            for (uint32_t layer = r.layer; (r.aspects & bit) != 0 && layer < r.layer + r.layers; ++layer)
+                for (uint32_t mip = r.mip; mip < r.mip + r.mips; ++mip)
+                    visit(Part{use.resource, {mip, 1, layer, 1, static_cast<AspectMask>(bit)}});
+    }
+
+    // Returns the barrier of the round itself on the part, or null.
+    [[nodiscard]] static const BarrierDecl* find(const std::vector<BarrierDecl>& list, const Part& part) {
+        const auto found = std::ranges::find_if(list, [&](const BarrierDecl& barrier) {
+            return barrier.if_pass_runs && barrier.resource == part.first &&
+                   contains(barrier.range, part.second);
+        });
+        return found == list.end() ? nullptr : &*found;
+    }
+
+    // The barrier after a write waits for the write. Without such a barrier, the next round must wait for it.
+    void find_needs() {
+        for (const Position position : members_) {
+            const PassStep& step = plan_.barriers.steps[position];
+            for (const UseDecl& use : pass_at(position).uses) {
+                if (use.access == Access::none || !is_local(use)) continue;
+                each_part(use, [&](const Part& part) {
+                    if (writes(use.access) && find(step.after, part) != nullptr) return;
+                    Need& need = needs_[part];
+                    need.stages |= use.state.stages;
+                    if (writes(use.access)) need.writes |= use.state.access & access::kAllWrites;
+                });
+            }
+        }
+    }
+
+    [[nodiscard]] bool waits_for_all(const PassStep& step, const Part& part) const {
+        const BarrierDecl* before = find(step.barriers, part);
+        const BarrierDecl* after = find(step.after, part);
+        const auto found = needs_.find(part);
+        const Need need = found == needs_.end() ? Need{} : found->second;
+        return before != nullptr && (need.stages & ~before->src.stages) == 0 &&
+               (need.writes & ~before->src.access) == 0 &&
+               (after == nullptr || (after->dst.stages & before->src.stages) != 0);
+    }
+
+    void check_local(const PassStep& step, const UseDecl& use) {
+        bool waits = true;
+        each_part(use, [&](const Part& part) { waits = waits && waits_for_all(step, part); });
+        if (waits) return;
+        fault("shares " + faults_.resource_name(use.resource) + range_text(use.range) +
+              " between its rounds, but the barriers of pass " + faults_.pass_name(step.pass) +
+              " do not wait for all of them");
+    }
+
     const FramePlan& plan_;
     const GroupDecl& group_;
     FaultList& faults_;
     std::vector<Position> members_;  // Positions of the passes of the group, in schedule order.
+    std::map<Part, Need> needs_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "graph/rest/frame_steps.h"
 #include "graph/rest/rest_state.h"
 #include "vulkan/execute/frame_slots.h"
 #include "vulkan/record/plan_objects.h"
