@@ -57,9 +57,16 @@ Json pass_schema(const PassNames& pass) {
     return {{"properties", std::move(properties)}};
 }
 
-Json passes_schema(const GraphNames& names) {
+Json passes_schema(const std::map<std::string, PassNames>& passes) {
     Json properties = Json::object();
-    for (const auto& [name, pass] : names.passes) properties[name] = pass_schema(pass);
+    for (const auto& [name, pass] : passes) properties[name] = pass_schema(pass);
+    return {{"properties", std::move(properties)}};
+}
+
+Json groups_schema(const GraphNames& names) {
+    Json properties = Json::object();
+    for (const auto& [name, passes] : names.groups)
+        properties[name] = {{"properties", {{"passes", passes_schema(passes)}}}};
     return {{"properties", std::move(properties)}};
 }
 
@@ -68,18 +75,20 @@ Json passes_schema(const GraphNames& names) {
 std::string graph_schema(const GraphNames& names) {
     Json schema = Json::parse(format_schema());
     Json& definitions = schema["definitions"];
-    Names passes;
-    for (const auto& [name, unused] : names.passes) passes.insert(name);
-    definitions["reference"] = reference_to(names.resources, passes);
-    definitions["passName"] = one_of(passes);
+    definitions["reference"] = reference_to(names.resources, names.pass_names);
+    definitions["passName"] = one_of(names.pass_names);
+    definitions["turnsName"] = one_of(names.turns);
     definitions["tierName"] = one_of(names.tiers);
     definitions["drawList"] = one_of(names.draw_lists);
     definitions["paramName"] = one_of(names.params);
     definitions["computeShader"] = one_of(names.compute_shaders);
     definitions["fullscreenShader"] = one_of(names.fullscreen_shaders);
     definitions["rasterShader"] = one_of(names.raster_shaders);
-    definitions["ownPasses"] = passes_schema(names);
-    const Json own{{"properties", {{"passes", {{"$ref", "#/definitions/ownPasses"}}}}}};
+    definitions["ownPasses"] = passes_schema(names.passes);
+    definitions["ownGroups"] = groups_schema(names);
+    const Json own{{"properties",
+                    {{"passes", {{"$ref", "#/definitions/ownPasses"}}},
+                     {"groups", {{"$ref", "#/definitions/ownGroups"}}}}}};
     schema["allOf"] = {own};
     schema["allOf"].push_back(
         {{"properties", {{"tiers", {{"additionalProperties", {{"properties", {{"patch", own}}}}}}}}}});

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "graph/parse/expression.h"
+#include "graph/parse/reference.h"
 #include "graph/syntax/merge.h"
 #include "graph/syntax/read_graph.h"
 #include "shader/compile/glsl_compile.h"
@@ -80,11 +81,12 @@ class NameGatherer {
         if (const JsonNode* imports = root.find("imports"))
             for (const JsonMember& import : imports->members)
                 if (is_identifier(import.key))
-                    (text_of(import.value, "kind") == "drawlist" ? names_.draw_lists : names_.resources)
-                        .insert(import.key);
-        if (const JsonNode* passes = root.find("passes"))
-            for (const JsonMember& pass : passes->members)
-                if (is_identifier(pass.key)) add_pass(pass.value, names_.passes[pass.key]);
+                    names_of_kind(text_of(import.value, "kind")).insert(import.key);
+        names_.pass_names.merge(keys_of(root, "passes"));
+        add_passes(root, names_.passes);
+        if (const JsonNode* groups = root.find("groups"))
+            for (const JsonMember& group : groups->members)
+                if (is_identifier(group.key)) add_group(group);
     }
 
     GraphNames take(const std::vector<std::string>& tiers) {
@@ -93,6 +95,25 @@ class NameGatherer {
     }
 
  private:
+    std::set<std::string>& names_of_kind(const std::string& import_kind) {
+        if (import_kind == "drawlist") return names_.draw_lists;
+        return import_kind == "turns" ? names_.turns : names_.resources;
+    }
+
+    void add_passes(const JsonNode& owner, std::map<std::string, PassNames>& passes) {
+        if (const JsonNode* section = owner.find("passes"))
+            for (const JsonMember& pass : section->members)
+                if (is_identifier(pass.key)) add_pass(pass.value, passes[pass.key]);
+    }
+
+    void add_group(const JsonMember& group) {
+        for (const auto& [section, names] :
+             {std::pair{"resources", &names_.resources}, std::pair{"passes", &names_.pass_names}})
+            for (const std::string& name : keys_of(group.value, section))
+                names->insert({name, name_in_group(group.key, name)});
+        add_passes(group.value, names_.groups[group.key]);
+    }
+
     void add_pass(const JsonNode& node, PassNames& pass) {
         pass.attachments.merge(keys_of(node, "out"));
         const std::string type = text_of(node, "type");

@@ -24,8 +24,12 @@ struct PassNames {
 };
 
 struct GraphNames {
-    std::set<std::string> resources, draw_lists, params, tiers;
+    // The resources and pass names of a group are here too, both as "raw" and as "relight::raw".
+    std::set<std::string> resources, pass_names;
+    std::set<std::string> draw_lists, turns, params, tiers;
     std::map<std::string, PassNames> passes;
+    // The passes of each group.
+    std::map<std::string, std::map<std::string, PassNames>> groups;
     // Names of shaders in the folder of the graph, or shipped with Weft.
     std::set<std::string> compute_shaders, fullscreen_shaders, raster_shaders;
 };

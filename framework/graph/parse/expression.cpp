@@ -193,7 +193,11 @@ class ExpressionParser {
         skip_spaces();
         const size_t begin = position_;
         if (!is_name_start(peek())) return fail_here("the name of an image");
-        const std::string name = word();
+        std::string name = word();
+        if (peek() == ':' && peek(1) == ':' && is_name_start(peek(2))) {
+            position_ += 2;
+            name += "::" + word();
+        }
         if (!emit(ExprOp::mips_of, begin, name.size(), 0, name)) return false;
         return accept(')') || fail_here("')'");
     }

@@ -11,7 +11,7 @@ constexpr int64_t kFormatVersion = 1;
 constexpr int64_t kMaxJitter = 64;
 
 const std::vector<std::string>& import_kinds() {
-    static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube", "output"};
+    static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube", "output", "turns"};
     return kinds;
 }
 
@@ -90,8 +90,8 @@ constexpr std::array kPatchKeys{
     KeyRule<TierDesc>{"imports", skip_object},   KeyRule<TierDesc>{"consts", skip_object},
     KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
     KeyRule<TierDesc>{"resources", skip_object}, KeyRule<TierDesc>{"passes", skip_object},
-    KeyRule<TierDesc>{"debug", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
-    KeyRule<TierDesc>{"frames", skip_value}};
+    KeyRule<TierDesc>{"groups", skip_object},    KeyRule<TierDesc>{"debug", skip_object},
+    KeyRule<TierDesc>{"jitter", skip_value},     KeyRule<TierDesc>{"frames", skip_value}};
 
 // Checks only which sections the patch of a tier has, not their content (see skip_object()).
 void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {
@@ -129,7 +129,7 @@ constexpr std::array kTopKeys{
     KeyRule<GraphDesc>{"passes", parse_passes},  KeyRule<GraphDesc>{"frames", read_frames},
     KeyRule<GraphDesc>{"include", skip_include}, KeyRule<GraphDesc>{"tiers", read_tiers},
     KeyRule<GraphDesc>{"debug", parse_debug},    KeyRule<GraphDesc>{"tests", skip_tests},
-    KeyRule<GraphDesc>{"jitter", read_jitter},
+    KeyRule<GraphDesc>{"jitter", read_jitter},   KeyRule<GraphDesc>{"groups", parse_groups},
 };
 
 // Checks that no two entries of `sections` have the same name, even if they are in different sections. A
@@ -198,6 +198,7 @@ Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits) {
         check_shared_names(context, root, kExpressionNames, true);
         check_indices(context, graph);
         check_shared_names(context, root, kReferenceNames, false);
+        check_groups(context, root, graph);
         if (const JsonNode* tests = root.find("tests")) {
             const PointerScope scope(context, "tests");
             parse_tests(context, *tests, graph);

@@ -44,15 +44,30 @@ bool ParseContext::within(size_t count, uint64_t limit, SourceLoc loc, const std
     return false;
 }
 
-bool ParseContext::count_parts(const Expr& expression) {
+std::string ParseContext::resource_name(const std::string& name) const {
+    const bool is_own = names_ != nullptr && names_->resources.contains(name);
+    return is_own ? name_in_group(names_->group.name, name) : name;
+}
+
+std::string ParseContext::pass_name(const std::string& name) const {
+    const bool is_own = names_ != nullptr && names_->passes.contains(name);
+    return is_own ? name_in_group(names_->group.name, name) : name;
+}
+
+bool ParseContext::complete(Expr& expression) {
+    if (names_ != nullptr)
+        for (ExprNode& node : expression.postfix)
+            if (node.op == ExprOp::mips_of) node.name = resource_name(node.name);
     parts_ += expression.postfix.size();
     return within(parts_, limits_.expression_parts, expression.loc, "parts of expressions",
                   "graph.expressionParts", "define repeated expressions once, in \"consts\" or \"sizes\"");
 }
 
-bool ParseContext::count_parts(const RefDesc& ref) {
-    for (const std::optional<Expr>* part : {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
-        if (*part && !count_parts(**part)) return false;
+bool ParseContext::complete(RefDesc& ref) {
+    ref.name = resource_name(ref.name);
+    ref.pass = pass_name(ref.pass);
+    for (std::optional<Expr>* part : {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
+        if (*part && !complete(**part)) return false;
     return true;
 }
 
@@ -174,7 +189,7 @@ bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double>
 bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
     if (node.kind == JsonKind::number) {
         out = number_expression(node.number, node.loc);
-        return context.count_parts(out);
+        return context.complete(out);
     }
     if (node.kind != JsonKind::string) {
         wrong_type(context, node, "a number or an expression in a string");
@@ -185,7 +200,7 @@ bool read_expression(ParseContext& context, const JsonNode& node, Expr& out) {
         context.add(parsed.take_errors());
         return false;
     }
-    if (!context.count_parts(*parsed)) return false;
+    if (!context.complete(*parsed)) return false;
     out = std::move(*parsed);
     return true;
 }
@@ -271,7 +286,7 @@ bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out) {
         return false;
     }
     out = std::move(*ref);
-    return context.count_parts(out);
+    return context.complete(out);
 }
 
 void unknown_key(ParseContext& context, const JsonMember& member, std::string_view what,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,12 @@
 #include "weft/syntax/json_doc.h"
 
 namespace weft {
+
+// The names of the resources and passes of one group, without the name of the group.
+struct GroupNames {
+    const GroupDesc& group;
+    std::set<std::string, std::less<>> resources, passes;
+};
 
 class ParseContext {
  public:
@@ -40,10 +47,12 @@ class ParseContext {
     // which a user can raise the limit, for example "graph.debugViews".
     bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
                 const std::string& help);
-    // Adds the parts (numbers, names and operations) of a parsed expression or reference to the total of the
-    // graph. If the total exceeds the limit graph.expressionParts, reports an error and returns false.
-    bool count_parts(const Expr& expression);
-    bool count_parts(const RefDesc& ref);
+    // Completes a parsed expression or reference. Inside a group, the names of the group's resources and
+    // passes become full names such as "relight::raw". The parts (numbers, names and operations) are added to
+    // the total of the graph. If the total exceeds the limit graph.expressionParts, reports an error and
+    // returns false.
+    bool complete(Expr& expression);
+    bool complete(RefDesc& ref);
     // Returns true if parsing should stop: kMaxErrors errors were reported, or within() has found a count
     // above its limit.
     [[nodiscard]] bool is_full() const { return is_over_limit_ || errors_.size() >= kMaxErrors; }
@@ -51,6 +60,15 @@ class ParseContext {
     // Returns the errors, sorted by file, line and column. Errors of the main file come before those of
     // included files.
     [[nodiscard]] Diagnostics take_errors();
+
+    // Sets the group whose content is parsed next; null: none.
+    void set_group(const GroupNames* names) { names_ = names; }
+    // Returns the group whose content is being parsed, or null.
+    [[nodiscard]] const GroupDesc* group() const { return names_ == nullptr ? nullptr : &names_->group; }
+    // Returns the full name of the resource or pass that `name` means here: "relight::raw" for "raw" if the
+    // group "relight" is being parsed and has such a resource or pass; else `name` itself.
+    [[nodiscard]] std::string resource_name(const std::string& name) const;
+    [[nodiscard]] std::string pass_name(const std::string& name) const;
 
     void push(std::string_view key) { path_.emplace_back(key); }
     void pop() { path_.pop_back(); }
@@ -60,6 +78,7 @@ class ParseContext {
 
     const SourceMap& sources_;
     const GraphLimits limits_;
+    const GroupNames* names_ = nullptr;
     size_t parts_ = 0;
     bool is_over_limit_ = false;
     Diagnostics errors_;
@@ -210,6 +229,10 @@ void parse_debug(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+void parse_groups(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+// Checks names of groups against other sections of the graph, after all sections are parsed: "turns" must
+// name an import, and no resource or pass of a group may have the name of one outside the group.
+void check_groups(ParseContext& context, const JsonNode& root, const GraphDesc& graph);
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass);
@@ -219,6 +242,8 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
+// Reads the indices of a repeat and appends them to `repeats`, which may already contain those of a group.
+void read_repeat(ParseContext& context, const JsonNode& node, std::vector<RepeatDesc>& repeats);
 // Checks that the limit graph.constants allows one more constant, parameter or size. If not, reports an error
 // and returns false.
 bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc loc);
@@ -236,6 +261,7 @@ void list_graph_grammar(std::vector<GrammarTable>& lists);
 void list_param_grammar(std::vector<GrammarTable>& lists);
 void list_resource_grammar(std::vector<GrammarTable>& lists);
 void list_pass_grammar(std::vector<GrammarTable>& lists);
+void list_group_grammar(std::vector<GrammarTable>& lists);
 void list_port_grammar(std::vector<GrammarTable>& lists);
 void list_state_grammar(std::vector<GrammarTable>& lists);
 void list_blend_grammar(std::vector<GrammarTable>& lists);

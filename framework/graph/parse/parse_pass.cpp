@@ -70,7 +70,7 @@ void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     size_t end = open + 1;
     Result<Expr> number = parse_expression_at(text, end, context.sources());
     if (!number) return context.add(number.take_errors());
-    if (!context.count_parts(*number)) return;
+    if (!context.complete(*number)) return;
     if (text.text.substr(end) != ")")
         return context.error(text.at(end, 1), "W106", "the number of a view needs ')' as its last character",
                              "write the view as \"" + pass.view.substr(0, open) + "(i)\"");
@@ -128,6 +128,7 @@ void read_rest(ParseContext& context, const JsonNode& node, PassDesc& pass) {
 
 void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.after, pass.after_locs);
+    for (std::string& name : pass.after) name = context.pass_name(name);
 }
 
 constexpr std::array kCostKeys{KeyRule<PassDesc>{
@@ -234,8 +235,8 @@ TypeMask type_mask(ParseContext& context, const JsonMember& member, const JsonNo
         if (key == nullptr || (key->types & kCustom) != 0) continue;
         const PointerScope scope(context, "type");
         Diagnostic& error = context.error(type->loc, "W115",
-                                          "unknown pass type \"" + type->string + "\"; only built-in types have the key \"" +
-                                              entry.key + "\"");
+                                          "unknown pass type \"" + type->string +
+                                              "\"; only built-in types have the key \"" + entry.key + "\"");
         const std::string near =
             did_you_mean_text(type->string, choice_names(std::span<const Choice<TypeMask>>(kBuiltinTypes)));
         error.help.push_back(near.empty() ? "built-in types are " + types_text(kAll) : near);
@@ -367,11 +368,14 @@ void list_pass_grammar(std::vector<GrammarTable>& lists) {
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a pass", [&](const JsonMember& member) {
         if (!expect(context, member.value, JsonKind::object)) return;
-        PassDesc pass;
-        pass.name = member.key;
+        PassDesc& pass = graph.passes[context.pass_name(member.key)];
+        pass.name = context.pass_name(member.key);
         pass.loc = member.key_loc;
+        if (const GroupDesc* group = context.group()) {
+            pass.group = group->name;
+            pass.repeat = group->repeat;
+        }
         read_pass(context, member, node, pass);
-        graph.passes.emplace(member.key, std::move(pass));
     });
 }
 

@@ -191,9 +191,9 @@ void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass)
             context.add(ref.take_errors());
             continue;
         }
-        if (!context.count_parts(*ref)) return;
         ResolveDesc resolve;
         resolve.target.port = ref->name;
+        if (!context.complete(*ref)) return;
         resolve.target.loc = member.key_loc;
         resolve.target.ref = std::move(*ref);
         resolve.output_loc = member.value.loc;

@@ -1,7 +1,11 @@
 // Parses "repeat": { "i": "1..mips(hiz)-1", "j": "3..0 by -1" }, which repeats a pass for all values of its
 // indices. The first index is the outer loop: here, "j" counts from 3 to 0 for each value of "i".
+#include <algorithm>
+#include <span>
+
 #include "graph/parse/expression.h"
 #include "graph/parse/parse_context.h"
+#include "graph/parse/reference.h"
 
 namespace weft {
 namespace {
@@ -34,7 +38,7 @@ class RangeParser {
             return false;
         }
         out = std::move(*parsed);
-        return context_.count_parts(out);
+        return context_.complete(out);
     }
     bool accept(std::string_view word, const std::string& wanted) {
         skip_spaces();
@@ -63,39 +67,71 @@ const char* meaning_of(const GraphDesc& graph, const std::string& name) {
     return is_reserved_word(name) ? "a reserved word of expressions" : nullptr;
 }
 
+// Checks the names of the indices of one pass or group. `owner` is its key in the graph file.
+void check_names(ParseContext& context, const GraphDesc& graph, std::string_view owner,
+                 std::span<const RepeatDesc> repeats) {
+    const PointerScope owner_scope(context, owner);
+    const PointerScope key_scope(context, "repeat");
+    for (const RepeatDesc& repeat : repeats) {
+        const PointerScope scope(context, repeat.index);
+        const char* meaning = meaning_of(graph, repeat.index);
+        if (meaning == nullptr) continue;
+        context.error(repeat.loc, "W109", "the index \"" + repeat.index + "\" is already " + meaning,
+                      "choose another name for the index");
+    }
+}
+
+// Checks the indices of a group, and those that its passes have in addition.
+void check_group_indices(ParseContext& context, const GraphDesc& graph, const GroupDesc& group) {
+    check_names(context, graph, group.name, group.repeat);
+    const PointerScope group_scope(context, group.name);
+    const PointerScope section(context, "passes");
+    const std::string prefix = name_in_group(group.name, "");
+    for (auto at = graph.passes.lower_bound(prefix); at != graph.passes.end(); ++at) {
+        const auto& [name, pass] = *at;
+        if (pass.group != group.name) break;
+        check_names(context, graph, name.substr(prefix.size()),
+                    std::span(pass.repeat).subspan(group.repeat.size()));
+    }
+}
+
 }  // namespace
 
-void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+void read_repeat(ParseContext& context, const JsonNode& node, std::vector<RepeatDesc>& repeats) {
     if (node.kind == JsonKind::object && node.members.empty())
         return context.error(node.loc, "W109", "the repeat has no index",
                              "add an index: \"repeat\": { \"i\": \"0..3\" }, or remove \"repeat\"");
     read_named(context, node, "an index", [&](const JsonMember& member) {
-        if (!context.within(pass.repeat.size() + 1, context.limits().repeat_indices, member.key_loc,
+        if (!context.within(repeats.size() + 1, context.limits().repeat_indices, member.key_loc,
                             "indices in a repeat", "graph.repeatIndices", "combine several indices into one"))
             return;
+        const auto has_name = [&](const RepeatDesc& other) { return other.index == member.key; };
+        if (std::ranges::any_of(repeats, has_name))
+            return context.error(member.key_loc, "W109",
+                                 "the index \"" + member.key + "\" is already an index of the group",
+                                 "choose another name for the index of the pass");
         RepeatDesc repeat;
         repeat.index = member.key;
         repeat.loc = member.key_loc;
         repeat.range_loc = member.value.loc;
         if (member.value.kind != JsonKind::string)
             return wrong_type(context, member.value, "a range in a string");
-        if (RangeParser(context, member.value).parse(repeat)) pass.repeat.push_back(std::move(repeat));
+        if (RangeParser(context, member.value).parse(repeat)) repeats.push_back(std::move(repeat));
     });
 }
 
+void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_repeat(context, node, pass.repeat);
+}
+
 void check_indices(ParseContext& context, const GraphDesc& graph) {
-    const PointerScope section(context, "passes");
-    for (const auto& [name, pass] : graph.passes) {
-        const PointerScope pass_scope(context, name);
-        const PointerScope key_scope(context, "repeat");
-        for (const RepeatDesc& repeat : pass.repeat) {
-            const PointerScope scope(context, repeat.index);
-            const char* meaning = meaning_of(graph, repeat.index);
-            if (meaning == nullptr) continue;
-            context.error(repeat.loc, "W109", "the index \"" + repeat.index + "\" is already " + meaning,
-                          "choose another name for the index");
-        }
+    {
+        const PointerScope section(context, "groups");
+        for (const auto& [name, group] : graph.groups) check_group_indices(context, graph, group);
     }
+    const PointerScope section(context, "passes");
+    for (const auto& [name, pass] : graph.passes)
+        if (pass.group.empty()) check_names(context, graph, name, pass.repeat);
 }
 
 }  // namespace weft

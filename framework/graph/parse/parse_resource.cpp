@@ -229,13 +229,16 @@ void list_resource_grammar(std::vector<GrammarTable>& lists) {
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a resource", [&](const JsonMember& member) {
         ResourceDesc resource;
-        resource.name = member.key;
+        const std::string name = context.resource_name(member.key);
+        resource.name = name;
         resource.loc = member.key_loc;
+        if (context.group() != nullptr) resource.group = context.group()->name;
         if (!read_object(context, member.value, "a resource", kResourceKeys, resource)) return;
         check_kind(context, member);
         settle_kind(context, member.value, resource);
-        check_persistence(context, member.value, resource);
-        graph.resources.emplace(member.key, std::move(resource));
+        // parse_groups() refuses the keys for persistence in a group.
+        if (context.group() == nullptr) check_persistence(context, member.value, resource);
+        graph.resources.emplace(name, std::move(resource));
     });
 }
 

@@ -30,7 +30,7 @@ bool check_ref(ParseContext& context, const TestDraft& draft, const std::string&
         context.add(ref.take_errors());
         return false;
     }
-    if (!context.count_parts(*ref)) return false;
+    if (!context.complete(*ref)) return false;
     if (draft.graph.resources.contains(ref->name) || draft.graph.imports.contains(ref->name)) return true;
     std::vector<std::string> known;
     for (const auto& [name, unused] : draft.graph.resources) known.push_back(name);

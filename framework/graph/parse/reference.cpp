@@ -20,7 +20,7 @@ class ReferenceParser {
     Result<RefDesc> parse() {
         ref_.text = std::string(text_.text);
         ref_.loc = text_.literal;
-        if (!identifier(ref_.name, "the name of a resource")) return std::move(*error_);
+        if (!name(ref_.name, "the name of a resource")) return std::move(*error_);
         while (position_ < text_.text.size())
             if (!part()) return std::move(*error_);
         return ref_;
@@ -60,6 +60,16 @@ class ReferenceParser {
         if (!is_identifier(out)) return fail_at(begin, wanted);
         return true;
     }
+    // Reads the name of a resource or pass, such as "raw" or "relight::raw".
+    bool name(std::string& out, const std::string& wanted) {
+        if (!identifier(out, wanted)) return false;
+        if (text_.text.substr(position_, kInGroup.size()) != kInGroup) return true;
+        position_ += kInGroup.size();
+        std::string inner;
+        if (!identifier(inner, wanted)) return false;
+        out = name_in_group(out, inner);
+        return true;
+    }
 
     bool part() {
         switch (peek()) {
@@ -77,7 +87,7 @@ class ReferenceParser {
     bool pin() {
         if (!ref_.pass.empty()) return fail(position_, 1, "the reference names two passes");
         ++position_;
-        return identifier(ref_.pass, "the name of a pass");
+        return name(ref_.pass, "the name of a pass");
     }
 
     bool history() {

@@ -19,9 +19,9 @@ bool uses_mips_of(const ResourceDesc& desc) {
     return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
 }
 
-// Returns true if an import is an image or buffer. Draw lists are imports, but not resources.
+// Returns true if an import is an image or buffer. Draw lists and turns are imports, but not resources.
 bool becomes_resource(const ImportDesc& import) {
-    return !is_draw_list(import);
+    return !is_draw_list(import) && !is_turns(import);
 }
 
 // Returns the number of earlier frames that the resource keeps.

@@ -81,13 +81,20 @@ void expand_pass(JsonNode& pass, const SourceMap& sources, Diagnostics& errors) 
     if (depth != nullptr && depth->kind == JsonKind::string) wrap(*depth, "ref");
 }
 
+// Expands the shorthand notation in the resources and passes of a graph or of a group.
+void expand_parts(JsonNode& owner, const SourceMap& sources, Diagnostics& errors) {
+    wrap_strings(find(owner, "resources"), "format");
+    if (JsonNode* passes = find(owner, "passes"))
+        for (JsonMember& pass : passes->members) expand_pass(pass.value, sources, errors);
+}
+
 void expand_sections(JsonNode& root, const SourceMap& sources, Diagnostics& errors) {
     wrap_strings(find(root, "imports"), "kind");
-    wrap_strings(find(root, "resources"), "format");
     wrap_strings(find(root, "debug"), "show");
     wrap_params(find(root, "params"));
-    if (JsonNode* passes = find(root, "passes"))
-        for (JsonMember& pass : passes->members) expand_pass(pass.value, sources, errors);
+    expand_parts(root, sources, errors);
+    if (JsonNode* groups = find(root, "groups"))
+        for (JsonMember& group : groups->members) expand_parts(group.value, sources, errors);
 }
 
 void expand(JsonNode& root, const SourceMap& sources, Diagnostics& errors) {
@@ -159,8 +166,8 @@ void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
 // Keeps only the sections of a tier's patch that a tier may change. parse() reports any other section at its
 // place in the file.
 JsonNode known_sections(JsonNode patch) {
-    static constexpr std::array<std::string_view, 9> kSections{
-        "imports", "consts", "params", "sizes", "resources", "passes", "debug", "frames", "jitter"};
+    static constexpr std::array<std::string_view, 10> kSections{
+        "imports", "consts", "params", "sizes", "resources", "passes", "groups", "debug", "frames", "jitter"};
     std::erase_if(patch.members, [](const JsonMember& member) {
         return std::ranges::find(kSections, member.key) == kSections.end();
     });

@@ -7,9 +7,12 @@
 
 namespace weft {
 
-// Returns the name of the resource in a reference, for example "hiz" for "hiz@build.mip(0)".
+// Returns the name of the resource in a reference, for example "hiz" for "hiz@build.mip(0)". The name of a
+// group is left out: "raw" for "relight::raw".
 [[nodiscard]] inline std::string reference_name(std::string_view text) {
-    return std::string(text.substr(0, text.find_first_of("@[.")));
+    const std::string_view name = text.substr(0, text.find_first_of("@[."));
+    const size_t group = name.find("::");
+    return std::string(group == std::string_view::npos ? name : name.substr(group + 2));
 }
 
 }  // namespace weft

@@ -34,7 +34,7 @@ TEST(Parse, ValuesAndResources) {
     EXPECT_EQ(graph.resources.at("acc").on_resize, OnResize::resample);
     EXPECT_EQ(graph.resources.at("probes").keep, KeepMode::shared);
     EXPECT_EQ(graph.sources.files.size(), 1u);
-    EXPECT_EQ(graph.sources.describe(hdr.loc), "graph.json:9:5");
+    EXPECT_EQ(graph.sources.describe(hdr.loc), "graph.json:10:5");
 }
 
 TEST(Parse, RasterState) {

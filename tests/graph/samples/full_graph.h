@@ -6,7 +6,8 @@ namespace weft::test {
 
 inline constexpr const char* kFullGraph = R"json({
   "$schema": "weft.schema.json", "version": 1, "name": "full", "frames": 4, "jitter": 8,
-  "imports": { "opaque": "drawlist", "backbuffer": { "kind": "output" } },
+  "imports": { "opaque": "drawlist", "backbuffer": { "kind": "output" },
+    "probeTurns": "turns" },
   "consts": { "tile": 16 },
   "params": { "scale": { "default": 0.5, "enum": [0.5, 1], "step": 0.5, "unit": "EV", "ui": "A/B" }, "on": true },
   "sizes": { "render": "ceil(output * scale)", "fixed": [64, "tile * 2"] },
@@ -43,7 +44,16 @@ inline constexpr const char* kFullGraph = R"json({
     "culled": { "type": "raster", "draws": { "list": "opaque", "indirect": "args" }, "shader": "lines", "out": ["hdrMs"] },
     "shrink": { "type": "blit", "in": { "src": "hdr.mip(0)" }, "out": { "dst": "hdr.mip(1)" } },
     "wipe": { "type": "clear", "out": ["hdr"], "clear": 1 }
-  }
+  },
+  "groups": {
+    "relight": {
+      "repeat": { "m": "0..5" }, "perFrame": 2, "turns": "probeTurns", "warmUp": 3, "rest": true, "settle": 1,
+      "resources": { "raw": { "format": "rgba16f", "size": 128, "mips": 3 }, "low": { "format": "r8", "mips": "mips(raw)" } },
+      "passes": {
+        "gather": { "type": "compute", "shader": "light.comp", "in": { "bounce": { "ref": "sky", "wakes": false } },
+          "out": { "dst": "raw.mip(mips(raw)-3)" } },
+        "filter": { "type": "compute", "shader": "light.comp", "in": ["raw@gather"], "out": { "dst": "sky.layer(m)" },
+          "repeat": { "k": "0..1" }, "after": ["gather", "wipe"] } } } }
 })json";
 
 }  // namespace weft::test

@@ -7,6 +7,7 @@
 #include "graph/resolve/bind/presence.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
+#include "graph/resolve/shape/shape_imports.h"
 
 namespace weft {
 namespace {
@@ -77,10 +78,14 @@ class ReferenceBinder {
         if (means_faulty_import(pass, ref.name, near_names)) return kNoId;
         const std::string verb = is_output ? " writes " : " reads ";
         const std::string who = name_reader(declared_.expansion.passes[pass]) + verb;
-        if (declared_.input.graph.imports.contains(ref.name)) {
-            Diagnostic& d =
-                report_.error(pass, ref.loc, "W103", who + quote(ref.name) + ", which is a draw list");
-            add_help(d, "name draw lists in \"draws\" of a raster pass");
+        const auto import = declared_.input.graph.imports.find(ref.name);
+        if (import != declared_.input.graph.imports.end()) {
+            const bool turns = is_turns(import->second);
+            Diagnostic& d = report_.error(
+                pass, ref.loc, "W103",
+                who + quote(ref.name) + ", which is " + (turns ? "a list of turns" : "a draw list"));
+            add_help(d, turns ? "name lists of turns in \"turns\" of a group"
+                              : "name draw lists in \"draws\" of a raster pass");
             return kNoId;
         }
         Diagnostic& d = report_.error(pass, ref.loc, "W103", who + "unknown resource " + quote(ref.name));

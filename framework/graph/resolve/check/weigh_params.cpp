@@ -17,6 +17,9 @@ class ParamCosts {
     void gather() {
         for (const auto& [name, resource] : graph_.resources) add_resource(resource);
         for (const auto& [name, pass] : graph_.passes) add_pass(pass);
+        for (const auto& [name, group] : graph_.groups)
+            for (const Expr* expression : {&group.per_frame, &group.warm_up, &group.settle})
+                add(*expression, ParamCost::graph);
         for (const auto& [name, view] : graph_.debug) add_view(view);
         add(graph_.frames, ParamCost::live);
     }
@@ -48,8 +51,12 @@ class ParamCosts {
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
                 !is_included(graph_.sources, import.loc))
-                reporter.warn(import.loc, "W134", "no pass uses the import " + quote(name),
-                              "remove the import, or use it in a port or in \"draws\"");
+                reporter.warn(import.loc, "W134",
+                              (import.kind == "turns" ? "no group" : "no pass") +
+                                  std::string(" uses the import ") + quote(name),
+                              import.kind == "turns"
+                                  ? "remove the import, or use it in \"turns\" of a group"
+                                  : "remove the import, or use it in a port or in \"draws\"");
     }
 
  private:
@@ -146,8 +153,8 @@ class ParamCosts {
         for (const Expr& bound : *view.range) add(bound, ParamCost::live);
     }
 
-    // Returns the names of all resources and draw lists that passes, debug views or tests use. This includes
-    // passes that do not run.
+    // Returns the names of all resources, draw lists and turns that passes, groups, debug views or tests use.
+    // This includes passes that do not run.
     ResourceNames named_resources() const {
         ResourceNames named = watched_resources(graph_);
         const auto add_named = [&](const PortDesc& port) {
@@ -160,6 +167,7 @@ class ParamCosts {
             if (pass.indirect) add_named(*pass.indirect);
             named.insert(pass.draws.begin(), pass.draws.end());
         }
+        for (const auto& [name, group] : graph_.groups) named.insert(group.turns);
         return named;
     }
 

@@ -45,6 +45,10 @@ bool is_draw_list(const ImportDesc& import) {
     return import.kind == import_kind_name(ImportKind::draw_list);
 }
 
+bool is_turns(const ImportDesc& import) {
+    return import.kind == "turns";
+}
+
 void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId id, Shapes& shapes,
                   Reporter& reporter) {
     const ImportDecl* import = find_offered(input, desc, reporter);

@@ -11,5 +11,8 @@ void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId 
                   Reporter& reporter);
 void check_draw_list_imports(const ResolveInput& input, Reporter& reporter);
 [[nodiscard]] bool is_draw_list(const ImportDesc& import);
+// Returns true for an import of kind "turns": the rounds that a group runs in a frame. The program gives them
+// with each frame, so its import catalogue does not contain them.
+[[nodiscard]] bool is_turns(const ImportDesc& import);
 
 }  // namespace weft
