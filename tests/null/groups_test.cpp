@@ -1,0 +1,97 @@
+// Tests plans with groups. In each frame, any of the rounds may run, in any order. Whichever rounds run, and
+// in whichever order the null executor runs the commands, the result must be that of the reference run, which
+// keeps every copy apart.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <random>
+
+#include "graph/rest/rest_state.h"
+#include "null/null_executor.h"
+#include "tests/graph/resolve/resolve_fixture.h"
+#include "tests/graph/samples/random_groups.h"
+#include "tests/graph/samples/random_rest.h"
+#include "tests/null/mutant_judge.h"
+#include "tests/null/profile_plans.h"
+#include "weft/check/check_plan.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+constexpr uint32_t kMostGroupUnits = 8;
+
+class Groups : public ResolveTest {
+ protected:
+    Groups() {
+        shaders = rest_shaders();
+        ResourceDecl& noise = imports.imports["noise"].resource;
+        noise.format = Format::rgba16f;
+        noise.import->entry = {stage::kComputeShader, access::kSampledRead, Layout::shader_read_only};
+        noise.import->exit = noise.import->entry;
+        noise.import->concurrent = true;
+    }
+
+    static FramePlan plan_of(const ResolvedGraph& graph, uint32_t queues) {
+        CompileOptions options;
+        options.queues = logical_queues({}, queues);
+        return compile(graph, content_needs(graph), options);
+    }
+
+    // Lets the units of a set run, the rounds of groups in a random order.
+    static void add_frame(const FramePlan& plan, uint32_t set, std::mt19937& random, NullOptions& options) {
+        std::vector<uint8_t>& rests = options.resting.emplace_back(plan.graph.rest_unit_count, 0);
+        std::vector<uint32_t>& rounds = options.rounds.emplace_back();
+        for (uint32_t unit = 0; unit < rests.size(); ++unit) {
+            const bool runs = (set >> unit & 1u) != 0;
+            rests[unit] = runs ? 0 : 1;
+            const bool is_round = std::ranges::any_of(
+                plan.graph.groups, [&](const GroupDecl& group) { return group.has_unit(unit); });
+            if (runs && is_round) rounds.insert(rounds.begin() + random() % (rounds.size() + 1), unit);
+        }
+    }
+
+    static std::string difference(const FramePlan& plan, const NullOptions& options) {
+        const NullRun wanted = run_reference(plan.graph, plan.live, options.frames, options.resting,
+                                             options.inputs, options.rounds);
+        const NullRun found = run_null(plan, options);
+        const std::vector<std::string> different = differences(plan.graph, wanted, found);
+        if (different.empty()) return {};
+        return different.front() + "\n" + (found.faults.empty() ? "" : found.faults.front());
+    }
+};
+
+TEST_F(Groups, AnyRoundsInAnyOrderGiveWhatTheReferenceGives) {
+    const uint32_t seeds = extended() ? 900 : 60;
+    uint32_t graphs = 0, units = 0, most = 0, runs = 0;
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
+        const RandomGroups made = random_groups(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + made.text);
+        observed = made.observed;
+        const FramePlan plan = plan_of(good(made.text), 1 + seed % 3);
+        if (HasFatalFailure() || plan.graph.rest_unit_count > kMostGroupUnits) continue;
+        const Diagnostics faults = check_plan(plan);
+        ASSERT_TRUE(faults.empty()) << to_text(faults);
+        std::mt19937 random(seed);
+        const uint32_t all = (1u << plan.graph.rest_unit_count) - 1;
+        for (uint32_t set = 0; set <= all; ++set, ++runs) {
+            NullOptions options{.frames = 0, .seed = seed + set};
+            options.order = set % 3 == 0 ? NullOrder::delayed : NullOrder::shuffled;
+            for (const uint32_t frame : {all, set, static_cast<uint32_t>(random()), set, all}) {
+                add_frame(plan, frame, random, options);
+                ++options.frames;
+            }
+            ASSERT_EQ(difference(plan, options), "");
+        }
+        ++graphs;
+        units += plan.graph.rest_unit_count;
+        most = std::max(most, plan.graph.rest_unit_count);
+    }
+    std::cout << "seeds 1.." << seeds << ": " << graphs << " graphs, " << units << " units, at most " << most
+              << " in one graph; " << runs << " runs\n";
+    EXPECT_GE(graphs * 10, seeds * 6);
+}
+
+}  // namespace
+}  // namespace weft::test
