@@ -53,21 +53,18 @@ constexpr std::array<std::string_view, 4> kKeysOfRounds{"perFrame", "turns", "wa
 constexpr std::array<std::string_view, 2> kKeysOfGroups{"perFrame", "rest"};
 constexpr std::array<std::string_view, 4> kKeysOfLasting{"keep", "history", "firstFrame", "onResize"};
 
-// Reports keys that have no effect, because another key of the group is missing.
-void check_keys(ParseContext& context, const JsonNode& node) {
+// Reports keys that need another key, which the group does not have.
+void check_needs(ParseContext& context, const JsonNode& node) {
+    const JsonNode* rest = node.find("rest");
+    const bool rests = rest != nullptr && (rest->kind != JsonKind::boolean || rest->boolean);
     for (const JsonMember& member : node.members) {
         if (std::ranges::find(kKeysOfRounds, member.key) == kKeysOfRounds.end()) continue;
         const PointerScope scope(context, member.key);
         if (node.find("repeat") == nullptr)
-            context.error(
-                member.key_loc, "W109",
-                "\"" + member.key + "\" has no effect, because a group without \"repeat\" has only one round",
-                "remove this key, or add rounds, for example \"repeat\": { \"i\": \"0..3\" }");
-        const JsonNode* rest = node.find("rest");
-        const bool rests = rest != nullptr && (rest->kind != JsonKind::boolean || rest->boolean);
-        if (member.key == "settle" && !rests)
-            context.error(member.key_loc, "W109",
-                          "\"settle\" has no effect, because the rounds of this group do not rest",
+            context.error(member.key_loc, "W109", "\"" + member.key + "\" is only for groups with \"repeat\"",
+                          "remove this key, or add rounds, for example \"repeat\": { \"i\": \"0..3\" }");
+        else if (member.key == "settle" && !rests)
+            context.error(member.key_loc, "W109", "\"settle\" is only for groups with \"rest\": true",
                           "remove \"settle\", or add \"rest\": true");
     }
 }
@@ -187,7 +184,7 @@ void parse_groups(ParseContext& context, const JsonNode& node, GraphDesc& graph)
         add_keys(member.value, "passes", names.passes);
         context.set_group(&names);
         if (read_object(context, member.value, "a group", kGroupKeys, group)) {
-            check_keys(context, member.value);
+            check_needs(context, member.value);
             parse_parts(context, member, graph);
         }
         context.set_group(nullptr);

@@ -151,6 +151,13 @@ TEST_F(ResolveResources, DrawListsAreNoResources) {
     expect_help(d, "\"draws\"");
 }
 
+TEST_F(ResolveResources, TurnsAreNoResources) {
+    const Diagnostic d = bad(R"j("imports": {"spin": "turns"}, "resources": {"y": "rgba16f"}, "passes": {
+      "c": {"type": "compute", "shader": "read.comp", "in": {"src": "spin"}, "out": {"dst": "y"}}})j");
+    EXPECT_EQ(d.code, "W103");
+    expect_help(d, "\"turns\" of a group");
+}
+
 TEST_F(ResolveResources, FirstFormatThatServesAllUsages) {
     const ResolvedGraph g = good(R"j("resources": {"x": "rgba8_srgb|rgba8", "y": "rgba16f"}, "passes": {
       "a": {"type": "compute", "shader": "any.comp", "out": {"dst": "x"}},

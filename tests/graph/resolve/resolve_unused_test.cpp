@@ -110,5 +110,15 @@ TEST_F(ResolveUnused, Imports) {
         << "its draws are counted";
 }
 
+TEST_F(ResolveUnused, Turns) {
+    const std::string body = R"j("imports": {"spin": "turns"}, "params": {"speed": 1, "start": 1, "more": 1},
+      "resources": {"x": {"format": "rgba16f", "layers": 2, "keep": true}},
+      "passes": {"r": {"type": "readback", "repeat": {"j": "0..1"}, "in": {"src": "x.layer(j)"}}},
+      "groups": {"g": {"repeat": {"i": "0..1"}, "perFrame": "speed", "rest": true, "settle": "more",)j";
+    const std::string last = R"j("passes": {"c": {"type": "clear", "out": {"dst": "x.layer(i)"}}}}})j";
+    EXPECT_EQ(warned(body + R"j("turns": "spin", "warmUp": "start",)j" + last), Names{});
+    EXPECT_EQ(warned(body + last), (Names{"W132 start", "W134 spin"}));
+}
+
 }  // namespace
 }  // namespace weft::test

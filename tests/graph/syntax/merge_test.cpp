@@ -37,6 +37,18 @@ TEST(Merge, ShorthandBecomesObjects) {
               "out:{dst:{ref:b.mip(1)}}}}}");
 }
 
+TEST(Merge, ShorthandInGroupsBecomesObjects) {
+    const Result<JsonDoc> merged = merge_text(R"json({
+        "groups": {"g": {"resources": {"raw": "r8"}, "passes": {"p": {"in": ["raw@q", "g::low"], "depth": "z"}}}},
+        "tiers": {"t": {"patch": {"groups": {"g": {"resources": {"raw": "r16f"}, "passes": {"p": {"out": ["b"]}}}}}}}
+    })json");
+    ASSERT_TRUE(merged.ok()) << to_text(merged.errors());
+    EXPECT_EQ(shape(merged->root),
+              "{groups:{g:{resources:{raw:{format:r8}},"
+              "passes:{p:{in:{raw:{ref:raw@q},low:{ref:g::low}},depth:{ref:z}}}}},"
+              "tiers:{t:{patch:{groups:{g:{resources:{raw:{format:r16f}},passes:{p:{out:{b:{ref:b}}}}}}}}}}");
+}
+
 TEST(Merge, WhatWasMovedKeepsItsPlace) {
     const Result<JsonDoc> merged = merge_text("{\"passes\": {\"p\": {\n  \"in\": [\"a\",\n    \"b\"]}}}");
     ASSERT_TRUE(merged.ok());
