@@ -11,7 +11,6 @@
 #include "null/null_executor.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 #include "tests/graph/samples/random_groups.h"
-#include "tests/graph/samples/random_rest.h"
 #include "tests/null/mutant_judge.h"
 #include "tests/null/profile_plans.h"
 #include "weft/check/check_plan.h"
@@ -25,7 +24,7 @@ constexpr uint32_t kMostGroupUnits = 8;
 class Groups : public ResolveTest {
  protected:
     Groups() {
-        shaders = rest_shaders();
+        shaders = group_shaders();
         ResourceDecl& noise = imports.imports["noise"].resource;
         noise.format = Format::rgba16f;
         noise.import->entry = {stage::kComputeShader, access::kSampledRead, Layout::shader_read_only};

@@ -2,6 +2,9 @@
 
 #include <random>
 
+#include "tests/graph/samples/fake_shaders.h"
+#include "tests/graph/samples/random_rest.h"
+
 namespace weft::test {
 namespace {
 
@@ -62,11 +65,18 @@ class GroupGenerator {
     // Returns the keys of a pass that reads at most two inputs and writes all of `target`.
     std::string work(const std::vector<std::string>& inputs, const std::string& target, bool draws) {
         std::string ports;
-        for (size_t i = 0; i < inputs.size(); ++i)
-            ports += (i == 0 ? R"("a": )" : R"(, "b": )") + reference(inputs[i]);
+        size_t single = 0;
+        bool has_array = false;
+        for (const std::string& input : inputs) {
+            const bool is_array =
+                input.find("probes") != std::string::npos && input.find('.') == std::string::npos;
+            const std::string port = is_array ? "w" : single++ == 0 ? "a" : "b";
+            ports += (ports.empty() ? "\"" : ", \"") + port + "\": " + reference(input);
+            has_array |= is_array;
+        }
         const char kind = !draws && chance(30) ? 'i' : 's';  // Storage images or sampled images as inputs.
         return std::string(R"("type": ")") + (draws ? "fullscreen" : "compute") + R"(", "shader": ")" + kind +
-               std::to_string(inputs.size()) + (draws ? ".frag" : ".comp") + "\"" +
+               std::to_string(single) + (has_array ? "w" : "") + (draws ? ".frag" : ".comp") + "\"" +
                (ports.empty() ? "" : R"(, "in": {)" + ports + "}") + R"(, "out": {"dst": ")" + target + "\"}";
     }
     std::string compute(const std::vector<std::string>& inputs, const std::string& target) {
@@ -94,27 +104,27 @@ class GroupGenerator {
         std::vector<std::string> members, locals;
         std::vector<std::string> inputs = outside_inputs(rests, 2);
         // What other rounds have left: a fixed layer, or the whole image.
-        if (!pure_ && inputs.size() < 2 && chance(50))
-            inputs.push_back((rests ? "?" : "") + image + (chance(50) ? ".layer(0)" : ""));
         const uint32_t steps = below(3);
+        if (!pure_ && steps > 0 && inputs.size() < 2 && chance(50))
+            inputs.push_back("?" + image + (chance(50) ? ".layer(0)" : ""));
         for (uint32_t step = 0; step < steps; ++step) {
             const std::string local = "raw" + std::to_string(step);
             locals.push_back("\"" + local + R"(": {"format": "rgba16f", "size": 64})");
             add_member(members, "step" + std::to_string(step), inputs, local);
             if (chance(30))
                 members.push_back(R"("again)" + std::to_string(step) +
-                                  R"(": {"type": "compute", "shader": "change.comp", "out": {"dst": ")" + local +
-                                  R"("}, "after": ["step)" + std::to_string(step) + "\"]" + queue() + "}");
+                                  R"(": {"type": "compute", "shader": "change.comp", "out": {"dst": ")" +
+                                  local + R"("}, "after": ["step)" + std::to_string(step) + "\"]" + queue() +
+                                  "}");
             inputs = {local};
             if (chance(40))
-                for (const std::string& more : outside_inputs(rests, 1))
-                    inputs.push_back(more);
+                for (const std::string& more : outside_inputs(rests, 1)) inputs.push_back(more);
             if (chance(20)) made_.observed.push_back("group" + id + "::" + local);
         }
         add_member(members, "store", inputs, image + ".layer(i)");
-        groups_.push_back("\"group" + id + R"(": {"repeat": {"i": "0..)" + std::to_string(rounds - 1) + "\"}" +
-                          (rests ? R"(, "rest": true)" : "") + R"(, "resources": {)" + joined(locals) +
-                          R"(}, "passes": {)" + joined(members) + "}}");
+        groups_.push_back("\"group" + id + R"(": {"repeat": {"i": "0..)" + std::to_string(rounds - 1) +
+                          "\"}" + (rests ? R"(, "rest": true)" : "") + R"(, "resources": {)" +
+                          joined(locals) + R"(}, "passes": {)" + joined(members) + "}}");
         pass("last" + id, work({}, image + ".layer(" + std::to_string(rounds) + ")", false));
         for (uint32_t layer = 0; layer < rounds; ++layer) {
             kept_.push_back(image + ".layer(" + std::to_string(layer) + ")");
@@ -160,7 +170,26 @@ class GroupGenerator {
     uint32_t readers_ = 0;
 };
 
+ShaderBinding sampled_array(std::string name) {
+    ShaderBinding binding = sampled(std::move(name));
+    binding.arrayed = true;
+    return binding;
+}
+
 }  // namespace
+
+ShaderCatalog group_shaders() {
+    ShaderCatalog shaders = rest_shaders();
+    for (const char* kind : {"s", "i"}) {
+        const std::string name(kind);
+        const auto single = [&](const char* port) { return name == "s" ? sampled(port) : image_in(port); };
+        shaders[name + "0w.comp"] = weft::test::compute({sampled_array("w"), image_out("dst")});
+        shaders[name + "1w.comp"] = weft::test::compute({single("a"), sampled_array("w"), image_out("dst")});
+    }
+    shaders["s0w.frag"] = fragment({"dst"}, {sampled_array("w")});
+    shaders["s1w.frag"] = fragment({"dst"}, {sampled("a"), sampled_array("w")});
+    return shaders;
+}
 
 RandomGroups random_groups(uint32_t seed, bool pure) {
     return GroupGenerator(seed, pure).run();

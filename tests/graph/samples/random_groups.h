@@ -1,11 +1,13 @@
-// Purpose: makes random graphs with groups for tests, as text. The rounds of a group share transients of their
-// own, write layers or mips of images that keep their content, and read each other's results. Some groups have
-// "rest". Passes outside the groups read the results. The shaders are those of rest_shaders().
+// Purpose: makes random graphs with groups for tests, as text. The rounds of a group share transients of
+// their own, write layers or mips of images that keep their content, and read each other's results. Some
+// groups have "rest". Passes outside the groups read the results. The shaders are those of group_shaders().
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "weft/shader_interface.h"
 
 namespace weft::test {
 
@@ -19,5 +21,7 @@ struct RandomGroups {
 // "wakes": false. Then a frame in which rounds rest gives the same results as a frame in which all run. Equal
 // arguments give equal graphs.
 [[nodiscard]] RandomGroups random_groups(uint32_t seed, bool pure = false);
+
+[[nodiscard]] ShaderCatalog group_shaders();
 
 }  // namespace weft::test

@@ -115,11 +115,10 @@ class RestUnitFinder {
 
     void check_keys(PassId pass) {
         for (const UseDecl& u : graph_.passes[pass].uses)
-            if (!u.wakes && !draft(pass).desc->rests && !in_resting_group(pass))
+            if (!u.wakes && !draft(pass).desc->rests && !group_of(pass))
                 add_help(
                     error(pass, u.loc, "has no \"rest\", but its port " + quote(u.port) + " has \"wakes\""),
-                    "remove \"wakes\", or add \"rest\": true to the " +
-                        std::string(group_of(pass) ? "group" : "pass"));
+                    "remove \"wakes\", or add \"rest\": true to the pass");
         if (group_of(pass) && draft(pass).decl.kind == PassKind::custom)
             add_help(report_.error(pass, draft(pass).desc->loc, "W190",
                                    "pass " + quote(declared_.author_name(pass)) +
@@ -128,11 +127,6 @@ class RestUnitFinder {
         if (!says_rest(pass) || draft(pass).decl.frame_slices == 0) return;
         add_help(error(pass, draft(pass).desc->rest_loc, "has both \"rest\" and \"perFrame\""),
                  "remove one of the two keys");
-    }
-
-    // Returns true if the graph file gives "rest" to the group of the pass.
-    [[nodiscard]] bool in_resting_group(PassId pass) const {
-        return group_of(pass) && declared_.input.graph.groups.at(group_of(pass)->name).rests;
     }
 
     void check(const Cell& cell) {

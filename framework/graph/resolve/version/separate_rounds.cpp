@@ -43,6 +43,11 @@ class RoundSeparator {
         const auto elsewhere = [&](const CellUse& reader) {
             return in_other_round(draft(reader.pass), draft(writer->pass));
         };
+        for (const CellUse& reader : own.readers) {
+            if (use(reader).wakes || draft(reader.pass).group != draft(writer->pass).group) continue;
+            use(reader).latest = true;
+            graph_.passes[reader.pass].ports[reader.use].sees_before_round = true;
+        }
         std::erase_if(own.readers, elsewhere);
         std::erase_if(others.readers, [&](const CellUse& reader) { return !elsewhere(reader); });
         separated_.push_back(std::move(own));
