@@ -23,10 +23,10 @@ class GroupCheck {
         check_order();
         for (const Position position : members_) check_step(position);
         if (group_.rounds == 1) return;
-        find_needs();
+        find_part_uses();
         for (const Position position : members_)
             for (const UseDecl& use : pass_at(position).uses)
-                if (writes(use.access) && is_local(use)) check_local(plan_.barriers.steps[position], use);
+                if (writes(use.access)) check_write(plan_.barriers.steps[position], use);
     }
 
  private:
@@ -70,10 +70,13 @@ class GroupCheck {
                   " that is recorded in every frame, but depends on the order of the rounds");
     }
 
-    // What a round must wait for before it writes a part of a resource of the group: any round may have used
-    // the part before.
-    struct Need {
-        StageMask stages = stage::kNone;
+    // The accesses of all rounds to a part of a resource that the group writes. Any of them may come before a
+    // write of the part, and any of the reads after it.
+    struct PartUse {
+        StageMask readers = stage::kNone;
+        AccessMask reads = access::kNone;
+        // Writes without a barrier after their pass: the next write must wait for them.
+        StageMask writers = stage::kNone;
         AccessMask writes = access::kNone;
     };
 
@@ -81,7 +84,7 @@ class GroupCheck {
         return plan_.graph.resources[use.resource].lifetime == ResourceLifetime::transient;
     }
 
-    // A part of a local resource: one mip of one layer of one aspect, or a buffer.
+    // One mip of one layer of one aspect of an image, or a buffer.
     using Part = std::pair<ResourceId, SubresourceRange>;
 
     template <class Visit>
@@ -102,46 +105,68 @@ class GroupCheck {
         return found == list.end() ? nullptr : &*found;
     }
 
-    // The barrier after a write waits for the write. Without such a barrier, the next round must wait for it.
-    void find_needs() {
-        for (const Position position : members_) {
-            const PassStep& step = plan_.barriers.steps[position];
-            for (const UseDecl& use : pass_at(position).uses) {
-                if (use.access == Access::none || !is_local(use)) continue;
-                each_part(use, [&](const Part& part) {
-                    if (writes(use.access) && find(step.after, part) != nullptr) return;
-                    Need& need = needs_[part];
-                    need.stages |= use.state.stages;
-                    if (writes(use.access)) need.writes |= use.state.access & access::kAllWrites;
-                });
-            }
+    void find_part_uses() {
+        for (const Position position : members_)
+            for (const UseDecl& use : pass_at(position).uses)
+                if (writes(use.access)) add_write(plan_.barriers.steps[position], use);
+        const QueueIndex queue = plan_.schedule.queue[members_.front()];
+        for (Position position(0); position < plan_.schedule.order.size(); ++position) {
+            const bool member = is_member(plan_.schedule.order[position]);
+            // Semaphores order the accesses on other queues.
+            if (plan_.schedule.queue[position] != queue) continue;
+            for (const UseDecl& use : pass_at(position).uses)
+                if (use.access != Access::none && !writes(use.access) && (member || is_local(use)))
+                    add_read(use);
         }
     }
 
-    [[nodiscard]] bool waits_for_all(const PassStep& step, const Part& part) const {
-        const BarrierDecl* before = find(step.barriers, part);
-        const BarrierDecl* after = find(step.after, part);
-        const auto found = needs_.find(part);
-        const Need need = found == needs_.end() ? Need{} : found->second;
-        return before != nullptr && (need.stages & ~before->src.stages) == 0 &&
-               (need.writes & ~before->src.access) == 0 &&
-               (after == nullptr || (after->dst.stages & before->src.stages) != 0);
+    void add_write(const PassStep& step, const UseDecl& use) {
+        each_part(use, [&](const Part& part) {
+            PartUse& all = parts_[part];
+            if (find(step.after, part) != nullptr) return;
+            all.writers |= use.state.stages;
+            all.writes |= use.state.access & access::kAllWrites;
+        });
     }
 
-    void check_local(const PassStep& step, const UseDecl& use) {
-        bool waits = true;
-        each_part(use, [&](const Part& part) { waits = waits && waits_for_all(step, part); });
-        if (waits) return;
-        fault("shares " + faults_.resource_name(use.resource) + range_text(use.range) +
-              " between its rounds, but the barriers of pass " + faults_.pass_name(step.pass) +
-              " do not wait for all of them");
+    void add_read(const UseDecl& use) {
+        each_part(use, [&](const Part& part) {
+            const auto found = parts_.find(part);
+            if (found == parts_.end()) return;
+            found->second.readers |= use.state.stages;
+            found->second.reads |= use.state.access;
+        });
+    }
+
+    // Returns true if the write waits for all accesses of all rounds, and if all readers wait for it.
+    [[nodiscard]] bool is_guarded(const PassStep& step, const UseDecl& use, const Part& part) const {
+        const PartUse& all = parts_.at(part);
+        const BarrierDecl* before = find(step.barriers, part);
+        const BarrierDecl* after = find(step.after, part);
+        if (before == nullptr || ((all.readers | all.writers) & ~before->src.stages) != 0 ||
+            (all.writes & ~before->src.access) != 0)
+            return false;
+        if (after == nullptr) return all.readers == stage::kNone;
+        return (use.state.stages & ~after->src.stages) == 0 &&
+               (use.state.access & access::kAllWrites & ~after->src.access) == 0 &&
+               (all.readers & ~after->dst.stages) == 0 && (all.reads & ~after->dst.access) == 0 &&
+               (after->dst.stages & before->src.stages) != 0;
+    }
+
+    void check_write(const PassStep& step, const UseDecl& use) {
+        bool guarded = true;
+        each_part(use, [&](const Part& part) { guarded = guarded && is_guarded(step, use, part); });
+        if (guarded) return;
+        fault("writes " + faults_.resource_name(use.resource) + range_text(use.range) + " in pass " +
+              faults_.pass_name(step.pass) +
+              ", but the barriers of this pass do not order it with the same part in all other rounds");
     }
 
     const FramePlan& plan_;
     const GroupDecl& group_;
     FaultList& faults_;
     std::vector<Position> members_;  // Positions of the passes of the group, in schedule order.
-    std::map<Part, Need> needs_;
+    std::map<Part, PartUse> parts_;  // The parts that the group writes.
 };
 
 }  // namespace

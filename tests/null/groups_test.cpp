@@ -92,5 +92,72 @@ TEST_F(Groups, AnyRoundsInAnyOrderGiveWhatTheReferenceGives) {
     EXPECT_GE(graphs * 10, seeds * 6);
 }
 
+// The inputs of the units in each frame, as bytes: one number for each pass of the unit.
+std::vector<UnitInput> unit_inputs(const FramePlan& plan, const std::vector<uint32_t>& numbers) {
+    std::vector<UnitInput> inputs(plan.graph.rest_unit_count, UnitInput(std::in_place));
+    for (const PassId pass : plan.schedule.order)
+        if (plan.graph.passes[pass].rest_unit != kNoId)
+            inputs[plan.graph.passes[pass].rest_unit]->push_back(static_cast<std::byte>(numbers[pass]));
+    return inputs;
+}
+
+// From frame to frame, the inputs of about one pass of a unit in six change.
+InputChoice random_inputs(const FramePlan& plan, uint32_t frames, std::mt19937& random) {
+    InputChoice inputs(frames, std::vector<uint32_t>(plan.graph.passes.size()));
+    for (uint32_t frame = 0; frame < frames; ++frame)
+        for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) {
+            const bool changes = plan.graph.passes[pass].rest_unit == kNoId || random() % 6 == 0;
+            inputs[frame][pass] = frame > 0 && !changes ? inputs[frame - 1][pass] : random() % 250;
+        }
+    return inputs;
+}
+
+// Adds what RestState chooses for each frame to the options.
+void choose_frames(const FramePlan& plan, const std::vector<TurnLists>& turns, NullOptions& options) {
+    RestState state(plan);
+    for (uint32_t frame = 0; frame < options.frames; ++frame) {
+        const std::vector<UnitInput> inputs = unit_inputs(plan, options.inputs[frame]);
+        const UnitChoice choice = state.choose(inputs, turns.empty() ? TurnLists{} : turns[frame]);
+        std::vector<uint8_t>& rests = options.resting.emplace_back();
+        for (const Wake& wake : choice.wakes) rests.push_back(wake.runs() ? 0 : 1);
+        options.rounds.push_back(choice.rounds);
+        state.commit(inputs, choice);
+    }
+}
+
+TEST_F(Groups, RestingRoundsChangeNoResult) {
+    const uint32_t seeds = extended() ? 1000 : 60;
+    uint64_t units = 0, ran = 0;
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
+        const RandomGroups made = random_groups(seed + 30000, true);
+        SCOPED_TRACE("seed " + std::to_string(seed + 30000) + "\n" + made.text);
+        const FramePlan plan = plan_of(good(made.text), 1 + seed % 3);
+        ASSERT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
+        std::mt19937 random(seed);
+        NullOptions options{.frames = 6, .seed = seed};
+        options.inputs = random_inputs(plan, options.frames, random);
+        choose_frames(plan, {}, options);
+        const NullRun wanted = run_reference(plan.graph, plan.live, options.frames, {}, options.inputs);
+        const std::vector<std::string> different = differences(plan.graph, wanted, run_null(plan, options));
+        ASSERT_TRUE(different.empty()) << different.front();
+        for (const std::vector<uint8_t>& frame : options.resting)
+            for (const uint8_t rests : frame) units += 1, ran += rests == 0 ? 1 : 0;
+    }
+    std::cout << "seeds 30001.." << 30000 + seeds << ": " << ran << " of " << units << " units ran\n";
+    EXPECT_LT(ran * 3, units * 2);
+}
+
+TEST_F(Groups, WhatTheNullExecutorBreaksTheCheckerCatches) {
+    const uint32_t seeds = extended() ? 300 : 25;
+    Tallies tallies{};
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
+        const RandomGroups made = random_groups(seed + 70000);
+        SCOPED_TRACE("seed " + std::to_string(seed + 70000) + "\n" + made.text);
+        observed = made.observed;
+        judge_mutants(plan_of(good(made.text), 1 + seed % 3), extended() ? 4 : 8, tallies);
+    }
+    print(tallies);
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -20,6 +20,16 @@ const std::array<NullOptions, 4> kJudgedOrders{{{3, 0, NullOrder::delayed},
 // Number of frames that a plan with rest units runs.
 constexpr uint32_t kRestFrames = 5;
 
+// Returns the rounds of all groups that run, in a random order.
+std::vector<uint32_t> shuffled_rounds(const FramePlan& plan, const std::vector<uint8_t>& rests,
+                                      std::mt19937& random) {
+    std::vector<uint32_t> rounds;
+    for (const GroupDecl& group : plan.graph.groups)
+        for (uint32_t unit = group.first_unit; unit < group.first_unit + group.rounds; ++unit)
+            if (rests[unit] == 0) rounds.insert(rounds.begin() + random() % (rounds.size() + 1), unit);
+    return rounds;
+}
+
 class Judge {
  public:
     explicit Judge(const FramePlan& plan) {
@@ -30,9 +40,11 @@ class Judge {
             for (uint32_t frame = 0; units > 0 && frame < kRestFrames; ++frame) {
                 std::vector<uint8_t>& rests = options.resting.emplace_back(units);
                 for (uint8_t& unit : rests) unit = frame > 0 && random() % 2 == 0 ? 1 : 0;
+                options.rounds.push_back(shuffled_rounds(plan, rests, random));
             }
             if (units > 0) options.frames = kRestFrames;
-            runs_.push_back({options, run_reference(plan.graph, plan.live, options.frames, options.resting)});
+            runs_.push_back({options, run_reference(plan.graph, plan.live, options.frames, options.resting,
+                                                    options.inputs, options.rounds)});
         }
     }
 
