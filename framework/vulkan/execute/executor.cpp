@@ -258,6 +258,7 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);
     in_flight.wakes = chosen_.wakes;
+    in_flight.timing.dropped_turns = chosen_.dropped_turns;
     in_flight.timing.record_ms = record_watch.ms();
     const Stopwatch submit_watch;
     Status submitted = submit_frame(slot);
