@@ -68,6 +68,8 @@ class RestState {
     // Takes over the last runs of the units of an older plan. `matches`: for each unit, the units of the
     // older plan that match it.
     void inherit(const RestState& old, const std::vector<MatchedUnit>& matches);
+    // Returns true if the unit has run since its results were made or cleared.
+    [[nodiscard]] bool has_result(uint32_t unit) const { return units_[unit].has_result; }
     // Lets the unit run in the next frame.
     void wake(uint32_t unit) { units_[unit].has_run = false; }
 
