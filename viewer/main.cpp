@@ -98,6 +98,7 @@ void CommandLine::finish(const Limits& limits) {
     bench.frame_options.size = parse_size(raw.bench_size);
     render_options.request.size = view_options.render.request.size = parse_size(raw.size);
     render_options.request.params = view_options.render.request.params = parse_params(raw.params);
+    render_options.turns = view_options.render.turns = parse_turns(raw.turns);
     view_options.fixed_dt = view->count("--fixed-dt") > 0;
     if (view->count("--exposure") > 0) view_options.render.exposure_ev = static_cast<float>(raw.exposure);
     if (render->count("--exposure") > 0) render_options.exposure_ev = static_cast<float>(raw.exposure);

@@ -1,9 +1,11 @@
 #include "viewer/commands/session_opener.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "graph/diagnostics/quoted_list.h"
 #include "graph/parse/debug_view.h"
 #include "viewer/commands/load_settings.h"
 #include "viewer/commands/scene_source.h"
@@ -57,7 +59,9 @@ render::SessionInput session_input(const RenderOptions& options, const PassCatal
 
 render::FrameInput frame_input(const RenderOptions& options, const scene::Scene& scene,
                                const scene::Camera& camera) {
-    return {.camera = camera, .exposure_ev = options.exposure_ev.value_or(scene.exposure_ev)};
+    return {.camera = camera,
+            .exposure_ev = options.exposure_ev.value_or(scene.exposure_ev),
+            .turns = options.turns};
 }
 
 Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options) {
@@ -75,11 +79,31 @@ SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
       passes_(registered_passes()),
       input_(session_input(options, passes_)) {}
 
+// Checks that the graph has an import of kind "turns" for each list of the command line.
+Status check_turns(const RenderOptions& options, const GraphDesc& graph) {
+    std::vector<std::string> known;
+    for (const auto& [name, import] : graph.imports)
+        if (import.kind == "turns") known.push_back(name);
+    for (const auto& [name, rounds] : options.turns) {
+        if (std::ranges::find(known, name) != known.end()) continue;
+        Diagnostic d;
+        d.code = "X523";
+        d.message = "the graph has no import \"" + name + "\" of kind \"turns\"";
+        const std::string near = did_you_mean_text(name, known);
+        if (!near.empty()) d.help.push_back(near);
+        d.help.push_back(known.empty() ? "remove --turns: no group of this graph takes a list of turns"
+                                       : "the lists of turns of this graph are " + quoted_list(known));
+        return Diagnostics{d};
+    }
+    return Unit{};
+}
+
 // Parses and checks the graph file. open() calls this function before the slow work of loading a scene and
 // creating a device, so that the user soon sees an error in the file.
 Result<ParsedGraph> SessionOpener::parse_checked() {
     Result<ParsedGraph> parsed = parse_graph(input_.request, input_.load, &files_);
     if (!parsed) return parsed;
+    if (Status turns = check_turns(options_, parsed->desc); !turns) return turns.take_errors();
     Status good = check_request(*parsed, input_.request, render::scene_imports(input_.request.size));
     return good ? std::move(parsed) : good.take_errors();
 }

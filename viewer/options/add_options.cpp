@@ -92,6 +92,11 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->transform(number_in({-40, 40, "EV"}));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
+    command
+        .add_option(
+            "--turns", raw.turns,
+            "rounds of a group that run in each frame, for an import of kind \"turns\"; may be repeated")
+        ->check(turns_validator());
     command.add_option(
         "--resource", o.resource,
         "write the unchanged values of this resource instead of the output, for example hdr, hdr@lighting or "
@@ -167,7 +172,8 @@ void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
 
 void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
-    command.add_option("QUESTION", o.question, "the question: culled, barrier, alias, wait, rest or resource")
+    command
+        .add_option("QUESTION", o.question, "the question: culled, barrier, alias, wait, rest or resource")
         ->check(choice_validator({"culled", "barrier", "alias", "wait", "rest", "resource"}))
         ->required();
     command

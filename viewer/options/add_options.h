@@ -19,6 +19,7 @@ struct RawTexts {
     std::string size = "1280x720";
     std::string bench_size = "640x360";
     std::vector<std::string> params;
+    std::vector<std::string> turns;
     double exposure = 0;
     std::string limits;
 };

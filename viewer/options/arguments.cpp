@@ -104,6 +104,44 @@ std::map<std::string, double> parse_params(const std::vector<std::string>& texts
     return params;
 }
 
+namespace {
+
+// Returns the texts between the commas after the equals sign; none if nothing follows the equals sign.
+std::vector<std::string> list_items(const std::string& text) {
+    std::vector<std::string> items;
+    for (size_t at = text.find('='); at != std::string::npos && at + 1 < text.size();) {
+        const size_t comma = text.find(',', at + 1);
+        items.push_back(text.substr(at + 1, comma == std::string::npos ? comma : comma - at - 1));
+        at = comma;
+    }
+    return items;
+}
+
+}  // namespace
+
+std::string turns_fault(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return "\"" + text + "\" is not a list of turns; wanted NAME=ROUND,ROUND…";
+    const std::vector<std::string> items = list_items(text);
+    for (const std::string& item : items)
+        if (!whole_number_fault(item, 0, UINT32_MAX).empty())
+            return "\"" + item +
+                   "\" is not a number of a round; wanted whole numbers with commas between them";
+    return text.ends_with(',') ? "the list of turns \"" + text + "\" ends with a comma; remove it" : "";
+}
+
+std::map<std::string, std::vector<uint32_t>, std::less<>> parse_turns(const std::vector<std::string>& texts) {
+    std::map<std::string, std::vector<uint32_t>, std::less<>> turns;
+    for (const std::string& text : texts) {
+        std::vector<uint32_t>& rounds = turns[text.substr(0, text.find('='))];
+        rounds.clear();
+        for (const std::string& item : list_items(text))
+            rounds.push_back(static_cast<uint32_t>(whole_number(item).value_or(0)));
+    }
+    return turns;
+}
+
 std::string future_fault(const std::vector<std::string>& arguments) {
     if (arguments.empty()) return "";
     const auto says = [&](const char* word) { return std::ranges::find(arguments, word) != arguments.end(); };

@@ -24,6 +24,12 @@ namespace weft::viewer {
 [[nodiscard]] std::string param_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, double> parse_params(const std::vector<std::string>& texts);
 
+// Returns a message if `text` is not NAME=LIST, where LIST has whole numbers with commas between them, or is
+// empty. Returns an empty text if the list is valid.
+[[nodiscard]] std::string turns_fault(const std::string& text);
+[[nodiscard]] std::map<std::string, std::vector<uint32_t>, std::less<>> parse_turns(
+    const std::vector<std::string>& texts);
+
 // Returns a message if `text` is none of the choices. Returns an empty text if it is one of them.
 [[nodiscard]] std::string choice_fault(const std::string& text, const std::vector<std::string>& choices);
 

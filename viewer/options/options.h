@@ -27,6 +27,8 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     // The resource that is written instead of the output, such as "normal" or "hdr@sky".
     std::string resource;
+    // For imports of kind "turns": the rounds of the group that run in each frame.
+    std::map<std::string, std::vector<uint32_t>, std::less<>> turns;
     bool validate = false;
     bool verify_rest = false;
     // If true, warnings and the progress of frames are not printed. Tests in graph files set it, because

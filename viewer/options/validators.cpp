@@ -14,6 +14,10 @@ CLI::Validator param_validator() {
     return CLI::Validator([](std::string& text) { return param_fault(text); }, "NAME=VALUE");
 }
 
+CLI::Validator turns_validator() {
+    return CLI::Validator([](std::string& text) { return turns_fault(text); }, "NAME=ROUND,ROUND…");
+}
+
 CLI::Validator env_validator() {
     return CLI::Validator([](std::string& text) { return env_fault(text); }, "sky|none|FILE.hdr");
 }

@@ -64,14 +64,17 @@ class HostInputs {
     std::map<std::string, Entry, std::less<>> values_;
 };
 
-// The upload memory of the current frame. put() stores bytes for a port, and Recorder::copy_upload() copies
-// these bytes to the resource of the port.
+// What a pass gives to the current frame before it is recorded: put() stores bytes for a port, and
+// Recorder::copy_upload() copies these bytes to the resource of the port.
 class Uploads {
  public:
     virtual ~Uploads() = default;
     // Stores `bytes` for a port: at most capacity(port) bytes.
     virtual void put(std::string_view port, std::span<const std::byte> bytes) = 0;
     [[nodiscard]] virtual uint64_t capacity(std::string_view port) const = 0;
+    // Chooses the rounds of groups that run in this frame, in this order, for an import of kind "turns". This
+    // list replaces the list of the program.
+    virtual void set_turns(std::string_view import, std::span<const uint32_t> rounds) = 0;
 };
 
 // The commands that a C++ pass may record. The resources of its ports are bound, and barriers have brought

@@ -142,7 +142,7 @@ Status ReplayExecutor::finish() {
 }
 
 // Chooses the rest units that run in this frame.
-void ReplayExecutor::choose_units(const FrameInput& frame, uint32_t slot) {
+void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turns, uint32_t slot) {
     if (rest_.unit_count() == 0) return;
     unit_inputs_.assign(rest_.unit_count(), UnitInput(std::in_place));
     for (Position position(0); position < objects_->passes.size(); ++position) {
@@ -151,7 +151,7 @@ void ReplayExecutor::choose_units(const FrameInput& frame, uint32_t slot) {
         add_unit_input({*objects_, frame, {objects_->resources, frames_run_}, slot}, position,
                        unit_inputs_[pass.rest_unit]);
     }
-    chosen_ = rest_.choose(unit_inputs_, frame.turns);
+    chosen_ = rest_.choose(unit_inputs_, turns);
     objects_->validity.begin_frame(rest_, chosen_);
 }
 
@@ -161,17 +161,19 @@ std::vector<uint8_t> ReplayExecutor::running_units() const {
     return runs;
 }
 
-void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
+// Lets the C++ passes prepare their data. Returns the lists of turns: those of the program, and those of the
+// passes.
+TurnLists ReplayExecutor::prepare_uploads(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     const HostInputs none;
-    objects_->timer.reset(slot);
-    objects_->params.write(plan, {frame, {objects_->resources, frames_run_}, &objects_->validity}, slot);
+    TurnLists turns = frame.turns;
     for (Position position(0); position < objects_->passes.size(); ++position) {
         const PreparedPass& prepared = objects_->passes[position];
         if (!prepared.type) continue;
         objects_->uploads.prepare(position, *prepared.type, plan.graph.passes[plan.schedule.order[position]],
-                                  frame.host != nullptr ? *frame.host : none, slot);
+                                  frame.host != nullptr ? *frame.host : none, slot, turns);
     }
+    return turns;
 }
 
 void ReplayExecutor::record_step(const RecordContext& context, const FrameStep& recorded) {
@@ -254,8 +256,9 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     InFlight& in_flight = in_flight_[slot];
     in_flight.frame_index = frame.frame_index;
     const Stopwatch record_watch;
-    choose_units(frame, slot);
-    prepare_host_data(frame, slot);
+    choose_units(frame, prepare_uploads(frame, slot), slot);
+    objects_->timer.reset(slot);
+    objects_->params.write(plan(), {frame, {objects_->resources, frames_run_}, &objects_->validity}, slot);
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);
     in_flight.wakes = chosen_.wakes;

@@ -54,10 +54,10 @@ class ReplayExecutor final : public Executor {
     void drop_retired();
     void wake_changed(PlanAmendment& amendment);
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
-    void choose_units(const FrameInput& frame, uint32_t slot);
+    [[nodiscard]] TurnLists prepare_uploads(const FrameInput& frame, uint32_t slot);
+    void choose_units(const FrameInput& frame, const TurnLists& turns, uint32_t slot);
     [[nodiscard]] PassTiming pass_timing(Position position, double gpu_ms,
                                          const std::vector<Wake>& wakes) const;
-    void prepare_host_data(const FrameInput& frame, uint32_t slot);
     void record_frame(const FrameInput& frame, uint32_t slot);
     void record_step(const RecordContext& context, const FrameStep& step);
     void record_epilogue(const RecordContext& context);

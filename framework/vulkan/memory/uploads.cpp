@@ -21,8 +21,8 @@ std::optional<size_t> find_place(const std::vector<UploadPlace>& places, std::st
 class SlotUploads final : public Uploads {
  public:
     SlotUploads(const std::vector<UploadPlace>& places, std::vector<uint64_t>& filled_bytes,
-                std::span<std::byte> memory)
-        : places_(places), filled_bytes_(filled_bytes), memory_(memory) {}
+                std::span<std::byte> memory, TurnLists& turns)
+        : places_(places), filled_bytes_(filled_bytes), memory_(memory), turns_(turns) {}
 
     void put(std::string_view port, std::span<const std::byte> bytes) override {
         const std::optional<size_t> n = find_place(places_, port);
@@ -36,11 +36,15 @@ class SlotUploads final : public Uploads {
         const std::optional<size_t> n = find_place(places_, port);
         return n ? places_[*n].capacity_bytes : 0;
     }
+    void set_turns(std::string_view import, std::span<const uint32_t> rounds) override {
+        turns_.insert_or_assign(std::string(import), std::vector<uint32_t>(rounds.begin(), rounds.end()));
+    }
 
  private:
     const std::vector<UploadPlace>& places_;
     std::vector<uint64_t>& filled_bytes_;
     std::span<std::byte> memory_;
+    TurnLists& turns_;
 };
 
 class CommandRecorder final : public Recorder {
@@ -123,10 +127,10 @@ Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan)
 }
 
 void UploadMemory::prepare(Position position, const PassType& type, const PassDecl& pass,
-                           const HostInputs& host, uint32_t slot) {
+                           const HostInputs& host, uint32_t slot, TurnLists& turns) {
     std::vector<uint64_t>& filled = filled_bytes_[slot][position];
     std::fill(filled.begin(), filled.end(), 0);
-    SlotUploads uploads(places_[position], filled, memory_[slot].mapped());
+    SlotUploads uploads(places_[position], filled, memory_[slot].mapped(), turns);
     if (type.prepare != nullptr) type.prepare(PassContext{pass.custom_params}, host, uploads);
 }
 

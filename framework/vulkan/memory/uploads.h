@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/rest/rest_state.h"
 #include "vulkan/memory/image_regions.h"
 #include "vulkan/memory/resource_table.h"
 #include "vulkan/memory/slot_buffers.h"
@@ -31,9 +32,9 @@ class UploadMemory {
     [[nodiscard]] static Result<UploadMemory> create(Device& device, const FramePlan& plan);
 
     // Calls the `prepare` function of the pass at index `position` of the execution order. This function
-    // fills the upload memory of frame slot `slot`.
+    // fills the upload memory of frame slot `slot`, and may replace lists of turns.
     void prepare(Position position, const PassType& type, const PassDecl& pass, const HostInputs& host,
-                 uint32_t slot);
+                 uint32_t slot, TurnLists& turns);
     // Calls the `record` function of the pass at index `position` of the execution order. This function
     // records copies from the upload memory of frame slot `slot`.
     void record(const Device& device, VkCommandBuffer commands, Position position, const PassType& type,

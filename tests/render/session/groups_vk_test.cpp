@@ -138,6 +138,52 @@ TEST_F(GroupsVk, AListChoosesTheRoundsAndTheirOrder) {
     EXPECT_EQ(layers("marked"), (Layers{2, 4, 4, 4}));
 }
 
+// A pass in C++ that gives the list of turns 1, 0 in each frame.
+struct ChooseRounds {
+    static constexpr std::string_view kType = "choose_rounds";
+    static constexpr std::array<PortDecl, 1> kPorts{Out{"list", Access::copy_write}};
+    static constexpr std::array<ParamDecl, 0> kParams{};
+    static Status check(const PassDecl&, const ResolvedGraph&) { return Unit{}; }
+    static void prepare(const PassContext&, const HostInputs&, Uploads& uploads) {
+        constexpr std::array<uint32_t, 2> kRounds{1, 0};
+        uploads.put("list", std::as_bytes(std::span(kRounds)));
+        uploads.set_turns("order", kRounds);
+    }
+    static void record(const PassContext&, Recorder& recorder) { recorder.copy_upload("list"); }
+};
+
+TEST_F(GroupsVk, APassInCppChoosesTheRounds) {
+    const Result<scene::Scene> scene = scene::make_builtin("spheres");
+    passes_ = registered_passes();
+    passes_.emplace("choose_rounds", pass_type<ChooseRounds>());
+    render::SessionInput input;
+    input.request.path = kBakeGraph;
+    input.request.size = {32, 32, 1};
+    input.request.observed = {"baked", "marked", "bounced"};
+    input.load.reader = [](const std::string& path) {
+        std::optional<std::string> text = read_text(path);
+        const std::string place = "\"passes\": {\n    \"look\"",
+                          resources = "\"resources\": {\n    \"baked\"";
+        const size_t at = text ? text->find(place) : std::string::npos;
+        if (at == std::string::npos) return text;
+        text->replace(at, place.size(),
+                      R"("passes": { "choose": { "type": "choose_rounds", "out": { "list": "chosen" } },
+                         "readChosen": { "type": "readback", "in": ["chosen"] }, "look")");
+        text->replace(text->find(resources), resources.size(),
+                      R"("resources": { "chosen": { "buffer": "u32", "count": 2 }, "baked")");
+        return text;
+    };
+    input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+    input.passes = &passes_;
+    input.check_plan = true;
+    Result<std::unique_ptr<render::Session>> session =
+        render::Session::create(*device_, *scene, input, warnings_);
+    ASSERT_TRUE(session) << to_text(session.errors());
+    frame_of(**session) = {.camera = scene::framing_camera(*scene, 1)};
+    frame(**session, {3});
+    EXPECT_EQ(layers("marked"), (Layers{0, 0, 1, 1})) << "the list of the pass replaces that of the program";
+}
+
 // Each round adds half of the other round's result if both rounds have run before. So the first sweep gives 1
 // and 1, and the two sweeps after it let the results approach 2.
 TEST_F(GroupsVk, RoundsSettleAfterAChange) {
