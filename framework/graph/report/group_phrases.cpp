@@ -31,7 +31,8 @@ std::string describe_group(const GroupDecl& group) {
     std::string text = count_text(group.rounds, "round") + ", ";
     text += is_limited(group.per_frame, group) ? std::to_string(group.per_frame) : "all";
     text += " per frame";
-    const bool warms_up = is_limited(group.per_frame, group) && group.warm_up > group.per_frame;
+    const bool warms_up = (is_limited(group.per_frame, group) && group.warm_up > group.per_frame) ||
+                          (is_limited(group.warm_up, group) && !group.turns.empty());
     if (warms_up)
         text += ", " + (is_limited(group.warm_up, group) ? std::to_string(group.warm_up) : "all") +
                 " per frame until all have run";

@@ -6,6 +6,7 @@
 #include "tests/graph/resolve/resolve_fixture.h"
 #include "tests/graph/samples/random_groups.h"
 #include "weft/compile.h"
+#include "weft/report/plan_diff.h"
 #include "weft/report/plan_dump.h"
 #include "weft/report/plan_explain.h"
 
@@ -73,6 +74,8 @@ TEST_F(PlanGroups, TurnsAreDescribed) {
     group.turns = "list";
     EXPECT_TRUE(has(describe_turns(group), "The program lists the rounds in \"list\""))
         << describe_turns(group);
+    EXPECT_EQ(describe_group(group),
+              "3 rounds, 0 per frame, 1 per frame until all have run, turns from \"list\"");
     EXPECT_TRUE(has(describe_turns(group), "before the list: up to 1 in each")) << describe_turns(group);
 }
 
@@ -159,6 +162,17 @@ TEST_F(PlanGroups, ThePageHasAPanelOfGroups) {
                     "sky": {"type": "clear", "out": ["k"]}, "see": {"type": "readback", "in": ["k"]}})j"),
                      {});
     EXPECT_FALSE(has(without, "#groups") || has(without, "id=\"groups\"")) << without;
+}
+
+TEST_F(PlanGroups, TheDiffNamesGroups) {
+    const FramePlan all = copies(""), one = copies(R"j("perFrame": 1, )j");
+    const PlanDiff diff = diff_plans(all, one);
+    EXPECT_FALSE(diff.same);
+    EXPECT_TRUE(has(plan_diff_to_text(diff),
+                    "\ngroups\n  ~ g\n      - 3 rounds, all per frame\n      + 3 rounds, 1 per frame, "))
+        << plan_diff_to_text(diff);
+    EXPECT_TRUE(has(plan_diff_to_json(diff), "\"groups\": {"));
+    EXPECT_TRUE(diff.passes.changed.empty());
 }
 
 // On the page, the passes of many rounds are one box for each pass of the group.
