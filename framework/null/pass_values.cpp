@@ -26,6 +26,7 @@ bool ring_is_written(const ResolvedGraph& graph, const LiveGraph& live, Resource
 
 double builtin_value(const ResolvedGraph& graph, const LiveGraph& live, const ParamWrite& param,
                      uint32_t frame) {
+    if (param.builtin == Builtin::unit_valid || param.builtin == Builtin::unit_bits) return 0;
     if (param.builtin != Builtin::valid) return frame;
     const ResourceDecl& role = graph.resources[param.resource];
     return frame >= role.age && ring_is_written(graph, live, role.ring) ? 1 : 0;

@@ -28,8 +28,8 @@ class ValueHash {
 [[nodiscard]] CellValue first_frame_value(const ResourceDecl& resource);
 // Returns the hash of all inputs of a pass in one frame except the resource content it reads: its name,
 // number in `inputs`, parameters, specialisation values, clear value and builtins. The builtin `valid` of a
-// resource of age a is 1 from frame a on if a live pass writes the ring, otherwise 0. All other builtins have
-// the frame number.
+// resource of age a is 1 from frame a on if a live pass writes the ring, otherwise 0. The builtins of
+// units are 0. All other builtins have the frame number.
 [[nodiscard]] ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId pass,
                                     uint32_t frame, const InputChoice& inputs);
 // Returns the value that the pass writes to one cell. The hash `inputs` must already include pass_values()

@@ -4,9 +4,9 @@
 #include <array>
 #include <optional>
 
-#include "graph/rest/frame_steps.h"
 #include "null/cells.h"
 #include "null/effective_use.h"
+#include "null/recorded_steps.h"
 
 namespace weft::null {
 namespace {
@@ -128,12 +128,12 @@ class Unroller {
 
     // Adds the nodes of one vkCmdPipelineBarrier2 call. The barriers of one call do not chain with each
     // other.
-    void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& all, const FrameStep& step = {},
+    void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& all, const RecordedStep& step = {},
                   bool is_before = true) {
         QueueProgress& queue = queues_[queue_index];
         std::vector<const BarrierDecl*> batch;
         for (const BarrierDecl& barrier : all)
-            if (step.records(barrier, is_before)) batch.push_back(&barrier);
+            if (step.has(barrier, is_before)) batch.push_back(&barrier);
         std::vector<uint32_t> added;
         for (const BarrierDecl* recorded : batch) {
             const BarrierDecl& barrier = *recorded;
@@ -177,22 +177,6 @@ class Unroller {
         for (QueueIndex q(1); q < queues_.size(); ++q) add_wait(q, signal);
     }
 
-    std::vector<FrameStep> recorded_steps(const Batch& batch) const {
-        const bool ordered = frame_ < rounds_.size();
-        std::vector<uint8_t> runs(plan_.graph.rest_unit_count, 1);
-        for (uint32_t unit = 0; unit < runs.size(); ++unit)
-            runs[unit] = rests(resting_, unit, frame_) ? 0 : 1;
-        std::vector<uint32_t> rounds = ordered ? rounds_[frame_] : std::vector<uint32_t>{};
-        for (const GroupDecl& group : plan_.graph.groups)
-            for (uint32_t unit = group.first_unit; unit < group.first_unit + group.rounds; ++unit) {
-                if (ordered)
-                    runs[unit] = std::ranges::find(rounds, unit) != rounds.end() ? 1 : 0;
-                else if (runs[unit] != 0)
-                    rounds.push_back(unit);
-            }
-        return frame_steps(plan_, batch, runs, rounds);
-    }
-
     void batch(uint32_t index) {
         const Batch& batch = plan_.submissions.batches[index];
         for (const QueueWait& wait : batch.waits) {
@@ -202,7 +186,7 @@ class Unroller {
             if (wait.previous_frame && plan_.submissions.batches[wait.batch].epilogue)
                 add_wait(batch.queue, owners_signal_);
         }
-        const std::vector<FrameStep> steps = recorded_steps(batch);
+        const std::vector<RecordedStep> steps = recorded_steps(plan_, batch, frame_, resting_, rounds_);
         for (size_t i = 0; i < steps.size(); ++i) {
             const PassStep& step = plan_.barriers.steps[steps[i].position];
             const bool last = i + 1 == steps.size();

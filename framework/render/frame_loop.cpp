@@ -56,6 +56,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     HostInputs host;
     host.set("lights", lights);
     frame.host = &host;
+    frame.turns = input.turns;
     // The program never changes the draw commands of a scene.
     for (const char* list : kDrawLists) frame.import_versions.emplace(commands_of(list), 0);
     return stage_.executor->run(frame);

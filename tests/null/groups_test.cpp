@@ -7,8 +7,10 @@
 #include <iostream>
 #include <random>
 
+#include "graph/rest/frame_steps.h"
 #include "graph/rest/rest_state.h"
 #include "null/null_executor.h"
+#include "null/recorded_steps.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 #include "tests/graph/samples/random_groups.h"
 #include "tests/null/mutant_judge.h"
@@ -123,6 +125,31 @@ void choose_frames(const FramePlan& plan, const std::vector<TurnLists>& turns, N
         options.rounds.push_back(choice.rounds);
         state.commit(inputs, choice);
     }
+}
+
+// The Vulkan executor and the null executor each have a function that lists what a batch records.
+TEST_F(Groups, BothExecutorsRecordTheSameSteps) {
+    uint32_t compared = 0;
+    for (uint32_t seed = 1; seed <= 40; ++seed) {
+        const FramePlan plan = plan_of(good(random_groups(seed + 50000).text), 1 + seed % 3);
+        std::mt19937 random(seed);
+        NullOptions options{.frames = 1};
+        add_frame(plan, static_cast<uint32_t>(random()), random, options);
+        std::vector<uint8_t> runs;
+        for (const uint8_t rests : options.resting[0]) runs.push_back(rests == 0 ? 1 : 0);
+        for (const Batch& batch : plan.submissions.batches) {
+            const std::vector<FrameStep> ours = frame_steps(plan, batch, runs, options.rounds[0]);
+            const std::vector<null::RecordedStep> theirs =
+                null::recorded_steps(plan, batch, 0, options.resting, options.rounds);
+            const auto equal = [](const FrameStep& a, const null::RecordedStep& b) {
+                return a.position == b.position && a.shared_before == b.shared_before && a.runs == b.runs &&
+                       a.shared_after == b.shared_after;
+            };
+            EXPECT_TRUE(std::ranges::equal(ours, theirs, equal)) << "seed " << seed + 50000;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 40u);
 }
 
 TEST_F(Groups, RestingRoundsChangeNoResult) {

@@ -10,32 +10,53 @@
 namespace weft::viewer {
 namespace {
 
-// Returns for each rest unit whether a port with "wakes": false affects its results, directly or through
-// another unit. Then the results may differ from those of a unit that always runs.
-std::vector<uint8_t> find_unwoken(const FramePlan& plan) {
-    std::vector<uint8_t> unwoken(plan.graph.rest_unit_count, 0);
-    for (size_t round = 0; round <= unwoken.size(); ++round)
-        for (const PassDecl& pass : plan.graph.passes)
-            for (const UseDecl& use : pass.uses) {
-                if (pass.rest_unit == kNoId) continue;
-                if (!use.wakes) unwoken[pass.rest_unit] = 1;
-                for (const VersionSource& source : use.sources)
-                    if (source.producer != kNoId && plan.graph.passes[source.producer].rest_unit != kNoId)
-                        unwoken[pass.rest_unit] |= unwoken[plan.graph.passes[source.producer].rest_unit];
-            }
-    return unwoken;
+// Returns true if the results of the unit may differ from those of a unit that runs in every frame, because
+// of its own keys.
+bool may_differ(const FramePlan& plan, const PassDecl& pass) {
+    for (const GroupDecl& group : plan.graph.groups) {
+        if (!group.has_unit(pass.rest_unit)) continue;
+        const bool all_run = group.rests && group.per_frame >= group.rounds &&
+                             group.warm_up >= group.rounds && group.turns.empty() && group.settle == 0;
+        if (!all_run) return true;
+    }
+    return std::ranges::any_of(pass.uses, [](const UseDecl& use) { return !use.wakes; });
 }
 
-// Returns the names of all resources that passes with "rest" write, in the order of the plan, without those
-// of find_unwoken().
+// Returns for each unit whether its results may differ from those of a unit that runs in every frame: because
+// of a port with "wakes": false or a group whose rounds take turns, in this unit or in one that it reads.
+std::vector<uint8_t> find_different(const FramePlan& plan) {
+    std::vector<uint8_t> differs(plan.graph.rest_unit_count, 0);
+    for (const PassDecl& pass : plan.graph.passes)
+        if (pass.rest_unit != kNoId && may_differ(plan, pass)) differs[pass.rest_unit] = 1;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const PassDecl& pass : plan.graph.passes)
+            for (const UseDecl& use : pass.uses)
+                for (const VersionSource& source : use.sources) {
+                    if (pass.rest_unit == kNoId || differs[pass.rest_unit] != 0 || source.producer == kNoId)
+                        continue;
+                    const uint32_t from = plan.graph.passes[source.producer].rest_unit;
+                    if (from == kNoId || differs[from] == 0) continue;
+                    differs[pass.rest_unit] = 1;
+                    changed = true;
+                }
+    }
+    return differs;
+}
+
+// Returns the names of all resources that units with "rest" write, in the order of the plan, without those
+// of find_different() and without the resources of groups, which have content only while a round runs.
 std::vector<std::string> rested_resources(const FramePlan& plan) {
-    const std::vector<uint8_t> unwoken = find_unwoken(plan);
+    const std::vector<uint8_t> different = find_different(plan);
     std::vector<std::string> names;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
-        if (pass.rest_unit == kNoId || unwoken[pass.rest_unit] != 0) continue;
+        if (pass.rest_unit == kNoId || different[pass.rest_unit] != 0) continue;
+        const bool in_group = std::ranges::any_of(
+            plan.graph.groups, [&](const GroupDecl& group) { return group.has_unit(pass.rest_unit); });
         for (const UseDecl& use : pass.uses) {
             const ResourceDecl& resource = plan.graph.resources[use.resource];
+            if (in_group && resource.lifetime == ResourceLifetime::transient) continue;
             if (writes(use.access) && std::ranges::find(names, resource.name) == names.end())
                 names.push_back(resource.name);
         }
@@ -83,7 +104,13 @@ Diagnostic difference(const FramePlan& plan, const vk::ReadbackData& found, cons
 Status verify_rest(const RenderOptions& options, const FramePlan& plan, uint32_t frames) {
     const std::vector<std::string> names = rested_resources(plan);
     if (names.empty()) {
-        std::fputs("weft: nothing to verify: no pass of this graph has \"rest\"\n", stderr);
+        std::fputs(
+            plan.graph.rest_unit_count == 0
+                ? "weft: nothing to verify: no pass of this graph has \"rest\"\n"
+                : "weft: nothing to verify: all passes with \"rest\" depend on a port with \"wakes\": false "
+                  "or on a group whose rounds take turns, so their results may differ from those of a run "
+                  "in which all of them run\n",
+            stderr);
         return Unit{};
     }
     RenderOptions resting = options, running = options;

@@ -88,7 +88,8 @@ template <class V>
 void visit_fields(V& v, const ParamWrite& x) {
     v("member", x.member), v("offsetBytes", x.offset_bytes), v("scalar", x.scalar),
         v("components", x.components);
-    v("builtin", x.builtin), v("resource", x.resource), v("value", x.value);
+    v("builtin", x.builtin), v("resource", x.resource), v("use", x.use),
+        v("value", x.value);
 }
 template <class V>
 void visit_fields(V& v, const SpecValue& x) {

@@ -25,6 +25,8 @@ constexpr std::array kBuiltins{
 };
 constexpr std::string_view kSizeSuffix = "Size";
 constexpr std::string_view kValidSuffix = "Valid";
+constexpr std::string_view kBitsSuffix = "ValidBits";
+constexpr uint32_t kLayersPerWord = 32;
 
 class BlockFiller : PassStage<Blocks> {
  public:
@@ -108,7 +110,8 @@ class BlockFiller : PassStage<Blocks> {
             store(member, write, {0}, shader_loc());
             return true;
         }
-        return from_port_size(member, write) || from_port_valid(member, write);
+        return from_port_size(member, write) || from_port_valid(member, write) ||
+               from_port_bits(member, write);
     }
 
     // Returns the use of the port whose name and `suffix` form `name`, for example port "hdr" for "hdrSize".
@@ -141,8 +144,49 @@ class BlockFiller : PassStage<Blocks> {
         if (use->history > 0) {
             write.builtin = Builtin::valid;
             write.resource = use->resource;
+        } else if (is_written_by_units(*use)) {
+            write.builtin = Builtin::unit_valid;
+            write.use = static_cast<uint32_t>(use - bound_.uses.data());
         }
-        store(member, write, {use->history > 0 ? 0.0 : 1.0}, shader_loc());
+        store(member, write, {write.builtin != Builtin::none ? 0.0 : 1.0}, shader_loc());
+        return true;
+    }
+
+    // Returns true if a pass with "rest" or of a group writes a part of what the port reads.
+    bool is_written_by_units(const UseDecl& use) const {
+        for (PassId pass(0); pass < graph_.rest_units.size(); ++pass)
+            for (const UseDecl& other : graph_.passes[pass].uses)
+                if (graph_.rest_units[pass] != kNoId && writes(other.access) &&
+                    other.resource == use.resource && overlaps(other.range, use.range))
+                    return true;
+        return false;
+    }
+
+    // Fills a member such as "probesValidBits": one bit for each layer of the port "probes". A layer that no
+    // pass with "rest" or of a group writes has the bit 1.
+    bool from_port_bits(const BlockMember& member, ParamWrite& write) {
+        const std::vector<double> none(member.rows, 0);
+        if (stands_for_absent(member.name, kBitsSuffix)) {
+            store(member, write, none, shader_loc());
+            return true;
+        }
+        const UseDecl* use = port_before(member.name, kBitsSuffix);
+        if (!use) return suspects_.passes[pass_] && member.name.ends_with(kBitsSuffix);
+        const uint32_t layers = use->range.layers;
+        if (member.scalar != ScalarType::u32 || layers > kLayersPerWord * member.rows) {
+            const uint32_t words = (layers + kLayersPerWord - 1) / kLayersPerWord;
+            error(shader_loc(),
+                  "Params." + member.name + " of shader " + quote(draft_.desc->shader) +
+                      " must have one bit for each of the " + count_text(layers, "layer") + " of port " +
+                      quote(use->port),
+                  {words > 4 ? "select at most 128 layers in the reference of the port"
+                             : "declare it as `" + (words == 1 ? "uint" : "uvec" + std::to_string(words)) +
+                                   " " + member.name + ";`"});
+            return true;
+        }
+        write.builtin = Builtin::unit_bits;
+        write.use = static_cast<uint32_t>(use - bound_.uses.data());
+        store(member, write, none, shader_loc());
         return true;
     }
 
@@ -200,6 +244,7 @@ class BlockFiller : PassStage<Blocks> {
             if (graph_.resources[use.resource].kind == ResourceKind::image)
                 known.push_back(use.port + "Size");
             known.push_back(use.port + "Valid");
+            known.push_back(use.port + "ValidBits");
         }
         error(shader_loc(),
               "pass " + quote(draft_.decl.name) + " gives no value to Params." + member.name + " of shader " +

@@ -141,22 +141,24 @@ UnitChoice RestState::choose(const std::vector<UnitInput>& inputs, const TurnLis
     return choice;
 }
 
-void RestState::inherit(const RestState& old, const std::vector<uint32_t>& same) {
+void RestState::inherit(const RestState& old, const std::vector<MatchedUnit>& matches) {
     frame_ = old.frame_;
     for (uint32_t id = 0; id < units_.size(); ++id) {
-        if (same[id] == kNoId) continue;
-        const Unit& from = old.units_[same[id]];
+        const MatchedUnit& match = matches[id];
+        if (match.kept == kNoId) continue;
         Unit& unit = units_[id];
+        unit.has_result = old.units_[match.kept].has_result;
+        unit.waits = old.units_[match.kept].waits;
+        unit.waits_since = old.units_[match.kept].waits_since;
+        if (match.same == kNoId) continue;
+        const Unit& from = old.units_[match.same];
         unit.has_run = from.has_run;
-        unit.has_result = from.has_result;
         unit.settles = from.settles;
-        unit.waits = from.waits;
-        unit.waits_since = from.waits_since;
         unit.version = from.version;
         unit.input = from.input;
         for (Source& source : unit.sources) {
             const auto known = std::ranges::find_if(from.sources, [&](const Source& s) {
-                return s.unit == same[source.unit] && s.previous_frame == source.previous_frame;
+                return s.unit == matches[source.unit].same && s.previous_frame == source.previous_frame;
             });
             // No unit has this version, so the unit runs if it reads a unit that the older plan did not have.
             source.seen = known == from.sources.end() ? UINT64_MAX : known->seen;

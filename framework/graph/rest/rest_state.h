@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "graph/rest/turns.h"
+#include "graph/rest/unit_match.h"
 #include "weft/plan.h"
 
 namespace weft {
@@ -64,9 +65,11 @@ class RestState {
     // Remembers the runs of the chosen frame. Call this after the frame was submitted, with the arguments and
     // the result of choose(). A frame that was not submitted changes nothing.
     void commit(const std::vector<UnitInput>& inputs, const UnitChoice& chosen);
-    // Takes over the last runs of the units of an older plan. `same`: for each unit, the unit of the older
-    // plan that computes the same, or kNoId; see unit_match.h.
-    void inherit(const RestState& old, const std::vector<uint32_t>& same);
+    // Takes over the last runs of the units of an older plan. `matches`: for each unit, the units of the
+    // older plan that match it.
+    void inherit(const RestState& old, const std::vector<MatchedUnit>& matches);
+    // Returns true if the unit has run since its results were made or cleared.
+    [[nodiscard]] bool has_result(uint32_t unit) const { return units_[unit].has_result; }
     // Lets the unit run in the next frame.
     void wake(uint32_t unit) { units_[unit].has_run = false; }
 

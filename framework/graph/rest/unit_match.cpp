@@ -40,31 +40,60 @@ std::string declaration_hash(const FramePlan& plan, PassId id) {
     });
 }
 
+// Returns the passes of each unit, in schedule order. Index: unit.
+std::vector<std::vector<PassId>> passes_by_unit(const FramePlan& plan) {
+    std::vector<std::vector<PassId>> units(plan.graph.rest_unit_count);
+    for (const PassId pass : plan.schedule.order)
+        if (plan.graph.passes[pass].rest_unit != kNoId)
+            units[plan.graph.passes[pass].rest_unit].push_back(pass);
+    return units;
+}
+
 class UnitMatch {
  public:
     UnitMatch(const FramePlan& old_plan, const FramePlan& new_plan, const TransitionPlan& transition,
               const SamePipelines& same_pipelines)
-        : old_(old_plan), new_(new_plan), transition_(transition), same_pipelines_(same_pipelines) {}
+        : old_(old_plan),
+          new_(new_plan),
+          transition_(transition),
+          same_pipelines_(same_pipelines),
+          old_passes_(passes_by_unit(old_plan)),
+          new_passes_(passes_by_unit(new_plan)),
+          read_outside_(find_read_outside(new_plan)) {}
 
-    // Returns the unit of the old plan that computes the same as `unit` of the new plan, or kNoId.
-    [[nodiscard]] uint32_t old_unit(uint32_t unit) const {
-        const std::vector<PassId> passes = passes_of(new_, unit);
-        if (passes.empty()) return kNoId;
+    [[nodiscard]] MatchedUnit match(uint32_t unit) const {
+        const std::vector<PassId>& passes = new_passes_[unit];
+        if (passes.empty()) return {};
         const PassId first = find_pass(old_.graph, new_.graph.passes[passes.front()].name);
-        if (first == kNoId) return kNoId;
+        if (first == kNoId) return {};
         const uint32_t old_unit = old_.graph.passes[first].rest_unit;
-        if (old_unit == kNoId || passes_of(old_, old_unit).size() != passes.size()) return kNoId;
-        const bool same = std::ranges::all_of(
-            passes, [&](PassId pass) { return is_same(pass, old_unit) && keeps_results(pass, unit); });
-        return same ? old_unit : uint32_t{kNoId};
+        const auto keeps = [&](PassId pass) { return keeps_results(pass); };
+        if (old_unit == kNoId || !std::ranges::all_of(passes, keeps)) return {};
+        const bool same = old_passes_[old_unit].size() == passes.size() &&
+                          std::ranges::all_of(passes, [&](PassId pass) { return is_same(pass, old_unit); });
+        return {same ? old_unit : uint32_t{kNoId}, old_unit};
     }
 
  private:
-    static std::vector<PassId> passes_of(const FramePlan& plan, uint32_t unit) {
-        std::vector<PassId> passes;
+    // Returns for each transient, by ResourceId, 1 if a pass of another unit reads it. Such a pass may be in
+    // a frame in which the unit does not run. Other rounds of a group use its resources, but do not read this
+    // content.
+    static std::vector<uint8_t> find_read_outside(const FramePlan& plan) {
+        const ResolvedGraph& graph = plan.graph;
+        std::vector<uint32_t> writer(graph.resources.size(), kNoId);
         for (const PassId pass : plan.schedule.order)
-            if (plan.graph.passes[pass].rest_unit == unit) passes.push_back(pass);
-        return passes;
+            for (const UseDecl& use : graph.passes[pass].uses)
+                if (writes(use.access)) writer[use.resource] = graph.passes[pass].rest_unit;
+        const auto together = [&](uint32_t a, uint32_t b) {
+            return a == b || std::ranges::any_of(graph.groups, [&](const GroupDecl& group) {
+                       return a != kNoId && b != kNoId && group.has_unit(a) && group.has_unit(b);
+                   });
+        };
+        std::vector<uint8_t> found(graph.resources.size(), 0);
+        for (const PassId pass : plan.schedule.order)
+            for (const UseDecl& use : graph.passes[pass].uses)
+                if (!together(writer[use.resource], graph.passes[pass].rest_unit)) found[use.resource] = 1;
+        return found;
     }
 
     [[nodiscard]] bool is_same(PassId pass, uint32_t old_unit) const {
@@ -76,23 +105,14 @@ class UnitMatch {
     }
 
     // Returns true if the new plan has all results of the pass that a pass outside the unit may read.
-    [[nodiscard]] bool keeps_results(PassId pass, uint32_t unit) const {
+    [[nodiscard]] bool keeps_results(PassId pass) const {
         return std::ranges::all_of(new_.graph.passes[pass].uses, [&](const UseDecl& use) {
             if (!writes(use.access)) return true;
             if (new_.graph.resources[use.resource].lifetime == ResourceLifetime::transient)
-                return !is_read_outside(use.resource, unit);
+                return read_outside_[use.resource] == 0;
             return std::ranges::any_of(transition_.carried, [&](const ContentCopy& copy) {
                 return copy.to == use.resource && !copy.resample;
             });
-        });
-    }
-
-    [[nodiscard]] bool is_read_outside(ResourceId resource, uint32_t unit) const {
-        return std::ranges::any_of(new_.schedule.order, [&](PassId pass) {
-            const PassDecl& decl = new_.graph.passes[pass];
-            return decl.rest_unit != unit && std::ranges::any_of(decl.uses, [&](const UseDecl& use) {
-                       return use.resource == resource;
-                   });
         });
     }
 
@@ -100,16 +120,17 @@ class UnitMatch {
     const FramePlan& new_;
     const TransitionPlan& transition_;
     const SamePipelines& same_pipelines_;
+    std::vector<std::vector<PassId>> old_passes_, new_passes_;  // Index: unit.
+    std::vector<uint8_t> read_outside_;                         // Index: ResourceId of the new plan.
 };
 
 }  // namespace
 
-std::vector<uint32_t> match_units(const FramePlan& old_plan, const FramePlan& new_plan,
-                                  const TransitionPlan& transition, const SamePipelines& same_pipelines) {
+std::vector<MatchedUnit> match_units(const FramePlan& old_plan, const FramePlan& new_plan,
+                                     const TransitionPlan& transition, const SamePipelines& same_pipelines) {
     const UnitMatch match(old_plan, new_plan, transition, same_pipelines);
-    std::vector<uint32_t> units;
-    for (uint32_t unit = 0; unit < new_plan.graph.rest_unit_count; ++unit)
-        units.push_back(match.old_unit(unit));
+    std::vector<MatchedUnit> units;
+    for (uint32_t unit = 0; unit < new_plan.graph.rest_unit_count; ++unit) units.push_back(match.match(unit));
     return units;
 }
 

@@ -12,10 +12,16 @@ namespace weft {
 // Returns true if two passes have the same pipelines. The arguments are positions in the two plans.
 using SamePipelines = std::function<bool(Position old_position, Position new_position)>;
 
-// Returns for each unit of `new_plan` the unit of `old_plan` that has the same passes with the same
-// declarations and pipelines, and whose results the transition copies unchanged; or kNoId.
-[[nodiscard]] std::vector<uint32_t> match_units(const FramePlan& old_plan, const FramePlan& new_plan,
-                                                const TransitionPlan& transition,
-                                                const SamePipelines& same_pipelines);
+// The units of an older plan that correspond to a unit of the new plan; kNoId if there is none.
+struct MatchedUnit {
+    uint32_t same = kNoId;  // It has the same passes with the same declarations and pipelines.
+    uint32_t kept = kNoId;  // It has passes with the same names, which may compute something else.
+};
+
+// Returns the matches of each unit of `new_plan`. The transition copies the results of all matched units
+// unchanged.
+[[nodiscard]] std::vector<MatchedUnit> match_units(const FramePlan& old_plan, const FramePlan& new_plan,
+                                                   const TransitionPlan& transition,
+                                                   const SamePipelines& same_pipelines);
 
 }  // namespace weft

@@ -214,8 +214,11 @@ struct AttachmentDecl {
     bool covers = false;
 };
 
-// A value that the executor's caller provides for every frame. `valid` belongs to a resource with history
+// A value that changes from frame to frame. `valid` belongs to a resource with history
 // (ParamWrite::resource): 1 if a frame has written its content, 0 if the content is still the initial value.
+// `unit_valid` and `unit_bits` belong to a port (ParamWrite::use) whose resource units write: 1 if all of
+// these units have run since the resource was made or cleared; `unit_bits` has one bit for each layer of the
+// port.
 enum class Builtin : uint8_t {
     none,
     frame_index,
@@ -224,6 +227,8 @@ enum class Builtin : uint8_t {
     pre_exposure,
     prev_pre_exposure,
     valid,
+    unit_valid,
+    unit_bits,
 };
 
 // The value of one member of the shader's block `Params`: a constant in `value`, or a Builtin of the frame.
@@ -234,6 +239,7 @@ struct ParamWrite {
     uint8_t components = 1;
     Builtin builtin = Builtin::none;
     ResourceId resource = kNoId;  // Only for Builtin::valid: the resource with history.
+    uint32_t use = kNoId;         // Only for unit_valid and unit_bits: index into PassDecl::uses of the port.
     std::array<double, 4> value{0, 0, 0, 0};
 };
 

@@ -152,6 +152,7 @@ void ReplayExecutor::choose_units(const FrameInput& frame, uint32_t slot) {
                        unit_inputs_[pass.rest_unit]);
     }
     chosen_ = rest_.choose(unit_inputs_, frame.turns);
+    objects_->validity.begin_frame(rest_, chosen_);
 }
 
 std::vector<uint8_t> ReplayExecutor::running_units() const {
@@ -164,7 +165,7 @@ void ReplayExecutor::prepare_host_data(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     const HostInputs none;
     objects_->timer.reset(slot);
-    objects_->params.write(plan, frame, {objects_->resources, frames_run_}, slot);
+    objects_->params.write(plan, {frame, {objects_->resources, frames_run_}, &objects_->validity}, slot);
     for (Position position(0); position < objects_->passes.size(); ++position) {
         const PreparedPass& prepared = objects_->passes[position];
         if (!prepared.type) continue;
@@ -258,6 +259,7 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);
     in_flight.wakes = chosen_.wakes;
+    in_flight.timing.dropped_turns = chosen_.dropped_turns;
     in_flight.timing.record_ms = record_watch.ms();
     const Stopwatch submit_watch;
     Status submitted = submit_frame(slot);

@@ -45,11 +45,14 @@ bool add_imports(const UnitInputContext& context, const PassDecl& pass, std::vec
 void add_unit_input(const UnitInputContext& context, Position position, UnitInput& input) {
     if (!input) return;
     const FramePlan& plan = context.objects.plan;
-    const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+    const PassId id = plan.schedule.order[position];
+    const PassDecl& pass = plan.graph.passes[id];
     std::vector<std::byte>& bytes = *input;
     const size_t old = bytes.size();
     bytes.resize(old + pass.params_bytes);
-    write_params(pass, context.frame, context.resources, std::span(bytes).subspan(old));
+    // The validity of what the pass reads is left out: a unit whose results become valid has run, and so it
+    // wakes its readers.
+    write_params(plan.graph, id, {context.frame, context.resources}, std::span(bytes).subspan(old));
     // The values of passes without a shader, such as the value of a clear.
     for (const float channel : pass.clear) {
         uint32_t bits = 0;

@@ -12,12 +12,16 @@ namespace {
 // Alignment of each block in bytes: the largest minUniformBufferOffsetAlignment that Vulkan allows.
 constexpr uint64_t kUniformAlignmentBytes = 256;
 
-double builtin_value(const ParamWrite& write, const FrameInput& frame, const FrameResources& resources) {
+double builtin_value(PassId pass, const ParamWrite& write, uint32_t component, const FrameValues& values) {
+    const FrameInput& frame = values.frame;
     switch (write.builtin) {
         case Builtin::none:
             return 0;
         case Builtin::valid:
-            return resources.rings().valid(write.resource, resources.frame()) ? 1 : 0;
+            return values.resources.rings().valid(write.resource, values.resources.frame()) ? 1 : 0;
+        case Builtin::unit_valid:
+        case Builtin::unit_bits:
+            return values.validity != nullptr ? values.validity->value(pass, write, component) : 0;
         case Builtin::frame_index:
             return static_cast<double>(frame.frame_index);
         case Builtin::time_s:
@@ -53,13 +57,13 @@ uint32_t bits_of(ScalarType scalar, double value) {
 
 }  // namespace
 
-void write_params(const PassDecl& pass, const FrameInput& frame, const FrameResources& resources,
+void write_params(const ResolvedGraph& graph, PassId pass, const FrameValues& values,
                   std::span<std::byte> bytes) {
     std::fill(bytes.begin(), bytes.end(), std::byte{0});
-    for (const ParamWrite& write : pass.params) {
+    for (const ParamWrite& write : graph.passes[pass].params) {
         for (uint32_t i = 0; i < write.components; ++i) {
             const double value =
-                write.builtin == Builtin::none ? write.value[i] : builtin_value(write, frame, resources);
+                write.builtin == Builtin::none ? write.value[i] : builtin_value(pass, write, i, values);
             const uint32_t bits = bits_of(write.scalar, value);
             const size_t offset = write.offset_bytes + size_t{i} * sizeof bits;
             assert(offset + sizeof bits <= bytes.size());
@@ -92,12 +96,11 @@ VkDescriptorBufferInfo ParamsMemory::descriptor(Position position, uint32_t slot
     return {memory_[slot].handle(), blocks_[position].offset_bytes, blocks_[position].size_bytes};
 }
 
-void ParamsMemory::write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,
-                         uint32_t slot) {
+void ParamsMemory::write(const FramePlan& plan, const FrameValues& values, uint32_t slot) {
     for (size_t position = 0; position < blocks_.size(); ++position) {
         const Block& block = blocks_[position];
         if (block.size_bytes == 0) continue;
-        write_params(plan.graph.passes[plan.schedule.order[position]], frame, resources,
+        write_params(plan.graph, plan.schedule.order[position], values,
                      memory_[slot].mapped().subspan(block.offset_bytes, block.size_bytes));
     }
 }

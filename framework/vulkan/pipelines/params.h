@@ -9,15 +9,24 @@
 #include <span>
 #include <vector>
 
+#include "graph/rest/unit_validity.h"
 #include "vulkan/memory/resource_table.h"
 #include "vulkan/memory/slot_buffers.h"
 #include "weft/vulkan/executor.h"
 
 namespace weft::vk {
 
+// The values of a frame that Params can contain.
+struct FrameValues {
+    const FrameInput& frame;
+    FrameResources resources;
+    // Null: the values Builtin::unit_valid and Builtin::unit_bits become 0.
+    const UnitValidity* validity = nullptr;
+};
+
 // Writes the parameter values of a pass to `bytes`, which has PassDecl::params_bytes bytes. Bytes that belong
 // to no parameter become zero.
-void write_params(const PassDecl& pass, const FrameInput& frame, const FrameResources& resources,
+void write_params(const ResolvedGraph& graph, PassId pass, const FrameValues& values,
                   std::span<std::byte> bytes);
 
 class ParamsMemory {
@@ -29,8 +38,7 @@ class ParamsMemory {
     [[nodiscard]] VkDescriptorBufferInfo descriptor(Position position, uint32_t slot) const;
     // Writes the Params blocks of all passes to the memory of frame slot `slot`. Call it before the frame is
     // submitted.
-    void write(const FramePlan& plan, const FrameInput& frame, const FrameResources& resources,
-               uint32_t slot);
+    void write(const FramePlan& plan, const FrameValues& values, uint32_t slot);
 
  private:
     struct Block {

@@ -37,7 +37,11 @@ struct PreparedPass {
 // PlanObjects cannot be moved, because its members refer to each other.
 struct PlanObjects {
     PlanObjects(Device& device, FramePlan frame_plan)
-        : plan(std::move(frame_plan)), views(device, plan, resources), samplers(device), dummies(device) {}
+        : plan(std::move(frame_plan)),
+          views(device, plan, resources),
+          samplers(device),
+          dummies(device),
+          validity(plan) {}
     PlanObjects(const PlanObjects&) = delete;
     PlanObjects& operator=(const PlanObjects&) = delete;
 
@@ -53,6 +57,7 @@ struct PlanObjects {
     ParamsMemory params;
     UploadMemory uploads;
     ReadbackMemory readbacks;
+    UnitValidity validity;
     PassTimer timer;
     PipelineCacheHandle cache;
     DescriptorPoolHandle pool;

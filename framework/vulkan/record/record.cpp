@@ -26,7 +26,9 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
     }
     if (prepared.layout.push_stages == 0 || pass.params_bytes == 0) return;
     std::vector<std::byte> bytes(pass.params_bytes);
-    write_params(pass, context.frame, context.resources, bytes);
+    const ResolvedGraph& graph = context.objects.plan.graph;
+    write_params(graph, PassId(static_cast<uint32_t>(&pass - graph.passes.data())),
+                 {context.frame, context.resources, &context.objects.validity}, bytes);
     fn.vkCmdPushConstants(context.commands, layout, prepared.layout.push_stages, 0, pass.params_bytes,
                           bytes.data());
 }

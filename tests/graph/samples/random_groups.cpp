@@ -3,7 +3,6 @@
 #include <random>
 
 #include "tests/graph/samples/fake_shaders.h"
-#include "tests/graph/samples/random_rest.h"
 
 namespace weft::test {
 namespace {
@@ -16,7 +15,8 @@ std::string joined(const std::vector<std::string>& items) {
 
 class GroupGenerator {
  public:
-    GroupGenerator(uint32_t seed, bool pure) : random_(seed), pure_(pure) {}
+    GroupGenerator(uint32_t seed, bool pure, RestShaders shaders)
+        : random_(seed), pure_(pure), is_real_(shaders == RestShaders::real) {}
 
     RandomGroups run() {
         resource("image0", "");
@@ -32,8 +32,14 @@ class GroupGenerator {
         for (size_t i = 0; i < kept_.size(); ++i)
             pass("see" + std::to_string(i), R"("type": "readback", "in": [")" + kept_[i] + "\"]");
         pass("seeLast", R"("type": "readback", "in": [")" + changing_ + "\"]");
-        made_.text = R"("imports": {"noise": "image"}, "resources": {)" + joined(resources_) +
-                     R"(}, "groups": {)" + joined(groups_) + R"(}, "passes": {)" + joined(passes_) + "}";
+        std::string params;
+        for (uint32_t i = 0; i < made_.params; ++i)
+            params +=
+                (i == 0 ? "\"p" : ", \"p") + std::to_string(i) + R"(": {"default": 0, "range": [0, 1]})";
+        const std::string head =
+            is_real_ ? R"("params": {)" + params + "}" : R"("imports": {"noise": "image"})";
+        made_.text = head + R"(, "resources": {)" + joined(resources_) + R"(}, "groups": {)" +
+                     joined(groups_) + R"(}, "passes": {)" + joined(passes_) + "}";
         return std::move(made_);
     }
 
@@ -77,7 +83,14 @@ class GroupGenerator {
         const char kind = !draws && chance(30) ? 'i' : 's';  // Storage images or sampled images as inputs.
         return std::string(R"("type": ")") + (draws ? "fullscreen" : "compute") + R"(", "shader": ")" + kind +
                std::to_string(single) + (has_array ? "w" : "") + (draws ? ".frag" : ".comp") + "\"" +
-               (ports.empty() ? "" : R"(, "in": {)" + ports + "}") + R"(, "out": {"dst": ")" + target + "\"}";
+               (ports.empty() ? "" : R"(, "in": {)" + ports + "}") + R"(, "out": {"dst": ")" + target +
+               "\"}" + param();
+    }
+
+    // Returns the key that gives a shader its parameter.
+    std::string param() {
+        if (!is_real_) return "";
+        return R"(, "params": {"value": "p)" + std::to_string(made_.params++) + "\"}";
     }
     std::string compute(const std::vector<std::string>& inputs, const std::string& target) {
         return work(inputs, target, false) + queue();
@@ -90,7 +103,7 @@ class GroupGenerator {
             if (inputs.size() < most && (inputs.empty() || inputs.front() != input)) inputs.push_back(input);
         };
         if (!pure_ && chance(40)) add((rests ? "?" : "") + changing_);
-        if (chance(30)) add("noise");
+        if (!is_real_ && chance(30)) add("noise");
         if (!still_.empty() && chance(50)) add(any(still_));
         return inputs;
     }
@@ -161,7 +174,7 @@ class GroupGenerator {
     }
 
     std::mt19937 random_;
-    bool pure_;
+    bool pure_, is_real_;
     RandomGroups made_;
     std::vector<std::string> resources_, groups_, passes_;
     std::vector<std::string> kept_;   // Parts that keep their content.
@@ -191,8 +204,8 @@ ShaderCatalog group_shaders() {
     return shaders;
 }
 
-RandomGroups random_groups(uint32_t seed, bool pure) {
-    return GroupGenerator(seed, pure).run();
+RandomGroups random_groups(uint32_t seed, bool pure, RestShaders shaders) {
+    return GroupGenerator(seed, pure, shaders).run();
 }
 
 }  // namespace weft::test

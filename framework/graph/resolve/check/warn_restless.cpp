@@ -43,17 +43,22 @@ void warn_restless(const Declared& declared, const ResolvedGraph& graph, Reporte
         const PassDecl& pass = graph.passes[id];
         const PassDraft& draft = declared.expansion.passes[id];
         if (pass.rest_unit == kNoId || draft.shader == nullptr || known.contains(draft.desc)) continue;
+        const bool in_group = draft.group != kNoId;
+        if (in_group && !declared.expansion.groups[draft.group].rests) continue;
         const auto param =
             std::ranges::find_if(pass.params, [](const ParamWrite& p) { return changes(p.builtin); });
         const std::string member =
             param != pass.params.end() ? "Params." + param->member : changing_member(*draft.shader);
         if (member.empty()) continue;
         known.insert(draft.desc);
-        reporter.warn(draft.desc->rest_loc, "W138",
-                      "pass " + quote(draft.desc->name) +
-                          " has \"rest\", but never rests: its shader reads " + member +
-                          ", which changes in every frame",
-                      "remove \"rest\", or let the shader do without this value");
+        reporter.warn(
+            in_group ? declared.input.graph.groups.at(draft.desc->group).rest_loc : draft.desc->rest_loc,
+            "W138",
+            "pass " + quote(draft.desc->name) +
+                (in_group ? " belongs to a group with \"rest\"" : " has \"rest\"") +
+                ", but never rests: its shader reads " + member + ", which changes in every frame",
+            in_group ? "remove \"rest\" from the group, or let the shader do without this value"
+                     : "remove \"rest\", or let the shader do without this value");
     }
 }
 

@@ -3,6 +3,11 @@
 // is stored multiplied by 2^EV).
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
 #include "weft/scene/scene.h"
 
 namespace weft::render {
@@ -12,6 +17,9 @@ struct FrameInput {
     float exposure_ev = 0;
     double time_s = 0;
     double delta_time_s = 0;  // Time since the previous frame.
+    // For each import of kind "turns": the rounds of the group to run in this frame, in this order. A group
+    // whose import has no list here runs its rounds in turn.
+    std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
 };
 
 }  // namespace weft::render

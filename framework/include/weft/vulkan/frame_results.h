@@ -14,8 +14,10 @@ namespace weft::vk {
 struct PassTiming {
     std::string pass;
     double gpu_ms = 0;    // Time on the GPU in milliseconds; negative if it was not measured.
-    bool rested = false;  // True if the pass has `rest` and did not run in this frame.
-    // For a pass with `rest` that ran: the reason, such as `pass "table" ran`. Empty for all other passes.
+    // True if the pass did not run in this frame: it has `rest`, or other rounds of its group had their turn.
+    bool rested = false;
+    // For a pass with `rest` or in a group that ran: the reason, such as `pass "table" ran`. Empty for all
+    // other passes.
     std::string woken_by;
 };
 
@@ -24,6 +26,9 @@ struct FrameTiming {
     double record_ms = 0;
     double submit_ms = 0;
     double wait_ms = 0;  // Time in milliseconds that the host waited for the fence of the frame slot.
+    // Number of entries of FrameInput::turns that were ignored: rounds that do not exist, rounds that occur
+    // twice, and entries after the first "perFrame".
+    uint32_t dropped_turns = 0;
 };
 
 // The content of a resource that was read back. For a buffer: its bytes. For an image: its texels without

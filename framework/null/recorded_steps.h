@@ -1,0 +1,29 @@
+// Purpose: lists the steps of a batch in the order in which a frame records them, with the rounds of groups
+// in a given order. Independent of the executor's own list (graph/rest/frame_steps.h).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "null/null_executor.h"
+
+namespace weft::null {
+
+struct RecordedStep {
+    Position position = 0;
+    // What is recorded: barriers before the pass for every frame, the pass with its own barriers, and
+    // barriers after the pass for every frame.
+    bool shared_before = true;
+    bool runs = true;
+    bool shared_after = true;
+
+    [[nodiscard]] bool has(const BarrierDecl& barrier, bool is_before) const {
+        return barrier.if_pass_runs ? runs : is_before ? shared_before : shared_after;
+    }
+};
+
+[[nodiscard]] std::vector<RecordedStep> recorded_steps(const FramePlan& plan, const Batch& batch,
+                                                       uint32_t frame, const RestChoice& resting,
+                                                       const RoundOrder& rounds);
+
+}  // namespace weft::null
