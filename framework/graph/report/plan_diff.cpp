@@ -145,6 +145,7 @@ PlanDiff diff_plans(const FramePlan& from, const FramePlan& to) {
     diff.passes = diff_names<PassId>(from, from.graph.passes, to, to.graph.passes, summarize_pass);
     diff.resources =
         diff_names<ResourceId>(from, from.graph.resources, to, to.graph.resources, summarize_resource);
+    diff.groups = diff_names<uint32_t>(from, from.graph.groups, to, to.graph.groups, summarize_group);
     diff.moved = moved_passes(from, to);
     return diff;
 }
@@ -154,6 +155,7 @@ std::string plan_diff_to_text(const PlanDiff& diff) {
     std::string text = headline(diff) + "\n";
     names_text("passes", diff.passes, text);
     names_text("resources", diff.resources, text);
+    names_text("groups", diff.groups, text);
     if (!diff.moved.empty()) text += "\norder\n";
     for (const PassMove& move : diff.moved)
         text += "  " + move.name + ": position " + std::to_string(move.from) + " -> " +
@@ -170,6 +172,7 @@ std::string plan_diff_to_json(const PlanDiff& diff) {
                     {"counts", counts},
                     {"passes", names_json(diff.passes)},
                     {"resources", names_json(diff.resources)},
+                    {"groups", names_json(diff.groups)},
                     {"moved", moved}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

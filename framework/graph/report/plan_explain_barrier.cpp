@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "graph/report/explain_phrases.h"
+#include "graph/report/group_phrases.h"
 #include "graph/report/plan_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/plan_explain.h"
@@ -56,10 +57,19 @@ class BarrierAnswer {
 
     std::string text() {
         for (const BarrierDecl& b : plan_.barriers.steps[to_].barriers)
-            if (waits_for(plan_, b, first_)) add(b, second_);
+            if (waits_for(plan_, b, first_)) add(b, to_, true);
+        const GroupBlock before = block_around(plan_, to_), after = block_around(plan_, from_);
+        if (!before.empty() && before.first != to_)
+            for (const BarrierDecl& b : plan_.barriers.steps[before.first].barriers)
+                if (!b.if_pass_runs && waits_for(plan_, b, first_) && used_by_second(b))
+                    add(b, before.first, true);
         if (from_ < to_)
             for (const BarrierDecl& b : plan_.barriers.steps[from_].after)
-                if (used_by_second(b)) add(b, kNoId);
+                if (used_by_second(b)) add(b, from_, false);
+        if (!after.empty() && after.last != from_ && after.last < to_)
+            for (const BarrierDecl& b : plan_.barriers.steps[after.last].after)
+                if (!b.if_pass_runs && used_by_second(b) && !uses_waited_for(plan_, b, first_).empty())
+                    add(b, after.last, false);
         if (!text_.empty()) return text_;
         return "There is no barrier between " + describe_pass(plan_, first_) + " and " +
                describe_pass(plan_, second_) + ".\n" + why_none();
@@ -73,16 +83,35 @@ class BarrierAnswer {
         });
     }
 
-    // Appends the explanation of one barrier. The barrier is recorded directly before the pass `before`. If
-    // `before` is kNoId, it is recorded directly after the pass `first_`.
-    void add(const BarrierDecl& b, PassId before) {
+    // Returns true if the passes belong to two rounds of one group.
+    bool is_other_round() const {
+        return group_of(plan_, first_) != nullptr && group_of(plan_, first_) == group_of(plan_, second_) &&
+               plan_.graph.passes[first_].rest_unit != plan_.graph.passes[second_].rest_unit;
+    }
+
+    // Appends the explanation of one barrier. It is recorded directly before or after the pass at `position`.
+    void add(const BarrierDecl& b, Position position, bool is_before) {
         const bool image = plan_.graph.resources[b.resource].kind == ResourceKind::image;
-        text_ += describe_part(plan_, b.resource, b.range) + ": a barrier " +
-                 (before == kNoId ? "right after " + describe_pass(plan_, first_)
-                                  : "before " + describe_pass(plan_, before) + " waits for " +
-                                        describe_pass(plan_, first_)) +
-                 (b.from_previous_frame || from_ >= to_ ? " of the previous frame" : "") +
-                 ".\n  Reason: " + describe_reason(b.reason) + ".\n";
+        const PassId pass = plan_.schedule.order[position];
+        const bool moved = position != (is_before ? to_ : from_);
+        const bool other_round = is_other_round();
+        const char* when = !other_round && (b.from_previous_frame || from_ >= (is_before ? position : to_))
+                               ? " of the previous frame"
+                               : "";
+        text_ +=
+            describe_part(plan_, b.resource, b.range) + ": a barrier " +
+            (is_before ? "before " + describe_pass(plan_, pass) + " waits for " + describe_pass(plan_, first_)
+                       : "right after " + describe_pass(plan_, pass)) +
+            when + ".\n  Reason: " + describe_reason(b.reason) + ".\n";
+        if (other_round)
+            text_ +=
+                "  The rounds of a group run in any order: the barrier orders the two passes, whichever of "
+                "them "
+                "runs first.\n";
+        if (moved)
+            text_ += std::string("  It stands ") + (is_before ? "before" : "after") +
+                     " all rounds of group \"" + group_of(plan_, pass)->name +
+                     "\", because any of them may run, in any order.\n";
         for (const UseDecl* use : uses_waited_for(plan_, b, first_))
             text_ += "  first   " + describe_use(plan_, *use) + ".\n";
         for (const UseDecl& use : plan_.graph.passes[second_].uses)
@@ -91,7 +120,9 @@ class BarrierAnswer {
         text_ += "  from    " + describe_state(b.src, image) + "\n  to      " + describe_state(b.dst, image) +
                  "\n";
         if (b.if_pass_runs)
-            text_ += "  It is recorded only in frames in which the pass, which may rest, runs.\n";
+            text_ +=
+                "  It is recorded only in frames in which the pass, which may rest or wait for its turn, "
+                "runs.\n";
         if (b.src_family != b.dst_family)
             text_ += "  from queue family " + std::to_string(b.src_family) + " to " +
                      std::to_string(b.dst_family) + "\n";

@@ -2,6 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "graph/diagnostics/quantity_text.h"
+#include "graph/report/group_phrases.h"
 #include "graph/report/plan_phrases.h"
 #include "weft/report/plan_explain.h"
 
@@ -62,22 +64,52 @@ class WakeReasons {
     std::vector<std::string> lines_;
 };
 
-std::string describe_rest(const FramePlan& plan, PassId id) {
-    const uint32_t unit = plan.graph.passes[id].rest_unit;
-    if (unit == kNoId)
-        return "pass " + describe_pass(plan, id) + " runs in every frame: it has no \"rest\"\n";
-    WakeReasons reasons(plan);
+// Returns the live passes of the pass's unit, without the pass itself.
+std::string other_passes(const FramePlan& plan, PassId id) {
     std::string others;
-    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass) {
-        if (plan.graph.passes[pass].rest_unit != unit) continue;
-        reasons.add(pass);
-        if (pass != id) others += (others.empty() ? "" : ", ") + describe_pass(plan, pass);
-    }
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)
+        if (pass != id && plan.live.live_passes[pass] &&
+            plan.graph.passes[pass].rest_unit == plan.graph.passes[id].rest_unit)
+            others += (others.empty() ? "" : ", ") + describe_pass(plan, pass);
+    return others;
+}
+
+std::string wake_reasons(const FramePlan& plan, PassId id) {
+    WakeReasons reasons(plan);
+    for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)
+        if ((pass == id || plan.live.live_passes[pass]) &&
+            plan.graph.passes[pass].rest_unit == plan.graph.passes[id].rest_unit)
+            reasons.add(pass);
+    return reasons.text();
+}
+
+std::string describe_round_rest(const FramePlan& plan, const GroupDecl& group, PassId id) {
+    const std::string others = other_passes(plan, id);
+    std::string text = "pass " + describe_pass(plan, id) + " belongs to " + describe_round(plan, id) + " (" +
+                       describe_group(group) + ")" +
+                       (others.empty() ? std::string() : " and runs only together with " + others) + ".\n  " +
+                       describe_turns(group) + "\n";
+    if (!group.rests)
+        return text + "  The group has no \"rest\", so the round runs whenever it has its turn.\n";
+    text += "  The group has \"rest\": the round runs only after a change";
+    if (group.settle > 0) text += ", and then " + count_text(group.settle, "more time") + " (\"settle\")";
+    return text +
+           ". It runs once at the start, and after a change of its declaration, of the size of its "
+           "resources, or "
+           "of one of these:\n" +
+           wake_reasons(plan, id);
+}
+
+std::string describe_rest(const FramePlan& plan, PassId id) {
+    if (plan.graph.passes[id].rest_unit == kNoId)
+        return "pass " + describe_pass(plan, id) + " runs in every frame: it has no \"rest\"\n";
+    if (const GroupDecl* group = group_of(plan, id)) return describe_round_rest(plan, *group, id);
+    const std::string others = other_passes(plan, id);
     return "pass " + describe_pass(plan, id) + " rests" +
            (others.empty() ? std::string() : " and runs only together with " + others) +
            ". It runs in the first frame, and after a change of its declaration, of the size of its "
            "resources, or of one of these:\n" +
-           reasons.text();
+           wake_reasons(plan, id);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_fields.h"
 #include "graph/plan/plan_names.h"
+#include "graph/report/group_phrases.h"
 #include "graph/report/plan_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/memory_report.h"
@@ -120,6 +121,10 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
     const PassDecl& pass = plan.graph.passes[id];
     Facts facts{"type " + pass.type};
     if (!pass.shader.empty()) facts.push_back("shader " + pass.shader);
+    if (group_of(plan, id) != nullptr)
+        facts.push_back(describe_round(plan, id));
+    else if (pass.rest_unit != kNoId)
+        facts.emplace_back("rests");
     if (!plan.live.live_passes[id]) facts.push_back("culled: " + plan.live.details[id]);
     if (pass.kind == PassKind::compute)
         facts.push_back("groups " + extent_fact({pass.groups[0], pass.groups[1], pass.groups[2]}));
@@ -134,12 +139,17 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
     add_params(pass, facts);
     for (const UseDecl& use : pass.uses) {
         facts.push_back(std::string(use.is_output ? "out " : "in ") + use.port + " = " +
-                        describe_part(plan, use.resource, use.range) + " (" + access_name(use.access) + ")");
+                        describe_part(plan, use.resource, use.range) + " (" + access_name(use.access) +
+                        (use.wakes ? ")" : ", does not wake the pass)"));
         add_fields("sampler of " + use.port + " ", use.sampler, facts);
     }
     if (plan.live.live_passes[id]) add_step(plan, id, facts);
     sort_out(facts);
     return facts;
+}
+
+std::vector<std::string> summarize_group(const FramePlan& plan, uint32_t group) {
+    return {describe_group(plan.graph.groups[group])};
 }
 
 std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId id) {

@@ -3,6 +3,7 @@
 #include "graph/diagnostics/diagnostic_text.h"
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
+#include "graph/report/group_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/compile.h"
 #include "weft/report/memory_report.h"
@@ -57,6 +58,8 @@ class PlanText {
         for (const GraphParam& param : plan_.graph.params)
             text_ += "param  " + param.name + " = " + number_text(param.value) +
                      ", cost of a change: " + enum_name(param.cost) + "\n";
+        for (const GroupDecl& group : plan_.graph.groups)
+            text_ += "group  " + group.name + ": " + describe_group(group) + "\n";
         text_ += "order  " + schedule.chosen + "; candidates:";
         for (const ScheduleCandidate& c : schedule.candidates)
             text_ += " " + c.name + " (" + bytes_text(c.peak_live_bytes) + ", " +
@@ -115,7 +118,7 @@ class PlanText {
         waits(position);
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
             text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
-        if (decl.rest_unit != kNoId) text_ += "    rest " + rest_unit(decl.rest_unit) + "\n";
+        if (decl.rest_unit != kNoId) text_ += "    " + unit(s.pass) + "\n";
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];
@@ -131,12 +134,14 @@ class PlanText {
         }
     }
 
-    // Returns the names of the live passes of a rest unit.
-    std::string rest_unit(uint32_t unit) const {
+    // Returns the unit of the pass, and the names of the live passes of the unit.
+    std::string unit(PassId of) const {
+        const uint32_t unit = plan_.graph.passes[of].rest_unit;
         std::string names;
         for (const PassId id : plan_.schedule.order)
             if (plan_.graph.passes[id].rest_unit == unit) names += (names.empty() ? "" : ", ") + pass(id);
-        return "unit " + std::to_string(unit) + ": " + names;
+        const std::string round = describe_round(plan_, of);
+        return (round.empty() ? "rest " : round + ", ") + "unit " + std::to_string(unit) + ": " + names;
     }
 
     void barrier(const BarrierDecl& b) {

@@ -16,6 +16,8 @@ void write_graph(const PlanPage& page, Markup& out);
 void write_timeline(const PlanPage& page, Markup& out);
 void write_lifetimes(const PlanPage& page, Markup& out);
 void write_memory(const PlanPage& page, Markup& out);
+// Writes nothing if the graph has no groups.
+void write_groups(const PlanPage& page, Markup& out);
 void write_kept(const PlanPage& page, Markup& out);
 void write_culled(const PlanPage& page, Markup& out);
 // Writes the last section: all explanations of the page as text.

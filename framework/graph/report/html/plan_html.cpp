@@ -161,6 +161,7 @@ std::string plan_to_html(const FramePlan& plan, const PlanPageInfo& info) {
     write_timeline(page, out);
     write_lifetimes(page, out);
     write_memory(page, out);
+    write_groups(page, out);
     write_kept(page, out);
     write_culled(page, out);
     write_explanations(page, out);

@@ -4,6 +4,7 @@
 
 #include "graph/plan/plan_names.h"
 #include "graph/report/explain_phrases.h"
+#include "graph/report/group_phrases.h"
 #include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_html_articles.h"
 #include "graph/report/plan_phrases.h"
@@ -16,6 +17,7 @@ std::string pass_subtitle(const FramePlan& plan, PassId pass) {
     const PassDecl& decl = plan.graph.passes[pass];
     std::string text = decl.type + " pass";
     if (!decl.shader.empty()) text += ", shader " + decl.shader;
+    if (const std::string round = describe_round(plan, pass); !round.empty()) text += ", " + round;
     const Position position = plan.schedule.position[pass];
     if (position == kNoId) return text + ", culled";
     return text + ", runs at position " + std::to_string(position) + " on queue " +

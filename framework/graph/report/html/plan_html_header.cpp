@@ -80,11 +80,12 @@ void write_header(const PlanPage& page, Markup& out) {
     write_facts(page, out);
     write_tiles(page, out);
     out.open("nav", {{"aria-label", "Panels"}});
-    for (const auto& [id, title] :
-         {std::pair{"graph", "Graph"}, std::pair{"timeline", "Timeline"}, std::pair{"lifetimes", "Lifetimes"},
-          std::pair{"memory", "Memory"}, std::pair{"kept", "Kept and imported"},
-          std::pair{"culled", "Culled"}, std::pair{"words", "All explanations"}})
-        out.leaf("a", {{"href", std::string("#") + id}}, title);
+    for (const auto& [id, title] : {std::pair{"graph", "Graph"}, std::pair{"timeline", "Timeline"},
+                                    std::pair{"lifetimes", "Lifetimes"}, std::pair{"memory", "Memory"},
+                                    std::pair{"groups", "Groups"}, std::pair{"kept", "Kept and imported"},
+                                    std::pair{"culled", "Culled"}, std::pair{"words", "All explanations"}})
+        if (std::string_view(id) != "groups" || !page.plan->graph.groups.empty())
+            out.leaf("a", {{"href", std::string("#") + id}}, title);
     out.close();
     out.close();
     out.line();

@@ -1,6 +1,10 @@
-// Writes the tables below the drawings: resources that outlive the frame or are unused, and culled passes.
+// Writes the tables below the drawings: groups, resources that outlive the frame or are unused, and culled
+// passes.
+#include <algorithm>
+
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
+#include "graph/report/group_phrases.h"
 #include "graph/report/html/html_sections.h"
 #include "weft/report/memory_report.h"
 
@@ -79,6 +83,29 @@ void write_kept(const PlanPage& page, Markup& out) {
         for (const ResourceId id : ids) write_kept_row(page, id, out);
         close_table(out);
     }
+    out.close();
+}
+
+void write_groups(const PlanPage& page, Markup& out) {
+    const FramePlan& plan = *page.plan;
+    if (plan.graph.groups.empty()) return;
+    open_panel(out, "groups", "Groups",
+               "The passes of a group make rounds. Each frame runs some of the rounds, in any order.");
+    open_table(out, {"group", "rounds", "passes", "turns"});
+    for (const GroupDecl& group : plan.graph.groups) {
+        const auto passes = std::ranges::count_if(plan.schedule.order, [&](PassId pass) {
+            return plan.graph.passes[pass].rest_unit != kNoId &&
+                   group.has_unit(plan.graph.passes[pass].rest_unit);
+        });
+        out.open("tr");
+        out.leaf("th", {{"scope", "row"}}, group.name);
+        out.leaf("td", {{"class", "number"}}, std::to_string(group.rounds));
+        out.leaf("td", {{"class", "number"}}, std::to_string(passes));
+        out.leaf("td", {}, describe_group(group));
+        out.close();
+        out.line();
+    }
+    close_table(out);
     out.close();
 }
 

@@ -3,6 +3,7 @@
 
 #include "graph/plan/plan_names.h"
 #include "graph/report/explain_phrases.h"
+#include "graph/report/group_phrases.h"
 #include "graph/report/html/html_sections.h"
 #include "graph/report/html/plan_html_articles.h"
 #include "graph/report/plan_phrases.h"
@@ -47,7 +48,10 @@ void write_waited_for(const PlanPage& page, const BarrierItem& item, Markup& out
     }
     write_links(out, "Waits for", links);
     if (item.barrier->if_pass_runs)
-        out.leaf("p", {}, "The barrier is recorded only in frames in which its pass, which may rest, runs.");
+        out.leaf(
+            "p", {},
+            "The barrier is recorded only in frames in which its pass, which may rest or wait for its turn, "
+            "runs.");
     if (!passes.empty()) return;
     if (item.barrier->reason == BarrierReason::acquire_import)
         out.leaf("p", {}, "The barrier waits for uses of the import before the frame.");
@@ -76,13 +80,21 @@ void write_on_behalf_of(const PlanPage& page, const BarrierItem& item, Markup& o
     std::vector<ArticleLink> links;
     bool writing = false;
     const Position first(before ? uint32_t{item.position} : item.position + 1);
+    // A barrier before the first pass of a group, if it is recorded in every frame, is there for all rounds.
+    const GroupBlock block = block_around(plan, item.position);
+    const bool border = before && !block.empty() && !item.barrier->if_pass_runs;
     for (Position p = first; p < plan.schedule.order.size() && !writing; ++p) {
         const PassId pass = plan.schedule.order[p];
         const std::string uses = uses_of(plan, *item.barrier, pass, writing);
-        if (before || !uses.empty()) links.push_back({pass_key(pass), plan.graph.passes[pass].name, uses});
-        if (before) break;
+        const bool listed = !uses.empty() || (before && !border);
+        if (listed) links.push_back({pass_key(pass), plan.graph.passes[pass].name, uses});
+        if (border ? p == block.last : before) break;
     }
-    write_links(out, before ? "Before the pass" : "For the passes", links);
+    if (border)
+        out.leaf(
+            "p", {},
+            "The barrier stands before all rounds of the group, because any of them may run, in any order.");
+    write_links(out, before && !border ? "Before the pass" : "For the passes", links);
 }
 
 std::string spaced(std::string text) {

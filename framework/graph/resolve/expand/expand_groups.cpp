@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-constexpr double kMostRounds = 1u << 20;
+constexpr double kMostRounds = 100000;
 
 using Indices = std::map<std::string, double>;
 

@@ -67,9 +67,9 @@ class GroupOrder {
                 " and before pass " + quote(declared_.pass_name(last)) + " of group " + name +
                 ", but the passes of a group run without other passes between them");
         add_help(d, "move the pass into the group, or divide the group into two groups");
-        add_help(d,
-                 "or let the passes of group " + name +
-                     " read the content of the frame before: read a copy that a pass makes after the group");
+        add_help(d, "or let pass " + quote(declared_.author_name(last)) +
+                        " read the content of the frame before: give the resource \"history\": 1, and write "
+                        "[-1] after its name");
     }
 
     const Declared& declared_;

@@ -190,12 +190,21 @@ class RestUnitFinder {
     [[nodiscard]] std::string reason(PassId pass) const {
         return group_of(pass) ? "belongs to group " + quote(group_of(pass)->name) : "has \"rest\"";
     }
+    // Returns the reason why the pass may rest.
+    [[nodiscard]] std::string rest_reason(PassId pass) const {
+        return group_of(pass) ? reason(pass) + ", which has \"rest\"" : reason(pass);
+    }
+    // Returns `pass "a"` or `group "g"`: the part of the graph that has the key "rest".
+    [[nodiscard]] std::string rester(PassId pass) const {
+        return group_of(pass) ? "group " + quote(group_of(pass)->name)
+                              : "pass " + quote(declared_.author_name(pass));
+    }
 
     void report_other_rounds(const Cell& cell, const CellUse& reader) {
         if (!is_new(cell, reader.pass, reader.pass)) return;
         Diagnostic& d = error(reader.pass, use(reader).loc,
-                              "belongs to a group with \"rest\", but its result depends on " + what(cell) +
-                                  ", which another round of the group writes");
+                              rest_reason(reader.pass) + ", but its result depends on " + what(cell) +
+                                  ", which other rounds of the group write");
         add_help(d,
                  "add \"wakes\": false to the port, if a round need not run again when other rounds have "
                  "run; or remove \"rest\" from the group");
@@ -212,11 +221,11 @@ class RestUnitFinder {
         if (!is_new(cell, reader.pass, writer)) return;
         const std::string name = quote(declared_.author_name(writer));
         Diagnostic& d = error(reader.pass, use(reader).loc,
-                              "has \"rest\", but would never rest: it reads " + what(cell) + ", and pass " +
-                                  name + " writes this resource in every frame");
+                              rest_reason(reader.pass) + ", but would never rest: it reads " + what(cell) +
+                                  ", and pass " + name + " writes this resource in every frame");
         add_help(d,
-                 "remove \"rest\" from pass " + quote(declared_.author_name(reader.pass)) +
-                     ", or add \"rest\": true to pass " + name +
+                 "remove \"rest\" from " + rester(reader.pass) + ", or add \"rest\": true to " +
+                     rester(writer) +
                      ", too; or add \"wakes\": false to the port, if the pass need not run for each change");
     }
 
@@ -260,6 +269,7 @@ class RestUnitFinder {
     }
 
     void report_middle(const Cell& cell, const CellUse& reader, const CellUse& writer) {
+        if (group_of(writer.pass)) return;  // check_group_order() reports it.
         if (!is_new(cell, reader.pass, writer.pass)) return;
         Diagnostic& d =
             error(reader.pass, use(reader).loc,
@@ -272,15 +282,16 @@ class RestUnitFinder {
     void report_own_content(const Cell& cell, const CellUse& u) {
         if (!is_new(cell, u.pass, u.pass)) return;
         Diagnostic& d = error(u.pass, use(u).loc,
-                              "has \"rest\", but its result depends on the content that " + what(cell) +
-                                  " had before: it would differ whenever the pass runs again");
+                              rest_reason(u.pass) + ", but its result depends on the content that " +
+                                  what(cell) + " had before: it would differ whenever the pass runs again");
         const ShaderBinding* binding = graph_.passes[u.pass].ports[u.use].binding;
         if (declared_.expansion.passes[u.pass].desc->partial)
             add_help(d, "if the pass writes all of " + what(cell) + ", remove \"partial\"");
         else if (binding != nullptr && binding->writes)
             add_help(d, "if the shader only writes " + quote(binding->name) + ", declare it as `writeonly`");
-        add_help(d, "let the pass, or a pass with \"rest\" before it, write all of " + what(cell) +
-                        "; or remove \"rest\"");
+        add_help(d, std::string("let the pass, or a pass ") +
+                        (group_of(u.pass) ? "of its round" : "with \"rest\"") + " before it, write all of " +
+                        what(cell) + "; or remove \"rest\" from " + rester(u.pass));
     }
 
     // Each image that units write has one layout while no unit writes it. If its readers need different

@@ -186,6 +186,21 @@ class CycleReport {
                quote(resource + "@" + writer);
     }
 
+    // Returns the place of a read that needs no order if it does not wake its pass: a pass of a group reads
+    // what the same round writes later. Returns null if there is none.
+    const OrderArc* read_in_group(const std::vector<PassId>& knot) const {
+        const auto draft = [&](PassId pass) -> const PassDraft& { return declared_.expansion.passes[pass]; };
+        const auto found = std::ranges::find_if(order_.arcs(), [&](const OrderArc& arc) {
+            if (arc.kind != EdgeKind::raw || !std::ranges::binary_search(knot, arc.from) ||
+                !std::ranges::binary_search(knot, arc.to))
+                return false;
+            const ResourceDesc* resource = declared_.shapes.origins[arc.resource].desc;
+            const bool local = resource != nullptr && !resource->group.empty();
+            return !local && draft(arc.to).group != kNoId && draft(arc.to).group == draft(arc.from).group;
+        });
+        return found == order_.arcs().end() ? nullptr : &*found;
+    }
+
     void report(const std::vector<PassId>& knot) {
         const OrderArc* cut = best_cut(knot);
         if (!cut) return;
@@ -206,7 +221,13 @@ class CycleReport {
         text += " -> " + declared_.pass_name(cut->to);
         Diagnostic& d = reporter_.error(cut->loc, "W150", "dependency cycle: " + text);
         d.notes = std::move(notes);
-        add_help(d, remedy(*cut, knot));
+        const OrderArc* read = read_in_group(knot);
+        if (read == nullptr) return add_help(d, remedy(*cut, knot));
+        const std::string resource = quote(declared_.resource_name(read->resource));
+        add_help(d, "if pass " + quote(declared_.author_name(read->to)) +
+                        " needs only what the rounds have left in " + resource +
+                        " before, add \"wakes\": false to the port that reads it: { \"ref\": " + resource +
+                        ", \"wakes\": false }");
     }
 
     const Declared& declared_;

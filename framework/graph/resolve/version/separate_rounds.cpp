@@ -108,7 +108,8 @@ class RoundSeparator {
             rounds ? "several rounds of group " + quote(a.desc->group) + " write " + what +
                          ", so its content would depend on the order in which the rounds run"
                    : "pass " + quote(a.desc->name) + " of group " + quote(a.desc->group) + " writes " + what +
-                         ", and pass " + quote(b.desc->name) + " writes this part, too");
+                         ", and pass " + quote(b.desc->name) +
+                         " writes this part, too, so its content would depend on which rounds run");
         if (rounds) {
             add_help(d, "let each round write a layer or mip of its own, such as " +
                             quote(declared_.resource_name(cell.resource) + ".layer(" +

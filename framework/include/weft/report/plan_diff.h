@@ -1,6 +1,6 @@
-// Purpose: compares two plans by name: passes and resources that were added, removed or changed, the order,
-// barriers, memory. Plans with equal hashes have no differences. Units: bytes. Each property of a pass or
-// resource is a line of text. If a pass or resource is in both plans, FactsChange::gone has the lines that
+// Purpose: compares two plans by name: passes, resources and groups that were added, removed or changed, the
+// order, barriers, memory. Plans with equal hashes have no differences. Units: bytes. Each property of a pass
+// or resource is a line of text. If a pass or resource is in both plans, FactsChange::gone has the lines that
 // only the first plan has, and `come` the lines that only the second plan has. The offset of a resource in
 // memory is not compared, because almost every other change changes it, too.
 #pragma once
@@ -40,6 +40,7 @@ struct PlanDiff {
     std::vector<CountChange> counts;
     NamesDiff passes;  // The changes of passes. They include whether a pass is live, and its barriers.
     NamesDiff resources;
+    NamesDiff groups;
     // The smallest set of moves that changes the first order into the second. Only passes in both plans are
     // listed.
     std::vector<PassMove> moved;
@@ -51,7 +52,7 @@ struct PlanDiff {
 [[nodiscard]] std::string plan_diff_to_text(const PlanDiff& diff);
 // Returns the differences as JSON with the members of PlanDiff:
 // { same, counts: { NAME: { from, to } }, passes: { added, removed, changed: [{ name, gone, come }] },
-//   resources: (like passes), moved: [{ name, from, to }] }
+//   resources and groups: (like passes), moved: [{ name, from, to }] }
 [[nodiscard]] std::string plan_diff_to_json(const PlanDiff& diff);
 
 }  // namespace weft
