@@ -22,8 +22,10 @@ std::string wake_text(const FramePlan& plan, const Wake& wake) {
         case WakeReason::unit:
             break;
     }
-    const auto pass = std::ranges::find(plan.graph.passes, wake.unit, &PassDecl::rest_unit);
-    return "pass \"" + pass->name + "\" ran";
+    // The first pass of the unit that is not culled.
+    const auto is_of_unit = [&](PassId pass) { return plan.graph.passes[pass].rest_unit == wake.unit; };
+    const auto pass = std::ranges::find_if(plan.schedule.order, is_of_unit);
+    return "pass \"" + plan.graph.passes[*pass].name + "\" ran";
 }
 
 RestState::RestState(const FramePlan& plan) : units_(plan.graph.rest_unit_count) {
