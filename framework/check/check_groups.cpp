@@ -80,10 +80,6 @@ class GroupCheck {
         AccessMask writes = access::kNone;
     };
 
-    [[nodiscard]] bool is_local(const UseDecl& use) const {
-        return plan_.graph.resources[use.resource].lifetime == ResourceLifetime::transient;
-    }
-
     // One mip of one layer of one aspect of an image, or a buffer.
     using Part = std::pair<ResourceId, SubresourceRange>;
 
@@ -115,7 +111,7 @@ class GroupCheck {
             // Semaphores order the accesses on other queues.
             if (plan_.schedule.queue[position] != queue) continue;
             for (const UseDecl& use : pass_at(position).uses)
-                if (use.access != Access::none && !writes(use.access) && (member || is_local(use)))
+                if (use.access != Access::none && !writes(use.access) && (member || use.latest))
                     add_read(use);
         }
     }
@@ -173,18 +169,19 @@ class GroupCheck {
 
 void check_groups(const FramePlan& plan, FaultList& faults) {
     for (const GroupDecl& group : plan.graph.groups) GroupCheck(plan, group, faults).run();
+    std::vector<uint8_t> by_group(plan.graph.resources.size(), 0);
     for (const PassDecl& pass : plan.graph.passes)
-        for (const UseDecl& use : pass.uses) {
-            const bool may = pass.kind == PassKind::readback ||
-                             std::ranges::any_of(plan.graph.groups, [&](const GroupDecl& group) {
-                                 return pass.rest_unit != kNoId && group.has_unit(pass.rest_unit);
-                             });
-            if (use.latest && !may)
-                faults.add(
-                    "C335", use.loc,
-                    "pass \"" + pass.name + "\" belongs to no group, but reads whatever rounds have left",
-                    "only passes of a group and readbacks may do this");
-        }
+        for (const GroupDecl& group : plan.graph.groups)
+            for (const UseDecl& use : pass.uses)
+                if (writes(use.access) && pass.rest_unit != kNoId && group.has_unit(pass.rest_unit))
+                    by_group[use.resource] = 1;
+    for (const PassDecl& pass : plan.graph.passes)
+        for (const UseDecl& use : pass.uses)
+            if (use.latest && by_group[use.resource] == 0)
+                faults.add("C335", use.loc,
+                           "pass \"" + pass.name + "\" reads whatever rounds have left in " +
+                               faults.resource_name(use.resource) + ", but no group writes this resource",
+                           "only what the rounds of a group write may be read in this way");
 }
 
 }  // namespace weft::check

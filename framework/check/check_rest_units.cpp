@@ -95,10 +95,9 @@ class RestCheck {
             const ResourceDecl& resource = plan_.graph.resources[use.resource];
             if (parts_[use.resource].empty()) parts_[use.resource].create(resource);
             const GroupDecl* group = group_of(pass.rest_unit);
-            const bool local = resource.lifetime == ResourceLifetime::transient;
             parts_[use.resource].each(use.range, [&](Part& part) {
                 const bool other = part.unit != kNoId && part.unit != pass.rest_unit;
-                part.shared |= other && local && group != nullptr && group->has_unit(part.unit);
+                part.shared |= other && group != nullptr && group->has_unit(part.unit);
                 part.unit = pass.rest_unit;
             });
             if (!keeps_content(use.resource))
@@ -147,10 +146,11 @@ class RestCheck {
     void check_reads(PassId id) {
         for (const UseDecl& use : plan_.graph.passes[id].uses)
             for (const VersionSource& source : use.sources) {
-                bool own = false, middle = false;
+                bool own = false, middle = false, lost = false;
                 const bool pure = is_pure(id) && !declares_own_content(id, use);
                 parts_[use.resource].each(source.range, [&](const Part& part) {
                     if (part.unit == kNoId) return;
+                    lost |= part.shared && !is_shared_with(part, id) && !use.latest;
                     if (is_shared_with(part, id)) {
                         own |= source.producer == kNoId || unit_of(source.producer) != unit_of(id);
                         return;
@@ -163,6 +163,10 @@ class RestCheck {
                 if (own)
                     fault("C333", id, use.loc, "rests, but needs the earlier content of " + what,
                           "the result of a rest unit must not depend on its own earlier result");
+                if (lost)
+                    fault("C333", id, use.loc,
+                          "reads " + what + ", whose content depends on the order of the rounds of a group",
+                          "a part that several rounds write may be read only by these rounds");
                 if (middle)
                     fault("C333", id, use.loc,
                           "reads a version of " + what + " that does not exist while the rest unit rests",

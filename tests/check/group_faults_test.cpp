@@ -136,10 +136,10 @@ TEST_F(GroupFault, AWriteOfAPartThatABarrierLeavesOut) {
     expect_fault("writes \"probes\".mip(0).layer(1) in pass \"g::store#1\"");
 }
 
-TEST_F(GroupFault, APassOutsideThatReadsWhateverIsThere) {
+TEST_F(GroupFault, ALatestReadOfWhatNoGroupWrites) {
     for (UseDecl& use : pass("show").uses)
-        if (use.port == "all") use.latest = true;
-    expect_fault("pass \"show\" belongs to no group");
+        if (use.port == "src") use.latest = true;
+    expect_fault("but no group writes this resource");
 }
 
 }  // namespace

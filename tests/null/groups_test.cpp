@@ -15,6 +15,7 @@
 #include "tests/graph/samples/random_groups.h"
 #include "tests/null/mutant_judge.h"
 #include "tests/null/profile_plans.h"
+#include "tests/null/rest_closure.h"
 #include "weft/check/check_plan.h"
 #include "weft/compile.h"
 
@@ -114,17 +115,20 @@ InputChoice random_inputs(const FramePlan& plan, uint32_t frames, std::mt19937& 
     return inputs;
 }
 
-// Adds what RestState chooses for each frame to the options.
-void choose_frames(const FramePlan& plan, const std::vector<TurnLists>& turns, NullOptions& options) {
+// Adds what RestState chooses for each frame to the options. Returns the number of dropped entries of lists.
+uint32_t choose_frames(const FramePlan& plan, const std::vector<TurnLists>& turns, NullOptions& options) {
     RestState state(plan);
+    uint32_t dropped = 0;
     for (uint32_t frame = 0; frame < options.frames; ++frame) {
         const std::vector<UnitInput> inputs = unit_inputs(plan, options.inputs[frame]);
         const UnitChoice choice = state.choose(inputs, turns.empty() ? TurnLists{} : turns[frame]);
         std::vector<uint8_t>& rests = options.resting.emplace_back();
         for (const Wake& wake : choice.wakes) rests.push_back(wake.runs() ? 0 : 1);
         options.rounds.push_back(choice.rounds);
+        dropped += choice.dropped_turns;
         state.commit(inputs, choice);
     }
+    return dropped;
 }
 
 // The Vulkan executor and the null executor each have a function that lists what a batch records.
@@ -153,25 +157,57 @@ TEST_F(Groups, BothExecutorsRecordTheSameSteps) {
 }
 
 TEST_F(Groups, RestingRoundsChangeNoResult) {
-    const uint32_t seeds = extended() ? 1000 : 60;
+    const uint32_t seeds = extended() ? 2000 : 60, sequences = extended() ? 20 : 1;
     uint64_t units = 0, ran = 0;
     for (uint32_t seed = 1; seed <= seeds; ++seed) {
         const RandomGroups made = random_groups(seed + 30000, true);
         SCOPED_TRACE("seed " + std::to_string(seed + 30000) + "\n" + made.text);
         const FramePlan plan = plan_of(good(made.text), 1 + seed % 3);
         ASSERT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
-        std::mt19937 random(seed);
-        NullOptions options{.frames = 6, .seed = seed};
-        options.inputs = random_inputs(plan, options.frames, random);
-        choose_frames(plan, {}, options);
-        const NullRun wanted = run_reference(plan.graph, plan.live, options.frames, {}, options.inputs);
-        const std::vector<std::string> different = differences(plan.graph, wanted, run_null(plan, options));
-        ASSERT_TRUE(different.empty()) << different.front();
-        for (const std::vector<uint8_t>& frame : options.resting)
-            for (const uint8_t rests : frame) units += 1, ran += rests == 0 ? 1 : 0;
+        for (uint32_t sequence = 0; sequence < sequences; ++sequence) {
+            std::mt19937 random(seed * 100 + sequence);
+            NullOptions options{.frames = 6, .seed = seed};
+            options.inputs = random_inputs(plan, options.frames, random);
+            choose_frames(plan, {}, options);
+            ASSERT_EQ(options.resting, rest_closure(plan, options.inputs));
+            const NullRun wanted = run_reference(plan.graph, plan.live, options.frames, {}, options.inputs);
+            const std::vector<std::string> different =
+                differences(plan.graph, wanted, run_null(plan, options));
+            ASSERT_TRUE(different.empty()) << different.front();
+            for (const std::vector<uint8_t>& frame : options.resting)
+                for (const uint8_t rests : frame) units += 1, ran += rests == 0 ? 1 : 0;
+        }
     }
-    std::cout << "seeds 30001.." << 30000 + seeds << ": " << ran << " of " << units << " units ran\n";
+    std::cout << "seeds 30001.." << 30000 + seeds << ", " << sequences
+              << " sequences of 6 frames each: " << ran << " of " << units << " units ran\n";
     EXPECT_LT(ran * 3, units * 2);
+}
+
+// Rounds run as RestState chooses: in turn, with limits and in the order of random lists, some of whose
+// entries do not exist or occur twice. The results are those of the reference run with the same rounds.
+TEST_F(Groups, TurnsGiveWhatTheReferenceGives) {
+    const uint32_t seeds = extended() ? 1000 : 60;
+    uint64_t rounds = 0, dropped = 0;
+    for (uint32_t seed = 1; seed <= seeds; ++seed) {
+        const RandomGroups made = random_groups(seed + 40000);
+        SCOPED_TRACE("seed " + std::to_string(seed + 40000) + "\n" + made.text);
+        observed = made.observed;
+        const FramePlan plan = plan_of(good(made.text), 1 + seed % 3);
+        std::mt19937 random(seed);
+        NullOptions options{.frames = 8, .seed = seed};
+        options.inputs = random_inputs(plan, options.frames, random);
+        std::vector<TurnLists> turns(options.frames);
+        for (TurnLists& lists : turns)
+            for (const std::string& name : made.turns)
+                for (uint32_t entry = random() % 5; entry > 0 && random() % 3 > 0; --entry)
+                    lists[name].push_back(random() % 5);
+        dropped += choose_frames(plan, turns, options);
+        for (const std::vector<uint32_t>& frame : options.rounds) rounds += frame.size();
+        ASSERT_EQ(difference(plan, options), "");
+    }
+    std::cout << "seeds 40001.." << 40000 + seeds << ": " << rounds << " rounds ran, " << dropped
+              << " entries of lists were dropped\n";
+    EXPECT_GT(dropped, 0u);
 }
 
 TEST_F(Groups, WhatTheNullExecutorBreaksTheCheckerCatches) {

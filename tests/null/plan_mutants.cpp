@@ -28,6 +28,7 @@ class Mutator {
         mutate(barriers.prologue.before, "before the prologue");
         mutate(barriers.prologue.after, "after the prologue");
         for (Batch& batch : mutant_.plan.submissions.batches) drop_waits(batch);
+        for (const GroupDecl& group : plan_.graph.groups) move_shared(group);
     }
 
  private:
@@ -59,6 +60,33 @@ class Mutator {
             list[i].if_pass_runs = !list[i].if_pass_runs;
             show(MutantKind::other_frames, "recorded in other frames: " + what);
             list[i].if_pass_runs = sound[i].if_pass_runs;
+        }
+    }
+
+    void move_shared(const GroupDecl& group) {
+        std::vector<Position> places;
+        for (Position position(0); position < plan_.schedule.order.size(); ++position) {
+            const uint32_t unit = plan_.graph.passes[plan_.schedule.order[position]].rest_unit;
+            if (unit != kNoId && group.has_unit(unit)) places.push_back(position);
+        }
+        if (places.size() < 2) return;
+        std::vector<PassStep>& steps = mutant_.plan.barriers.steps;
+        move_each(steps[places[0]].barriers, steps[places[1]].barriers, "before the rounds of " + group.name);
+        move_each(steps[places.back()].after, steps[places[places.size() - 2]].after,
+                  "after the rounds of " + group.name);
+    }
+
+    void move_each(BarrierList& from, BarrierList& to, const std::string& where) {
+        const BarrierList sound_from = from, sound_to = to;
+        for (size_t i = 0; i < sound_from.size(); ++i) {
+            if (sound_from[i].if_pass_runs) continue;
+            to.push_back(sound_from[i]);
+            from.erase(from.begin() + static_cast<std::ptrdiff_t>(i));
+            show(MutantKind::moved_barrier, "a barrier on " +
+                                                plan_.graph.resources[sound_from[i].resource].name +
+                                                " is no longer " + where);
+            from = sound_from;
+            to = sound_to;
         }
     }
 

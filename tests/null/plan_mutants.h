@@ -29,8 +29,12 @@ enum class MutantKind : uint8_t {
     // A barrier that is recorded only in frames in which its pass runs is recorded in all frames, or the
     // reverse.
     other_frames,
+    // A barrier that all rounds of a group share, and that is recorded in every frame: it moves from the
+    // border
+    // of the group's passes to the pass next to it.
+    moved_barrier,
 };
-inline constexpr int kMutantKinds = 8;
+inline constexpr int kMutantKinds = 9;
 
 struct Mutant {
     MutantKind kind = MutantKind::removed_barrier;

@@ -66,6 +66,13 @@ Json cpu_json(const std::vector<vk::FrameTiming>& timings) {
         {"record", distribution(record)}, {"submit", distribution(submit)}, {"frame", distribution(frame)}};
 }
 
+// Returns the number of entries of lists of turns that were ignored in all frames.
+uint64_t dropped_turns(const std::vector<vk::FrameTiming>& timings) {
+    uint64_t dropped = 0;
+    for (const vk::FrameTiming& frame : timings) dropped += frame.dropped_turns;
+    return dropped;
+}
+
 Json validation_json(vk::Device& device) {
     Json validation{{"messages", device.messages().count()}, {"layers", Json::array()}};
     for (const vk::LayerInfo& layer : device.info().layers)
@@ -102,6 +109,7 @@ std::string stats_json(const StatsInput& input) {
         {"barriers",
          {{"emitted", plan.barriers.emitted}, {"needed", needed ? Json(*needed) : Json(nullptr)}}},
         {"submissions", plan.submissions.batches.size()},
+        {"dropped_turns", dropped_turns(input.timings)},
         {"pipelines_built_on_frame_thread", input.pipelines_built_on_frame_thread},
     };
     return stats.dump(2) + "\n";

@@ -143,6 +143,7 @@ PassDesc view_pass(const GraphDesc& graph, const DebugViewDesc& view, const Show
     PassDesc pass;
     pass.name = kDebugView;
     pass.type = "fullscreen";
+    pass.observes = true;
     pass.shader = view.shader.empty() ? shader_for(shown) : view.shader;
     pass.loc = pass.shader_loc = view.loc;
     PortDesc in = sampled_port("shown", view.show, view.loc);

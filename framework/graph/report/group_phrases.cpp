@@ -58,7 +58,8 @@ std::string describe_turns(const GroupDecl& group) {
     const std::string warm_up =
         is_limited(group.warm_up, group) ? "up to " + std::to_string(group.warm_up) : "all of them";
     if (!group.turns.empty() && group.warm_up > 0)
-        text += " Rounds that have not run yet come before the list: " + warm_up + " in each frame.";
+        text +=
+            " In addition, rounds that have never run come before the list: " + warm_up + " in each frame.";
     else if (limited && group.warm_up > group.per_frame)
         text += " Rounds that have not run yet come first: " + warm_up + " in each frame.";
     return text;

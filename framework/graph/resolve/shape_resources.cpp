@@ -91,22 +91,36 @@ void name_resources(const ResolveInput& input, const Evaluator& evaluator, Shape
     shapes.suspects.writers.resize(roles.size());
 }
 
+// Returns the names of the resources that a readback of the request or a debug view shows.
+std::set<std::string> observed_names(const ResolveInput& input) {
+    std::set<std::string> names;
+    for (const std::string& reference : input.request.observed)
+        names.insert(reference.substr(0, reference.find_first_of("@[.")));
+    for (const auto& [unused, pass] : input.graph.passes)
+        for (const PortDesc& port : pass.in)
+            if (pass.observes) names.insert(port.ref.name);
+    return names;
+}
+
 // Makes resources with "history" or "keep" persistent, and links each earlier frame to the resource of age 0.
-// Called after all resources have their ids.
-void tie_rings(const Evaluator& evaluator, Shapes& shapes) {
+// So are resources of groups that are observed: they can be shown also before a round has run. Called after
+// all resources have their ids.
+void tie_rings(const ResolveInput& input, const Evaluator& evaluator, Shapes& shapes) {
+    const std::set<std::string> shown = observed_names(input);
     for (ResourceId id(0); id < shapes.resources.size(); ++id) {
         const ResourceDesc* desc = shapes.origins[id].desc;
         if (!desc) continue;
         const auto history = shapes.histories.find(desc->name);
         const uint32_t copies = history != shapes.histories.end() ? history->second : 0;
-        if (copies == 0 && desc->keep == KeepMode::none) continue;
+        const bool observed = !desc->group.empty() && shown.contains(desc->name);
+        if (copies == 0 && desc->keep == KeepMode::none && !observed) continue;
         ResourceDecl& decl = shapes.resources[id];
         decl.lifetime = ResourceLifetime::persistent;
         decl.history = copies;
         decl.ring = resource_id(shapes.resources, desc->name);
         if (desc->first_frame && decl.age == 0) decl.first_frame = evaluator.color(*desc->first_frame);
         decl.on_resize = desc->on_resize;
-        shapes.origins[id].has_content = decl.age > 0 || copies == 0;
+        shapes.origins[id].has_content = (decl.age > 0 || copies == 0) && !observed;
     }
 }
 
@@ -133,7 +147,7 @@ Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter
     Shapes shapes;
     const Evaluator evaluator(values, shapes, shapes.suspects, reporter);
     name_resources(input, evaluator, shapes, reporter);
-    tie_rings(evaluator, shapes);
+    tie_rings(input, evaluator, shapes);
     check_draw_list_imports(input, reporter);
     shape_all_imports(input, shapes, reporter);
     // The first iteration handles the resources that do not use mips(); the second handles those whose size

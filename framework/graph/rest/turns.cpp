@@ -5,47 +5,61 @@
 namespace weft {
 namespace {
 
-// Returns the entries of the list that count: the first valid ones, without duplicates.
-std::vector<uint32_t> valid_entries(const GroupDecl& group, const std::vector<uint32_t>& list,
-                                    uint32_t& dropped) {
-    std::vector<uint8_t> listed(group.rounds, 0);
-    std::vector<uint32_t> entries;
-    for (const uint32_t round : list) {
-        if (round >= group.rounds || listed[round] != 0 || entries.size() >= group.per_frame) {
-            ++dropped;
-            continue;
-        }
-        listed[round] = 1;
-        entries.push_back(round);
+// Takes the rounds one by one.
+class Taker {
+ public:
+    Taker(const GroupDecl& group, std::span<const AwakeRound> awake)
+        : group_(group), awake_(group.rounds, 0), listed_(group.rounds, 0) {
+        for (const AwakeRound& round : awake) awake_[round.round] = 1;
     }
-    return entries;
-}
+
+    void take(uint32_t round) {
+        choice_.rounds.push_back(round);
+        awake_[round] = 0;
+    }
+
+    // Takes the rounds of the list that are awake.
+    void take_list(const std::vector<uint32_t>& list) {
+        uint32_t taken = 0;
+        for (const uint32_t round : list) {
+            const bool counts = round < group_.rounds && listed_[round] == 0;
+            if (!counts || (awake_[round] != 0 && taken >= group_.per_frame)) {
+                ++choice_.dropped;
+                continue;
+            }
+            listed_[round] = 1;
+            if (awake_[round] == 0) continue;
+            take(round);
+            ++taken;
+        }
+    }
+
+    [[nodiscard]] size_t count() const { return choice_.rounds.size(); }
+    [[nodiscard]] TurnChoice choice() { return std::move(choice_); }
+
+ private:
+    const GroupDecl& group_;
+    std::vector<uint8_t> awake_;   // Index: round. 1: it is awake and not chosen yet.
+    std::vector<uint8_t> listed_;  // Index: round. 1: it is in the list.
+    TurnChoice choice_;
+};
 
 }  // namespace
 
 TurnChoice choose_turns(const GroupDecl& group, std::span<const AwakeRound> awake,
                         const std::vector<uint32_t>* list) {
-    TurnChoice choice;
     std::vector<AwakeRound> waiting(awake.begin(), awake.end());
     std::ranges::stable_sort(
         waiting, {}, [](const AwakeRound& r) { return std::pair(r.has_run, r.has_run ? r.since : 0); });
     const bool warms_up = !waiting.empty() && !waiting.front().has_run;
-    const uint32_t most = warms_up ? std::max(group.per_frame, group.warm_up) : group.per_frame;
-    std::vector<uint8_t> open(group.rounds, 0);  // Index: round. 1: it is awake and not chosen yet.
-    for (const AwakeRound& round : awake) open[round.round] = 1;
-    const auto take = [&](uint32_t round) {
-        if (open[round] != 0) choice.rounds.push_back(round);
-        open[round] = 0;
-    };
-    for (const AwakeRound& round : waiting) {
-        if (choice.rounds.size() >= most) break;
-        // With a list, only the rounds that have never run take turns of their own.
-        const bool may_run = list == nullptr || (!round.has_run && choice.rounds.size() < group.warm_up);
-        if (may_run) take(round.round);
-    }
-    if (list != nullptr)
-        for (const uint32_t round : valid_entries(group, *list, choice.dropped)) take(round);
-    return choice;
+    const uint32_t in_turn = warms_up ? std::max(group.per_frame, group.warm_up) : group.per_frame;
+    // With a list, only the rounds that have never run take turns of their own.
+    const uint32_t most = list == nullptr ? in_turn : group.warm_up;
+    Taker taker(group, awake);
+    for (const AwakeRound& round : waiting)
+        if (taker.count() < most && (list == nullptr || !round.has_run)) taker.take(round.round);
+    if (list != nullptr) taker.take_list(*list);
+    return taker.choice();
 }
 
 }  // namespace weft

@@ -19,13 +19,13 @@ struct AwakeRound {
 struct TurnChoice {
     std::vector<uint32_t> rounds;  // In the order in which they run.
     // Number of entries of the list that were ignored: rounds that do not exist, rounds that are in the list
-    // already, and entries after the first GroupDecl::per_frame.
+    // already, and rounds that are awake, but come after GroupDecl::per_frame others.
     uint32_t dropped = 0;
 };
 
 // `awake` is sorted by round. `list` is the list of rounds that the program gives for this frame; null: the
 // rounds run in turn, and the round that has waited longest comes first. Rounds that have never run come
-// before all others, and do not need to be in the list.
+// before all others. With a list, at most GroupDecl::warm_up of them run in addition to the list.
 [[nodiscard]] TurnChoice choose_turns(const GroupDecl& group, std::span<const AwakeRound> awake,
                                       const std::vector<uint32_t>* list);
 

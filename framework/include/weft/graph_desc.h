@@ -189,6 +189,8 @@ struct PassDesc {
     // For a pass of a group: "relight::filter".
     std::string name;
     std::string group;  // Name of the group to which the pass belongs; empty: none.
+    // True for the pass of a debug view, which Weft adds to show a resource. It may read resources of groups.
+    bool observes = false;
     std::string type;
     QueueKind queue = QueueKind::graphics;
     std::string shader;

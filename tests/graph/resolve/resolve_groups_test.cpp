@@ -327,5 +327,16 @@ TEST_F(ResolveGroups, ACycleInARoundEndsWithWakesFalse) {
     expect_help(d, R"j({ "ref": "probes", "wakes": false })j");
 }
 
+// A readback may come before the first round has run. So the resource gets a first content, like one with
+// "keep".
+TEST_F(ResolveGroups, AnObservedResourceKeepsItsContent) {
+    const std::string text = graph(make_and_store(), show("probes.layer(0)"));
+    EXPECT_EQ(good(text).resources[find_resource(good(text), "g::raw")].lifetime, ResourceLifetime::transient);
+    observed = {"g::raw"};
+    const ResolvedGraph made = good(text);
+    EXPECT_EQ(made.resources[find_resource(made, "g::raw")].lifetime, ResourceLifetime::persistent);
+    EXPECT_EQ(made.resources[find_resource(made, "g::raw")].ring, find_resource(made, "g::raw"));
+}
+
 }  // namespace
 }  // namespace weft::test

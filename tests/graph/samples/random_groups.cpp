@@ -36,8 +36,10 @@ class GroupGenerator {
         for (uint32_t i = 0; i < made_.params; ++i)
             params +=
                 (i == 0 ? "\"p" : ", \"p") + std::to_string(i) + R"(": {"default": 0, "range": [0, 1]})";
+        std::string imports;
+        for (const std::string& order : made_.turns) imports += ", \"" + order + R"(": "turns")";
         const std::string head =
-            is_real_ ? R"("params": {)" + params + "}" : R"("imports": {"noise": "image"})";
+            is_real_ ? R"("params": {)" + params + "}" : R"("imports": {"noise": "image")" + imports + "}";
         made_.text = head + R"(, "resources": {)" + joined(resources_) + R"(}, "groups": {)" +
                      joined(groups_) + R"(}, "passes": {)" + joined(passes_) + "}";
         return std::move(made_);
@@ -136,13 +138,26 @@ class GroupGenerator {
         }
         add_member(members, "store", inputs, image + ".layer(i)");
         groups_.push_back("\"group" + id + R"(": {"repeat": {"i": "0..)" + std::to_string(rounds - 1) +
-                          "\"}" + (rests ? R"(, "rest": true)" : "") + R"(, "resources": {)" +
-                          joined(locals) + R"(}, "passes": {)" + joined(members) + "}}");
+                          "\"}" + (rests ? R"(, "rest": true)" : "") + turn_keys(id, rests) +
+                          R"(, "resources": {)" + joined(locals) + R"(}, "passes": {)" + joined(members) +
+                          "}}");
         pass("last" + id, work({}, image + ".layer(" + std::to_string(rounds) + ")", false));
         for (uint32_t layer = 0; layer < rounds; ++layer) {
             kept_.push_back(image + ".layer(" + std::to_string(layer) + ")");
             if (rests) still_.push_back(kept_.back());
         }
+    }
+
+    // Returns keys that limit the rounds of each frame.
+    std::string turn_keys(const std::string& id, bool rests) {
+        std::string keys;
+        if (pure_) return keys;
+        if (chance(50)) keys += R"(, "perFrame": )" + std::to_string(below(3));
+        if (chance(40)) keys += R"(, "warmUp": )" + std::to_string(below(3));
+        if (rests && chance(40)) keys += R"(, "settle": )" + std::to_string(1 + below(2));
+        if (!chance(40)) return keys;
+        made_.turns.push_back("order" + id);
+        return keys + R"(, "turns": "order)" + id + "\"";
     }
 
     void add_member(std::vector<std::string>& members, const std::string& name,

@@ -16,7 +16,8 @@ struct RandomGroups {
     std::string text;  // The body of the graph, without the outer braces and the version.
     // References to observe, as with `--resource`. They name transients of groups.
     std::vector<std::string> observed;
-    uint32_t params = 0;  // Number of parameters; see RestShaders.
+    uint32_t params = 0;             // Number of parameters; see RestShaders.
+    std::vector<std::string> turns;  // Names of the imports of kind "turns".
 };
 
 // `pure`: all groups have "rest", no group limits the number of rounds per frame, and no port has

@@ -138,6 +138,26 @@ TEST_F(GroupsVk, AListChoosesTheRoundsAndTheirOrder) {
     EXPECT_EQ(layers("marked"), (Layers{2, 4, 4, 4}));
 }
 
+// A resource of a group can be shown also before a round has run. Then it has its first content.
+TEST_F(GroupsVk, AResourceOfAGroupIsShownBeforeARoundHasRun) {
+    const Result<scene::Scene> scene = scene::make_builtin("spheres");
+    const std::unique_ptr<render::Session> session =
+        start(*scene, scene::framing_camera(*scene, 1), kBakeGraph, {32, 32, 1}, {"listed::raw"});
+    ASSERT_TRUE(session);
+    frame(*session, {});
+    EXPECT_EQ(layers("listed::raw"), Layers{0});
+    frame(*session, {2});
+    EXPECT_EQ(layers("listed::raw"), Layers{2});
+    frame(*session, {});
+    EXPECT_EQ(layers("listed::raw"), Layers{2}) << "the round that ran last has left it";
+    render::Selection selection = session->selection();
+    selection.request.debug = "listed::raw";
+    render::PrepareResult made = session->prepare(selection);
+    ASSERT_TRUE(made.result) << to_text(made.result.errors());
+    ASSERT_TRUE(session->swap_in(std::move(*made.result)));
+    frame(*session, {});
+}
+
 // A pass in C++ that gives the list of turns 1, 0 in each frame.
 struct ChooseRounds {
     static constexpr std::string_view kType = "choose_rounds";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/parse/reference.h"
 #include "graph/resolve/bind/find_range.h"
 #include "graph/resolve/bind/find_role.h"
 #include "graph/resolve/bind/presence.h"
@@ -70,11 +71,33 @@ class ReferenceBinder {
         return false;
     }
 
+    // Returns the names of the resources that the pass may use: those of other groups are not among them.
+    [[nodiscard]] std::vector<std::string> visible_resources(const PassDraft& draft) const {
+        std::vector<std::string> names = resource_names(declared_.shapes.resources);
+        std::erase_if(names, [&](const std::string& name) {
+            const ResourceId id = resource_id(declared_.shapes.resources, name);
+            const ResourceDesc* desc = declared_.shapes.origins[id].desc;
+            return desc != nullptr && !desc->group.empty() && desc->group != draft.desc->group;
+        });
+        return names;
+    }
+
+    // Returns a help if a group has a resource of this name, else an empty text.
+    [[nodiscard]] std::string group_help(const std::string& name) const {
+        for (const ResourceOrigin& origin : declared_.shapes.origins)
+            if (origin.desc != nullptr && !origin.desc->group.empty() &&
+                origin.desc->name == name_in_group(origin.desc->group, name))
+                return "the resource " + quote(name) + " of group " + quote(origin.desc->group) +
+                       " exists only for the passes of this group: move it to the \"resources\" of the graph "
+                       "and add \"keep\": true, or move the pass into the group";
+        return {};
+    }
+
     ResourceId find_port_resource(PassId pass, const RefDesc& ref, bool is_output) {
         const ResourceId id = resource_id(declared_.shapes.resources, ref.name);
         if (id != kNoId) return id;
         const std::vector<std::string> near_names =
-            did_you_mean(ref.name, resource_names(declared_.shapes.resources));
+            did_you_mean(ref.name, visible_resources(declared_.expansion.passes[pass]));
         if (means_faulty_import(pass, ref.name, near_names)) return kNoId;
         const std::string verb = is_output ? " writes " : " reads ";
         const std::string who = name_reader(declared_.expansion.passes[pass]) + verb;
@@ -89,6 +112,10 @@ class ReferenceBinder {
             return kNoId;
         }
         Diagnostic& d = report_.error(pass, ref.loc, "W103", who + "unknown resource " + quote(ref.name));
+        if (const std::string help = group_help(ref.name); !help.empty()) {
+            add_help(d, help);
+            return kNoId;
+        }
         const std::string near = did_you_mean_text(near_names);
         add_help(d, near.empty() ? "declare the resource in \"resources\", or import it" : near);
         if (is_output) suspect_near_names(near_names);

@@ -285,6 +285,11 @@ void check_layouts(const Declared& declared, const FormattedGraph& graph, PassId
                 add_help(d, "give each port its own mips, layers or resource");
             } else {
                 add_help(d, "use storage images for both ports, read a copy, or use other mips and layers");
+                if (declared.expansion.passes[pass].group != kNoId)
+                    add_help(
+                        d,
+                        "or read the image in an earlier pass of the group, and keep what is needed in a "
+                        "resource of the group");
             }
             return;
         }

@@ -2,6 +2,7 @@
 // where the author can break the cycle.
 #include <algorithm>
 #include <deque>
+#include <set>
 #include <tuple>
 
 #include "graph/resolve/fault_text.h"
@@ -204,6 +205,10 @@ class CycleReport {
     void report(const std::vector<PassId>& knot) {
         const OrderArc* cut = best_cut(knot);
         if (!cut) return;
+        // The rounds of a group often have the same cycle. It is reported once.
+        const auto desc = [&](PassId pass) { return declared_.expansion.passes[pass].desc; };
+        const bool in_group = declared_.expansion.passes[cut->to].group != kNoId;
+        if (in_group && !reported_.insert({desc(cut->from), desc(cut->to), cut->resource}).second) return;
         std::string text = declared_.pass_name(cut->to) + " (" + reason(*cut) + ")";
         std::vector<Note> notes;
         constexpr size_t kMostTold = 16;
@@ -235,6 +240,7 @@ class CycleReport {
     const PassOrder& order_;
     Reporter& reporter_;
     std::vector<uint8_t> done_;
+    std::set<std::tuple<const PassDesc*, const PassDesc*, ResourceId>> reported_;
 };
 
 }  // namespace

@@ -73,7 +73,8 @@ class RoundSeparator {
         const uint32_t last = rounds.empty() ? 0 : rounds.rbegin()->first;
         for (const CellUse& reader : cell.readers) {
             const bool inside = draft(reader.pass).desc->group == group;
-            if (!inside && !draft(reader.pass).is_observer) return report_outside(cell, reader, group);
+            const bool observes = draft(reader.pass).is_observer || draft(reader.pass).desc->observes;
+            if (!inside && !observes) return report_outside(cell, reader, group);
             if (!inside) use(reader).latest = true;
             round(inside ? draft(reader.pass).round : last).readers.push_back(reader);
         }
