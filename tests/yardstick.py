@@ -90,9 +90,11 @@ def own_resources(passes, all_passes, resources):
 
 
 def measure(text, passes, also=()):
-    """Returns the number of lines, the number of tokens, and the resources that belong to these passes."""
+    """Returns the number of lines, the number of tokens, and the resources that belong to these passes. A name may also
+    be that of a group, which counts as a whole; `also` names the resources that its passes write."""
     _, graph, _ = object_at(tokens_of(text), 0)
     all_passes, resources = graph["passes"].members, graph["resources"].members if "resources" in graph else {}
+    all_passes |= graph["groups"].members if "groups" in graph else {}
     missing = [name for name in passes if name not in all_passes]
     if missing:
         raise ValueError(f"there is no pass {missing[0]}, but " + ", ".join(all_passes))
@@ -135,6 +137,9 @@ def self_test():
     # pass makes b.
     assert measure(SAMPLE, ["third"]) == (2, 28, ["c"]), measure(SAMPLE, ["third"])
     assert measure(SAMPLE, ["second", "third"]) == (5, 43 + 11 + 28, ["b", "c"]), measure(SAMPLE, ["second", "third"])
+    # The group is `"g" : { "passes" : { "fill" : { "type" : "clear" } } }` with 15 tokens.
+    grouped = SAMPLE.replace('"passes": {', '"groups": { "g": { "passes": { "fill": { "type": "clear" } } } },\n  "passes": {', 1)
+    assert measure(grouped, ["g"], ["d"]) == (2, 15 + 3, ["d"]), measure(grouped, ["g"], ["d"])
     assert measure(SAMPLE, ["third"], ["d"]) == (3, 31, ["c", "d"]), measure(SAMPLE, ["third"], ["d"])
     for bad, passes, what in ((SAMPLE, ["fourth"], "no pass fourth"), (SAMPLE.replace('"a": "rgba8"', " " * 99 + '"a": "rgba8"'), ["first"], "120 columns"),
                               (SAMPLE + '"', ["first"], "not JSON")):
