@@ -189,9 +189,10 @@ class Reference {
         }
     }
 
-    // Returns the resource of a ring with this age, or kNoId if there is none. begin_frame() computes the age
-    // before age 0 as 0 - 1 = UINT32_MAX. For this age, the result is kNoId if a pass writes the ring. If no
-    // pass writes it, all copies are equal, and the result is the resource of age 0.
+    // Returns the resource that has the copy of this age in a ring, or kNoId if there is none. begin_frame()
+    // asks for age - 1. For age 0, this is UINT32_MAX: the copy that the frame is about to write. If a pass
+    // writes the ring, this copy has no content yet, and the result is kNoId. If no pass writes the ring, all
+    // its copies have the same content, and the result is the resource of age 0.
     ResourceId role(ResourceId ring, uint32_t age) const {
         if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
         for (ResourceId id(0); id < graph_.resources.size(); ++id)

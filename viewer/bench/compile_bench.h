@@ -35,8 +35,9 @@ struct CompiledGraph {
     [[nodiscard]] double heap_to_peak() const;
 };
 
-// `settings` is for loading the first graph from files. Calls `progress` with the number of compiled graphs
-// after each graph.
+// Compiles one graph for each seed, and returns their measurements. The first graph is also written to files
+// and loaded from them, with `settings`, to measure the front end. After each graph, calls `progress` with
+// the number of graphs compiled so far.
 [[nodiscard]] std::vector<CompiledGraph> measure_compile(const BenchOptions& options,
                                                          const LoadSettings& settings,
                                                          const std::function<void(uint32_t)>& progress);

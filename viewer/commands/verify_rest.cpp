@@ -15,9 +15,7 @@ namespace {
 bool may_differ(const FramePlan& plan, const PassDecl& pass) {
     for (const GroupDecl& group : plan.graph.groups) {
         if (!group.has_unit(pass.rest_unit)) continue;
-        const bool all_run = group.rests && group.per_frame >= group.rounds &&
-                             group.warm_up >= group.rounds && group.turns.empty() && group.settle == 0;
-        if (!all_run) return true;
+        if (!group.rests || group.is_limited() || group.settle > 0) return true;
     }
     return std::ranges::any_of(pass.uses, [](const UseDecl& use) { return !use.wakes; });
 }

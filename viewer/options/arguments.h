@@ -38,8 +38,9 @@ namespace weft::viewer {
 [[nodiscard]] std::string plot_fault(const std::string& text);
 
 // Returns a message if the arguments (without the name of the program) contain a flag that is reserved for a
-// later version, or if the command is `view` without --headless or --help. Otherwise, returns an empty text.
-// This check runs before CLI11 parses the arguments, because its error for such a flag would be confusing.
+// later version, or if the command is `view` and neither --headless nor --help is given. Otherwise, returns
+// an empty text. Call this before CLI11 parses the arguments: the error of CLI11 for such a flag would be
+// confusing.
 [[nodiscard]] std::string future_fault(const std::vector<std::string>& arguments);
 
 }  // namespace weft::viewer

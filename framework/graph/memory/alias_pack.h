@@ -12,8 +12,8 @@
 
 namespace weft {
 
-// Places the items by decreasing size, each into the smallest sufficient gap between items that are alive at
-// the same time.
+// Places the items by decreasing size. Each item goes into the smallest sufficient gap between those placed
+// items whose lifetimes overlap its own.
 [[nodiscard]] Packing pack_size_descending(const std::vector<PackItem>& items);
 // Places the items by the start of their lifetimes. When a lifetime ends, its bytes become a free gap; a new
 // item takes the smallest sufficient gap.

@@ -1,7 +1,8 @@
-// Purpose: chooses in each frame which units run: passes with "rest", and rounds of groups. A unit that may
-// rest rests if everything is equal to its last run: its own inputs (parameters, constants, imports) and the
-// versions of the parts that other units wrote. The rounds of a group that are awake take turns. All of this
-// is known before the frame is recorded.
+// Purpose: chooses for each frame which units run. A unit is a set of passes with "rest" that run together, or
+// a round of a group. A unit that may rest does not run if nothing has changed since its last run: neither its
+// own inputs (parameters, constants, imports) nor the versions of the parts that it reads from other units. If
+// a group limits the number of rounds per frame, its rounds take turns. All of this is known before the frame
+// is recorded.
 #pragma once
 
 #include <cstddef>

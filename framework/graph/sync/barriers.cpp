@@ -54,9 +54,9 @@ class AliasTransitionRows {
 // Resources A, B and C use the same memory, one after the other. The alias barrier before C waits for B, the
 // direct previous owner. This class finds the earlier owners, such as A, for which this barrier must wait
 // too:
-// - B wrote only a part of the memory. Only the barrier before B waited for the accesses to the rest of A. So
-//   the order of A and C depends on a barrier of another resource, and the validation layer of
-//   Vulkan 1.3.239 does not follow such a chain.
+// - B did not overwrite all of the memory of A. For the bytes that B did not write, only a chain of two
+//   barriers orders A and C: the barrier before B waits for A, and the barrier before C waits for B. The
+//   validation layer of Vulkan 1.3.239 does not follow such a chain.
 // - B is a buffer and C is an image, or the reverse. The layer does not see that they overwrite each other.
 class EarlierOwners {
  public:

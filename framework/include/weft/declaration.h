@@ -342,6 +342,10 @@ struct GroupDecl {
     [[nodiscard]] bool has_unit(uint32_t unit) const {
         return unit >= first_unit && unit - first_unit < rounds;
     }
+    // Returns true if a frame may be unable to run all rounds.
+    [[nodiscard]] bool is_limited() const {
+        return per_frame < rounds || warm_up < rounds || !turns.empty();
+    }
 };
 
 struct ResolvedGraph {

@@ -24,8 +24,9 @@ struct PictureLevel {
     std::vector<glm::vec3> texels;
 };
 
-// The range of source texels that one texel of a shorter row or column covers. `begin` and `end` are the
-// exact limits of the range as fractional positions, measured in source texels.
+// A picture is made smaller along one axis. This is the range of source texels along this axis that one texel
+// of the smaller picture covers. `begin` and `end` are the exact limits of the range as fractional positions,
+// measured in source texels.
 struct Cover {
     uint32_t first = 0;
     uint32_t last = 0;  // Index of the last source texel in the range, inclusive.

@@ -23,7 +23,7 @@ constexpr const char* kWide = "use float, int and uint; where 32 bits are not en
 constexpr const char* kNarrow =
     "use float, int and uint; pack smaller numbers into a uint with packHalf2x16() or packUnorm4x8()";
 constexpr const char* kFloatAtomic =
-    "use integer atomics; for minimum and maximum of positive floats, use them on floatBitsToUint()";
+    "use integer atomics; for the minimum or maximum of positive floats, store floatBitsToUint(x) in a uint";
 constexpr const char* kSample =
     "shade once per pixel; to read single samples of an input, use texelFetch() with a sampler2DMS";
 constexpr const char* kStoreSamples =

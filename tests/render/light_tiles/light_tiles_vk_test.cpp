@@ -89,8 +89,9 @@ TEST_F(LightTiles, MissNoLightFarFromTheOrigin) {
 }
 
 // Returns the scene with 1024 lights, each in front of a visible surface point, with a range that ends just
-// behind the point. On a wall that faces the camera, rounding decides whether such a light reaches the wall,
-// so the shaders need their tolerance for rounding.
+// behind the point. The scene tests the tolerance for rounding in the shaders that cull lights. All points of
+// a wall that faces the camera have nearly the same depth. Without the tolerance, a rounding error could
+// remove a light whose range ends just behind the wall.
 scene::Scene lights_that_just_reach(const scene::Scene& scene, const scene::Camera& camera,
                                     const TileFrame& frame) {
     std::mt19937 engine(3);

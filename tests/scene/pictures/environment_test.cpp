@@ -53,8 +53,8 @@ void expect_irradiance(const Environment& environment, const std::function<doubl
 }
 
 TEST(Environment, AConstantOneLightsEverySideAlike) {
-    // The size 7 × 3 is odd on purpose: the integrals over texels are exact, so the size of the picture does
-    // not matter.
+    // The integrals over texels are exact, so the result must not depend on the size of the picture. The
+    // unusual size 7 × 3 tests this.
     expect_irradiance(
         environment_of(7, 3, [](glm::dvec3) { return glm::dvec3(2.5); }), [](glm::dvec3) { return 2.5; },
         1e-6);

@@ -332,6 +332,15 @@ class RestUnitFinder {
         });
     }
 
+    // After a resize, a group with limited rounds may need several frames until all rounds have run. Until
+    // then their outputs must not be undefined.
+    void clear_outputs(PassId pass) {
+        for (const UseDecl& u : graph_.passes[pass].uses) {
+            OnResize& on_resize = graph_.resources[u.resource].on_resize;
+            if (writes(u.access) && on_resize == OnResize::refill) on_resize = OnResize::clear;
+        }
+    }
+
     void number_units() {
         graph_.rest_units.assign(graph_.passes.size(), kNoId);
         for (PassId pass(0); pass < graph_.passes.size(); ++pass) {
@@ -344,6 +353,8 @@ class RestUnitFinder {
             group.first_unit = graph_.rest_unit_count;
             graph_.rest_unit_count += group.rounds;
         }
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass)
+            if (group_of(pass) && group_of(pass)->is_limited()) clear_outputs(pass);
         for (PassId pass(0); pass < graph_.passes.size(); ++pass)
             if (draft(pass).group != kNoId)
                 graph_.rest_units[pass] = graph_.groups[draft(pass).group].first_unit + draft(pass).round;

@@ -17,8 +17,9 @@ struct FrameInput {
     float exposure_ev = 0;
     double time_s = 0;
     double delta_time_s = 0;  // Time since the previous frame.
-    // For each import of kind "turns": the rounds of the group to run in this frame, in this order. A group
-    // whose import has no list here runs its rounds in turn.
+    // Lists of turns. Key: the name of an import of kind "turns", which a group of passes uses. Value: the
+    // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
+    // entry, the group itself chooses: its rounds run in turn.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
 };
 
