@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "check/replay.h"
+
 namespace weft::check {
 namespace {
 
@@ -120,8 +122,8 @@ class GroupCheck {
         each_part(use, [&](const Part& part) {
             PartUse& all = parts_[part];
             if (find(step.after, part) != nullptr) return;
-            all.writers |= use.state.stages;
-            all.writes |= use.state.access & access::kAllWrites;
+            all.writers |= state_of(step, use).stages;
+            all.writes |= state_of(step, use).access & access::kAllWrites;
         });
     }
 
@@ -134,6 +136,14 @@ class GroupCheck {
         });
     }
 
+    // Returns the state of a use. The load and store operations of an attachment may need fewer accesses.
+    [[nodiscard]] AccessState state_of(const PassStep& step, const UseDecl& use) const {
+        const PassDecl& pass = plan_.graph.passes[step.pass];
+        const auto index = static_cast<uint32_t>(&use - pass.uses.data());
+        const auto ops = std::ranges::find(step.attachments, index, &AttachmentOps::use);
+        return effective_state(use, ops == step.attachments.end() ? nullptr : &*ops);
+    }
+
     // Returns true if the write waits for all accesses of all rounds, and if all readers wait for it.
     [[nodiscard]] bool is_guarded(const PassStep& step, const UseDecl& use, const Part& part) const {
         const PartUse& all = parts_.at(part);
@@ -142,9 +152,11 @@ class GroupCheck {
         if (before == nullptr || ((all.readers | all.writers) & ~before->src.stages) != 0 ||
             (all.writes & ~before->src.access) != 0)
             return false;
+        const AccessState own = state_of(step, use);
+        const AccessMask written = own.access & access::kAllWrites;
+        if ((own.stages & ~before->dst.stages) != 0 || (own.access & ~before->dst.access) != 0) return false;
         if (after == nullptr) return all.readers == stage::kNone;
-        return (use.state.stages & ~after->src.stages) == 0 &&
-               (use.state.access & access::kAllWrites & ~after->src.access) == 0 &&
+        return (own.stages & ~after->src.stages) == 0 && (written & ~after->src.access) == 0 &&
                (all.readers & ~after->dst.stages) == 0 && (all.reads & ~after->dst.access) == 0 &&
                (after->dst.stages & before->src.stages) != 0;
     }
