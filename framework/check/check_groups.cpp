@@ -139,9 +139,7 @@ class GroupCheck {
     // Returns the state of a use. The load and store operations of an attachment may need fewer accesses.
     [[nodiscard]] AccessState state_of(const PassStep& step, const UseDecl& use) const {
         const PassDecl& pass = plan_.graph.passes[step.pass];
-        const auto index = static_cast<uint32_t>(&use - pass.uses.data());
-        const auto ops = std::ranges::find(step.attachments, index, &AttachmentOps::use);
-        return effective_state(use, ops == step.attachments.end() ? nullptr : &*ops);
+        return effective_state(use, ops_of(step, static_cast<uint32_t>(&use - pass.uses.data())));
     }
 
     // Returns true if the write waits for all accesses of all rounds, and if all readers wait for it.

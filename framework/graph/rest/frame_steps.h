@@ -20,6 +20,7 @@ struct FrameStep {
 
     // Returns true for the step that only records shared barriers before or after the rounds of a group.
     [[nodiscard]] bool is_border() const { return shared_before != shared_after; }
+    [[nodiscard]] bool is_empty() const { return !shared_before && !runs && !shared_after; }
     // Returns true if the barrier, of the list before or after the pass, is recorded.
     [[nodiscard]] bool records(const BarrierDecl& barrier, bool is_before) const {
         return barrier.if_pass_runs ? runs : (is_before ? shared_before : shared_after);

@@ -179,6 +179,8 @@ TurnLists ReplayExecutor::prepare_uploads(const FrameInput& frame, uint32_t slot
 void ReplayExecutor::record_step(const RecordContext& context, const FrameStep& recorded) {
     const FramePlan& plan = objects_->plan;
     const Position position = recorded.position;
+    // A round that does not run records nothing but the time stamps of its passes.
+    if (recorded.is_empty()) return objects_->timer.record_pass_end(context.commands, context.slot, position);
     const PassStep& step = plan.barriers.steps[position];
     const std::string& name = plan.graph.passes[step.pass].name;
     device_.messages().set_current_pass(name);
