@@ -14,7 +14,10 @@ std::string wake_text(const FramePlan& plan, const Wake& wake) {
         case WakeReason::changing:
             return "an input may change in every frame";
         case WakeReason::input:
-            return "a parameter, a constant of the frame or view, a draw list or an import has changed";
+            return (wake.input.empty()
+                        ? "a parameter, a constant of the frame or view, a draw list or an import"
+                        : wake.input) +
+                   " has changed";
         case WakeReason::settles:
             return "the round runs again to settle after a change";
         case WakeReason::turn:

@@ -1,8 +1,8 @@
-// Purpose: chooses for each frame which units run. A unit is a set of passes with "rest" that run together, or
-// a round of a group. A unit that may rest does not run if nothing has changed since its last run: neither its
-// own inputs (parameters, constants, imports) nor the versions of the parts that it reads from other units. If
-// a group limits the number of rounds per frame, its rounds take turns. All of this is known before the frame
-// is recorded.
+// Purpose: chooses for each frame which units run. A unit is a set of passes with "rest" that run together,
+// or a round of a group. A unit that may rest does not run if nothing has changed since its last run: neither
+// its own inputs (parameters, constants, imports) nor the versions of the parts that it reads from other
+// units. If a group limits the number of rounds per frame, its rounds take turns. All of this is known before
+// the frame is recorded.
 #pragma once
 
 #include <cstddef>
@@ -37,6 +37,7 @@ enum class WakeReason : uint8_t {
 struct Wake {
     WakeReason reason = WakeReason::rests;
     uint32_t unit = kNoId;  // For WakeReason::unit: the other unit.
+    std::string input;      // For WakeReason::input: the input that has changed, if it is known.
 
     [[nodiscard]] bool runs() const { return reason != WakeReason::rests && reason != WakeReason::waits; }
 };
@@ -71,6 +72,8 @@ class RestState {
     void inherit(const RestState& old, const std::vector<MatchedUnit>& matches);
     // Returns true if the unit has run since its results were made or cleared.
     [[nodiscard]] bool has_result(uint32_t unit) const { return units_[unit].has_result; }
+    // Returns the inputs of the unit's last run.
+    [[nodiscard]] const std::vector<std::byte>& last_input(uint32_t unit) const { return units_[unit].input; }
     // Lets the unit run in the next frame.
     void wake(uint32_t unit) { units_[unit].has_run = false; }
 

@@ -153,6 +153,19 @@ void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turn
     }
     chosen_ = rest_.choose(unit_inputs_, turns);
     objects_->validity.begin_frame(rest_, chosen_);
+    for (uint32_t unit = 0; unit < chosen_.wakes.size(); ++unit)
+        if (chosen_.wakes[unit].reason == WakeReason::input)
+            chosen_.wakes[unit].input =
+                changed_input({*objects_, frame, {objects_->resources, frames_run_}, slot},
+                              positions_of(unit), rest_.last_input(unit));
+}
+
+std::vector<Position> ReplayExecutor::positions_of(uint32_t unit) const {
+    const FramePlan& plan = objects_->plan;
+    std::vector<Position> positions;
+    for (Position position(0); position < plan.schedule.order.size(); ++position)
+        if (plan.graph.passes[plan.schedule.order[position]].rest_unit == unit) positions.push_back(position);
+    return positions;
 }
 
 std::vector<uint8_t> ReplayExecutor::running_units() const {

@@ -42,9 +42,9 @@ class FrameSlots {
     // Returns the command buffer that is used in frame 0 only. It runs before all batches, on queue 0, and
     // initialises persistent resources.
     [[nodiscard]] VkCommandBuffer prologue(uint32_t slot) const { return slots_[slot].prologue; }
-    // Submits the batches of a frame in the order of the plan. `empty` tells which of them have no commands and
-    // are left out (index: batch; 1: left out); an empty list means that all are submitted. If this fails, some
-    // of the batches may be in flight.
+    // Submits the batches of a frame in the order of the plan. `empty` tells which of them have no commands
+    // and are left out (index: batch; 1: left out); an empty list means that all are submitted. If this
+    // fails, some of the batches may be in flight.
     [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame, const std::vector<uint8_t>& empty);
 
  private:

@@ -62,6 +62,7 @@ class ReplayExecutor final : public Executor {
     void record_step(const RecordContext& context, const FrameStep& step);
     void record_epilogue(const RecordContext& context);
     void record_start(VkCommandBuffer commands) const;
+    [[nodiscard]] std::vector<Position> positions_of(uint32_t unit) const;
     [[nodiscard]] std::vector<uint8_t> running_units() const;
     [[nodiscard]] std::vector<uint8_t> empty_batches() const;
     [[nodiscard]] Status submit_frame(uint32_t slot);

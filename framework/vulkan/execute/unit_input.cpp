@@ -13,36 +13,81 @@ void add_number(uint64_t number, std::vector<std::byte>& bytes) {
     std::memcpy(bytes.data() + old, &number, sizeof number);
 }
 
+// Compares the inputs of a unit, part by part, with those of its last run. Without `last`, it does nothing.
+class Comparison {
+ public:
+    Comparison() = default;
+    explicit Comparison(std::span<const std::byte> last) : last_(last), compares_(true) {}
+
+    // Compares the bytes that were added since the last call. `name` returns the name of this part; its
+    // argument is the first byte of the part that differs.
+    template <class Name>
+    void part(const std::vector<std::byte>& bytes, const Name& name) {
+        if (compares_ && found_.empty())
+            for (size_t at = seen_; at < bytes.size(); ++at)
+                if (at >= last_.size() || bytes[at] != last_[at]) {
+                    found_ = name(at - seen_);
+                    break;
+                }
+        seen_ = bytes.size();
+    }
+    [[nodiscard]] std::string found() const { return found_; }
+
+ private:
+    std::span<const std::byte> last_;
+    bool compares_ = false;
+    size_t seen_ = 0;
+    std::string found_;
+};
+
+std::string quoted(const std::string& name) {
+    return "\"" + name + "\"";
+}
+
+// Returns the name of the member of Params at this byte.
+std::string member_at(const PassDecl& pass, size_t at) {
+    for (const ParamWrite& write : pass.params)
+        if (at >= write.offset_bytes && at < write.offset_bytes + size_t{4} * write.components)
+            return "member " + quoted(write.member) + " of Params of pass " + quoted(pass.name);
+    return "Params of pass " + quoted(pass.name);
+}
+
 // Returns false if the set or one of the draw lists may change in every frame.
 bool add_draws(const UnitInputContext& context, const PassDecl& pass, const PreparedPass& prepared,
-               std::vector<std::byte>& bytes) {
+               std::vector<std::byte>& bytes, Comparison& comparison) {
     const DrawSource* draws = context.objects.draws;
     if (prepared.layout.declares[kFrameSet] &&
         !draws->add_frame_bytes(context.slot, pass.view, prepared.frame_ranges, bytes))
         return false;
+    comparison.part(bytes, [&](size_t) {
+        return "a constant of the frame or of view " + quoted(pass.view) + " that pass " + quoted(pass.name) +
+               " reads";
+    });
     for (const std::string& list : pass.draw_lists) {
         const std::optional<uint64_t> version = draws->list_version(list);
         if (!version) return false;
         add_number(*version, bytes);
+        comparison.part(bytes, [&](size_t) { return "draw list " + quoted(list); });
     }
     return true;
 }
 
 // Returns false if the pass reads an import without a version.
-bool add_imports(const UnitInputContext& context, const PassDecl& pass, std::vector<std::byte>& bytes) {
+bool add_imports(const UnitInputContext& context, const PassDecl& pass, std::vector<std::byte>& bytes,
+                 Comparison& comparison) {
     for (const UseDecl& use : pass.uses) {
         const ResourceDecl& resource = context.objects.plan.graph.resources[use.resource];
         if (resource.lifetime != ResourceLifetime::imported || !use.wakes) continue;
         const auto version = context.frame.import_versions.find(resource.name);
         if (version == context.frame.import_versions.end()) return false;
         add_number(version->second, bytes);
+        comparison.part(bytes, [&](size_t) { return "import " + quoted(resource.name); });
     }
     return true;
 }
 
-}  // namespace
-
-void add_unit_input(const UnitInputContext& context, Position position, UnitInput& input) {
+void add_inputs(const UnitInputContext& context, Position position, UnitInput& input,
+                Comparison& comparison) {
     if (!input) return;
     const FramePlan& plan = context.objects.plan;
     const PassId id = plan.schedule.order[position];
@@ -53,15 +98,32 @@ void add_unit_input(const UnitInputContext& context, Position position, UnitInpu
     // The validity of what the pass reads is left out: a unit whose results become valid has run, and so it
     // wakes its readers.
     write_params(plan.graph, id, {context.frame, context.resources}, std::span(bytes).subspan(old));
+    comparison.part(bytes, [&](size_t at) { return member_at(pass, at); });
     // The values of passes without a shader, such as the value of a clear.
     for (const float channel : pass.clear) {
         uint32_t bits = 0;
         std::memcpy(&bits, &channel, sizeof bits);
         add_number(bits, bytes);
     }
-    const bool known = add_draws(context, pass, context.objects.passes[position], bytes) &&
-                       add_imports(context, pass, bytes);
+    comparison.part(bytes, [&](size_t) { return "the clear value of pass " + quoted(pass.name); });
+    const bool known = add_draws(context, pass, context.objects.passes[position], bytes, comparison) &&
+                       add_imports(context, pass, bytes, comparison);
     if (!known) input.reset();
+}
+
+}  // namespace
+
+void add_unit_input(const UnitInputContext& context, Position position, UnitInput& input) {
+    Comparison none;
+    add_inputs(context, position, input, none);
+}
+
+std::string changed_input(const UnitInputContext& context, std::span<const Position> positions,
+                          std::span<const std::byte> last) {
+    UnitInput input(std::in_place);
+    Comparison comparison(last);
+    for (const Position position : positions) add_inputs(context, position, input, comparison);
+    return comparison.found();
 }
 
 }  // namespace weft::vk

@@ -3,6 +3,9 @@
 // and of its imports. If the bytes are those of the last run, these inputs have not changed.
 #pragma once
 
+#include <span>
+#include <string>
+
 #include "graph/rest/rest_state.h"
 #include "vulkan/record/plan_objects.h"
 
@@ -18,5 +21,10 @@ struct UnitInputContext {
 // Appends the inputs of the pass at `position` to the inputs of its unit. The result is nullopt if an input
 // may change in every frame.
 void add_unit_input(const UnitInputContext& context, Position position, UnitInput& input);
+// Returns a text about the first input that differs from the last run of the unit, for example `member
+// "power" of Params of pass "base"`. `positions` are the passes of the unit, `last` are the bytes of its last
+// run.
+[[nodiscard]] std::string changed_input(const UnitInputContext& context, std::span<const Position> positions,
+                                        std::span<const std::byte> last);
 
 }  // namespace weft::vk

@@ -91,6 +91,30 @@ TEST_F(Rest, APassRunsOnlyIfItsInputsHaveChanged) {
     EXPECT_EQ(frame(*session), Names{}) << "no pass with rest reads the exposure";
 }
 
+TEST_F(Rest, APassThatWakesTellsWhatHasChanged) {
+    const std::unique_ptr<render::Session> session = begin(read_text);
+    ASSERT_TRUE(session);
+    const auto reasons = [&] {
+        EXPECT_TRUE(draw_frame(*session));
+        EXPECT_TRUE(session->finish());
+        std::map<std::string, std::string> found;
+        for (const vk::FrameTiming& timing : session->take_timings())
+            for (const vk::PassTiming& pass : timing.passes)
+                if (!pass.woken_by.empty()) found[pass.pass] = pass.woken_by;
+        return found;
+    };
+    EXPECT_EQ(reasons()["base"], "the pass has not run with this plan and these shaders");
+    set_power(*session, 3);
+    std::map<std::string, std::string> found = reasons();
+    EXPECT_EQ(found["base"], "member \"power\" of Params of pass \"base\" has changed");
+    EXPECT_EQ(found["halve"], "pass \"base\" ran");
+    frame_of(*session).camera.transform[3].x += 0.5f;
+    found = reasons();
+    EXPECT_EQ(found["eye"],
+              "a constant of the frame or of view \"camera\" that pass \"eye\" reads has changed");
+    EXPECT_EQ(found.count("base"), 0u);
+}
+
 // After a resize, a unit rests if its resources keep their size and its inputs have not changed.
 TEST_F(Rest, AResizeWakesOnlyWhatItTouches) {
     const std::unique_ptr<render::Session> session = begin(read_text);
