@@ -62,11 +62,7 @@ class RestCheck {
 
  private:
     [[nodiscard]] uint32_t unit_of(PassId pass) const { return plan_.graph.passes[pass].rest_unit; }
-    [[nodiscard]] const GroupDecl* group_of(uint32_t unit) const {
-        for (const GroupDecl& group : plan_.graph.groups)
-            if (unit != kNoId && group.has_unit(unit)) return &group;
-        return nullptr;
-    }
+    [[nodiscard]] const GroupDecl* group_of(uint32_t unit) const { return find_group(plan_.graph, unit); }
     // Returns true if the result of the pass must not depend on its own earlier result.
     [[nodiscard]] bool is_pure(PassId pass) const {
         const GroupDecl* group = group_of(unit_of(pass));

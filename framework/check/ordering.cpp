@@ -58,7 +58,8 @@ AccessRecord AccessRecord::transition(const Actor& actor, const Scopes& scopes) 
     record.available_reach_ = scopes.dst_execution;  // A layout transition makes its own writes available.
     record.transition_reach_ = scopes.dst_execution;
     for (int t = 0; t < stage::kCount; ++t)
-        if (has(scopes.dst_memory, t)) record.visible_[static_cast<size_t>(t)] = static_cast<ShortMask>(scopes.dst_access);
+        if (has(scopes.dst_memory, t))
+            record.visible_[static_cast<size_t>(t)] = static_cast<ShortMask>(scopes.dst_access);
     return record;
 }
 

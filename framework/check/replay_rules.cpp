@@ -92,11 +92,8 @@ bool Replay::is_latest_content(PassId reader, const UseDecl& use, const Cell& ce
     if (!use.latest) return false;
     if (found.kind == Content::Kind::initial || found.kind == Content::Kind::carried) return true;
     if (found.kind != Content::Kind::written || found.frame != frame_) return false;
-    const uint32_t own = plan_.graph.passes[reader].rest_unit;
-    const uint32_t writer = plan_.graph.passes[found.pass].rest_unit;
-    return std::ranges::any_of(plan_.graph.groups, [&](const GroupDecl& group) {
-        return own != kNoId && writer != kNoId && group.has_unit(own) && group.has_unit(writer);
-    });
+    const GroupDecl* group = find_group(plan_.graph, plan_.graph.passes[reader].rest_unit);
+    return group != nullptr && group->has_unit(plan_.graph.passes[found.pass].rest_unit);
 }
 
 // Returns true if the cell has the content that the use wants:

@@ -13,10 +13,8 @@ namespace {
 // Returns true if the results of the unit may differ from those of a unit that runs in every frame, because
 // of its own keys.
 bool may_differ(const FramePlan& plan, const PassDecl& pass) {
-    for (const GroupDecl& group : plan.graph.groups) {
-        if (!group.has_unit(pass.rest_unit)) continue;
-        if (!group.rests || group.is_limited() || group.settle > 0) return true;
-    }
+    const GroupDecl* group = find_group(plan.graph, pass.rest_unit);
+    if (group != nullptr && (!group->rests || group->is_limited() || group->settle > 0)) return true;
     return std::ranges::any_of(pass.uses, [](const UseDecl& use) { return !use.wakes; });
 }
 
@@ -50,8 +48,7 @@ std::vector<std::string> rested_resources(const FramePlan& plan) {
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
         if (pass.rest_unit == kNoId || different[pass.rest_unit] != 0) continue;
-        const bool in_group = std::ranges::any_of(
-            plan.graph.groups, [&](const GroupDecl& group) { return group.has_unit(pass.rest_unit); });
+        const bool in_group = find_group(plan.graph, pass.rest_unit) != nullptr;
         for (const UseDecl& use : pass.uses) {
             const ResourceDecl& resource = plan.graph.resources[use.resource];
             if (in_group && resource.lifetime == ResourceLifetime::transient) continue;

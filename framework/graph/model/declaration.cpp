@@ -102,6 +102,13 @@ uint64_t content_bytes(const ResourceDecl& resource) {
     return texels * resource.layers * resource.samples * format_info(resource.format).bytes_per_texel;
 }
 
+const GroupDecl* find_group(const ResolvedGraph& graph, uint32_t unit) {
+    if (unit == kNoId) return nullptr;
+    for (const GroupDecl& group : graph.groups)
+        if (group.has_unit(unit)) return &group;
+    return nullptr;
+}
+
 ResourceId find_resource(const ResolvedGraph& graph, std::string_view name) {
     return find_by_name<ResourceId>(graph.resources, name);
 }

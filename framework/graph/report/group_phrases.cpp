@@ -14,10 +14,7 @@ bool is_limited(uint32_t rounds, const GroupDecl& group) {
 }  // namespace
 
 const GroupDecl* group_of(const FramePlan& plan, PassId pass) {
-    const uint32_t unit = plan.graph.passes[pass].rest_unit;
-    const auto found = std::ranges::find_if(
-        plan.graph.groups, [&](const GroupDecl& group) { return unit != kNoId && group.has_unit(unit); });
-    return found == plan.graph.groups.end() ? nullptr : &*found;
+    return find_group(plan.graph, plan.graph.passes[pass].rest_unit);
 }
 
 std::string describe_round(const FramePlan& plan, PassId pass) {

@@ -38,6 +38,7 @@ VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects 
     check_sliced_reads(declared, cells, versioned, reporter);
     check_group_order(declared, versioned, reporter);
     find_rest_units(declared, cells, versioned, reporter);
+    agree_on_layouts(declared, cells, versioned);
     return versioned;
 }
 

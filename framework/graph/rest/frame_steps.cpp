@@ -3,16 +3,6 @@
 #include <algorithm>
 
 namespace weft {
-namespace {
-
-const GroupDecl* group_of(const ResolvedGraph& graph, uint32_t unit) {
-    const auto found =
-        std::ranges::find_if(graph.groups, [&](const GroupDecl& group) { return group.has_unit(unit); });
-    return unit == kNoId || found == graph.groups.end() ? nullptr : &*found;
-}
-
-}  // namespace
-
 std::vector<FrameStep> frame_steps(const FramePlan& plan, const Batch& batch,
                                    const std::vector<uint8_t>& runs, const std::vector<uint32_t>& rounds) {
     const auto unit_of = [&](Position position) {
@@ -21,7 +11,7 @@ std::vector<FrameStep> frame_steps(const FramePlan& plan, const Batch& batch,
     std::vector<FrameStep> steps;
     for (size_t i = 0; i < batch.positions.size();) {
         const uint32_t unit = unit_of(batch.positions[i]);
-        const GroupDecl* group = group_of(plan.graph, unit);
+        const GroupDecl* group = find_group(plan.graph, unit);
         if (group == nullptr) {
             steps.push_back({batch.positions[i++], true, unit == kNoId || runs[unit] != 0, true});
             continue;

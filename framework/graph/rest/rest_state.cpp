@@ -37,9 +37,8 @@ RestState::RestState(const FramePlan& plan) : units_(plan.graph.rest_unit_count)
         if (pass.rest_unit == kNoId) continue;
         units_[pass.rest_unit].exists = true;
         add_sources(plan, pass);
-        const auto group = std::ranges::find_if(
-            plan.graph.groups, [&](const GroupDecl& g) { return g.has_unit(pass.rest_unit); });
-        if (group == plan.graph.groups.end()) continue;
+        const GroupDecl* group = find_group(plan.graph, pass.rest_unit);
+        if (group == nullptr) continue;
         if (groups_.empty() || groups_.back().name != group->name) groups_.push_back(*group);
         units_[pass.rest_unit].group = static_cast<uint32_t>(groups_.size() - 1);
     }

@@ -85,9 +85,8 @@ class UnitMatch {
             for (const UseDecl& use : graph.passes[pass].uses)
                 if (writes(use.access)) writer[use.resource] = graph.passes[pass].rest_unit;
         const auto together = [&](uint32_t a, uint32_t b) {
-            return a == b || std::ranges::any_of(graph.groups, [&](const GroupDecl& group) {
-                       return a != kNoId && b != kNoId && group.has_unit(a) && group.has_unit(b);
-                   });
+            return a == b ||
+                   (find_group(graph, a) != nullptr && find_group(graph, a) == find_group(graph, b));
         };
         std::vector<uint8_t> found(graph.resources.size(), 0);
         for (const PassId pass : plan.schedule.order)

@@ -16,11 +16,9 @@ class BlockSorter {
         for (uint32_t i = 0; i < order.size(); ++i) rank_[order[i]] = i;
         const auto groups = static_cast<uint32_t>(graph.groups.size());
         for (PassId pass(0); pass < block_.size(); ++pass) {
-            const uint32_t unit = graph.passes[pass].rest_unit;
-            const auto group = std::ranges::find_if(
-                graph.groups, [&](const GroupDecl& g) { return unit != kNoId && g.has_unit(unit); });
-            block_[pass] = group == graph.groups.end() ? groups + pass
-                                                       : static_cast<uint32_t>(group - graph.groups.begin());
+            const GroupDecl* group = find_group(graph, graph.passes[pass].rest_unit);
+            block_[pass] =
+                group == nullptr ? groups + pass : static_cast<uint32_t>(group - graph.groups.data());
         }
         passes_.resize(groups + block_.size());
         for (const PassId pass : order) passes_[block_[pass]].push_back(pass);

@@ -363,6 +363,8 @@ struct ResolvedGraph {
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };
 
+// Returns the group with this unit; null if the unit belongs to no group, or if it is kNoId.
+[[nodiscard]] const GroupDecl* find_group(const ResolvedGraph& graph, uint32_t unit);
 // Both functions return kNoId if the graph has no resource or pass of this name.
 [[nodiscard]] ResourceId find_resource(const ResolvedGraph& graph, std::string_view name);
 [[nodiscard]] PassId find_pass(const ResolvedGraph& graph, std::string_view name);

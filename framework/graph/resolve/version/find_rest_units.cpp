@@ -52,8 +52,6 @@ class RestUnitFinder {
         for (PassId pass(0); pass < graph_.passes.size(); ++pass) check_keys(pass);
         for (const Cell& cell : cells_)
             if (cell.ordered) check(cell);
-        for (uint32_t group = 0; group < declared_.expansion.groups.size(); ++group) agree_in_group(group);
-        agree_on_layouts();
         number_units();
     }
 
@@ -292,44 +290,6 @@ class RestUnitFinder {
         add_help(d, std::string("let the pass, or a pass ") +
                         (group_of(u.pass) ? "of its round" : "with \"rest\"") + " before it, write all of " +
                         what(cell) + "; or remove \"rest\" from " + rester(u.pass));
-    }
-
-    // Each image that units write has one layout while no unit writes it. If its readers need different
-    // layouts, all of them use GENERAL.
-    void agree_on_layouts() {
-        std::vector<Layout> layouts(graph_.resources.size(), Layout::undefined);
-        std::vector<uint8_t> general(graph_.resources.size(), 0);
-        for (const Cell& cell : cells_) {
-            if (resource(cell).kind != ResourceKind::image) continue;
-            for (const CellUse& reader : cell.readers)
-                if (unit_writes(cell) || use(reader).latest)
-                    agree(use(reader).state.layout, layouts[cell.resource], general[cell.resource]);
-        }
-        for (BoundPass& pass : graph_.passes)
-            for (UseDecl& u : pass.uses)
-                if (general[u.resource] && !writes(u.access)) u.state.layout = Layout::general;
-    }
-
-    static void agree(Layout wanted, Layout& layout, uint8_t& general) {
-        general |= layout != Layout::undefined && layout != wanted ? 1 : 0;
-        layout = wanted;
-    }
-
-    // The rounds of a group run in any order, so no layout may change between two of its reads: if they need
-    // different layouts, all of them use GENERAL.
-    void agree_in_group(uint32_t group) {
-        std::vector<Layout> layouts(graph_.resources.size(), Layout::undefined);
-        std::vector<uint8_t> general(graph_.resources.size(), 0);
-        const auto each_read = [&](const auto& visit) {
-            for (PassId pass(0); pass < graph_.passes.size(); ++pass)
-                for (UseDecl& u : graph_.passes[pass].uses)
-                    if (draft(pass).group == group && u.access != Access::none && !writes(u.access)) visit(u);
-        };
-        each_read([&](UseDecl& u) { agree(u.state.layout, layouts[u.resource], general[u.resource]); });
-        each_read([&](UseDecl& u) {
-            if (general[u.resource] && graph_.resources[u.resource].kind == ResourceKind::image)
-                u.state.layout = Layout::general;
-        });
     }
 
     // After a resize, a group with limited rounds may need several frames until all rounds have run. Until

@@ -1,0 +1,81 @@
+// Gives one layout to images whose layout must not depend on which units run, and in which order.
+#include "graph/resolve/version/connect_versions.h"
+
+namespace weft {
+namespace {
+
+class LayoutAgreement {
+ public:
+    LayoutAgreement(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph)
+        : declared_(declared), cells_(cells), graph_(graph) {}
+
+    void run() {
+        for (uint32_t group = 0; group < graph_.groups.size(); ++group) agree_in_group(group);
+        agree_at_home();
+    }
+
+ private:
+    // The layouts that the reads of each resource need. Index: ResourceId.
+    struct Wanted {
+        explicit Wanted(size_t resources) : layouts(resources, Layout::undefined), differ(resources, 0) {}
+        void add(const UseDecl& read) {
+            Layout& layout = layouts[read.resource];
+            differ[read.resource] |= layout != Layout::undefined && layout != read.state.layout ? 1 : 0;
+            layout = read.state.layout;
+        }
+        std::vector<Layout> layouts;
+        std::vector<uint8_t> differ;  // 1: two reads need different layouts.
+    };
+
+    template <class Visit>
+    void each_read(const Visit& visit) {
+        for (PassId pass(0); pass < graph_.passes.size(); ++pass)
+            for (UseDecl& use : graph_.passes[pass].uses)
+                if (use.access != Access::none && !writes(use.access) &&
+                    graph_.resources[use.resource].kind == ResourceKind::image)
+                    visit(pass, use);
+    }
+
+    // The rounds of a group run in any order, so no layout may change between two of its reads: if they need
+    // different layouts, all of them use GENERAL.
+    void agree_in_group(uint32_t group) {
+        Wanted wanted(graph_.resources.size());
+        const auto is_member = [&](PassId pass) { return declared_.expansion.passes[pass].group == group; };
+        each_read([&](PassId pass, const UseDecl& use) {
+            if (is_member(pass)) wanted.add(use);
+        });
+        each_read([&](PassId pass, UseDecl& use) {
+            if (is_member(pass) && wanted.differ[use.resource] != 0) use.state.layout = Layout::general;
+        });
+    }
+
+    // Each image that units write has one layout while no unit writes it. If its readers need different
+    // layouts, all of them use GENERAL.
+    void agree_at_home() {
+        Wanted wanted(graph_.resources.size());
+        for (const Cell& cell : cells_) {
+            if (graph_.resources[cell.resource].kind != ResourceKind::image) continue;
+            bool by_unit = false;
+            for (const CellUse& writer : cell.writers) by_unit |= graph_.rest_units[writer.pass] != kNoId;
+            for (const CellUse& reader : cell.readers) {
+                const UseDecl& use = graph_.passes[reader.pass].uses[reader.use];
+                if (by_unit || use.latest) wanted.add(use);
+            }
+        }
+        each_read([&](PassId, UseDecl& use) {
+            if (wanted.differ[use.resource] != 0) use.state.layout = Layout::general;
+        });
+    }
+
+    const Declared& declared_;
+    const std::vector<Cell>& cells_;
+    VersionedGraph& graph_;
+};
+
+}  // namespace
+
+void agree_on_layouts(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph) {
+    if (!graph.rest_units.empty()) LayoutAgreement(declared, cells, graph).run();
+}
+
+}  // namespace weft
