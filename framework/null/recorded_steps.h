@@ -11,8 +11,8 @@ namespace weft::null {
 
 struct RecordedStep {
     Position position = 0;
-    // What is recorded: barriers before the pass for every frame, the pass with its own barriers, and
-    // barriers after the pass for every frame.
+    // A step has three parts: the barriers before the pass that every frame records, the pass with its own
+    // barriers, and the barriers after the pass that every frame records. True: the part is recorded.
     bool shared_before = true;
     bool runs = true;
     bool shared_after = true;

@@ -49,9 +49,6 @@ struct PortDraft {
     // True if "in" and "out" both name this port. The two are then one binding, which is read and written in
     // place.
     bool reads_own_port = false;
-    // True for a port with "wakes": false in a group that reads what the group writes: it sees the content
-    // from before the round.
-    bool sees_before_round = false;
 
     [[nodiscard]] bool pinned() const { return !pins.empty(); }
 };

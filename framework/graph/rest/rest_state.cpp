@@ -124,10 +124,13 @@ void RestState::choose_rounds(const GroupDecl& group, const TurnLists& turns, Un
     TurnChoice chosen =
         choose_turns(group, awake, list == turns.end() || group.turns.empty() ? nullptr : &list->second);
     choice.dropped_turns += chosen.dropped;
+    std::vector<uint8_t> runs(group.rounds, 0);
+    for (const uint32_t round : chosen.rounds) {
+        runs[round] = 1;
+        choice.rounds.push_back(group.first_unit + round);
+    }
     for (const AwakeRound& round : awake)
-        if (std::ranges::find(chosen.rounds, round.round) == chosen.rounds.end())
-            choice.wakes[group.first_unit + round.round] = {WakeReason::waits};
-    for (const uint32_t round : chosen.rounds) choice.rounds.push_back(group.first_unit + round);
+        if (runs[round.round] == 0) choice.wakes[group.first_unit + round.round] = {WakeReason::waits};
 }
 
 UnitChoice RestState::choose(const std::vector<UnitInput>& inputs, const TurnLists& turns) const {

@@ -331,11 +331,29 @@ TEST_F(ResolveGroups, ACycleInARoundEndsWithWakesFalse) {
 // "keep".
 TEST_F(ResolveGroups, AnObservedResourceKeepsItsContent) {
     const std::string text = graph(make_and_store(), show("probes.layer(0)"));
-    EXPECT_EQ(good(text).resources[find_resource(good(text), "g::raw")].lifetime, ResourceLifetime::transient);
+    EXPECT_EQ(good(text).resources[find_resource(good(text), "g::raw")].lifetime,
+              ResourceLifetime::transient);
     observed = {"g::raw"};
     const ResolvedGraph made = good(text);
     EXPECT_EQ(made.resources[find_resource(made, "g::raw")].lifetime, ResourceLifetime::persistent);
     EXPECT_EQ(made.resources[find_resource(made, "g::raw")].ring, find_resource(made, "g::raw"));
+}
+
+// "wakes": false concerns only what the group writes. Another layer of the same image is read as usual.
+TEST_F(ResolveGroups, APortThatDoesNotWakeSeesTheNewVersionOfOtherLayers) {
+    const std::string reads = R"j("w": {"ref": "many", "wakes": false})j";
+    const std::string two =
+        R"j("g": {"repeat": {"i": "0..1"}, "resources": {"raw": "rgba16f"}, "passes": {)j" +
+        pass("make", "all", reads, "raw") + ",\n" +
+        pass("store", "read", R"j("a": "raw")j", "many.layer(i)") + "}}";
+    const ResolvedGraph made =
+        good(graph(two, pass("fill", "make", "", "many.layer(2)") + ",\n" + show("many.layer(0)")));
+    for (const UseDecl& use : pass_in(made, "g::make#0").uses) {
+        if (use.port != "w") continue;
+        for (const VersionSource& source : use.sources)
+            EXPECT_EQ(source.producer, source.range.layer == 2 ? find_pass(made, "fill") : PassId(kNoId))
+                << source.range.layer;
+    }
 }
 
 }  // namespace

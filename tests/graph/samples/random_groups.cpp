@@ -118,7 +118,7 @@ class GroupGenerator {
         resource(image, R"(, "keep": true, "layers": )" + std::to_string(rounds + 1));
         std::vector<std::string> members, locals;
         std::vector<std::string> inputs = outside_inputs(rests, 2);
-        // What other rounds have left: a fixed layer, or the whole image.
+        // The group may also read results of its other rounds: a fixed layer, or the whole image.
         const uint32_t steps = below(3);
         if (!pure_ && steps > 0 && inputs.size() < 2 && chance(50))
             inputs.push_back("?" + image + (chance(50) ? ".layer(0)" : ""));

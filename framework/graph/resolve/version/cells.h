@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <vector>
 
 #include "graph/resolve/version.h"
@@ -24,6 +25,9 @@ struct Cell {
     std::vector<CellUse> writers;
     // The uses that read the cell and do not write it.
     std::vector<CellUse> readers;
+    // Readers in a group that see the content from before their round: their ports have "wakes": false, and
+    // their own round writes the cell.
+    std::set<CellUse> before_round;
     bool ordered = false;
     // Key: a use that names, with `@pass`, a pass that does not write this cell. Value: the writers of the
     // cell that do not run after the named pass. The pass of the use runs after all of these writers.

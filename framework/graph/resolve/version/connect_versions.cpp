@@ -247,7 +247,7 @@ std::span<const PassId> visible_pins(const PortDraft& port, PassId pass) {
 
 int version_seen(const VersionedGraph& graph, const Cell& cell, const CellUse& reader) {
     const PortDraft& port = graph.passes[reader.pass].ports[reader.use];
-    if (port.sees_before_round) return -1;
+    if (cell.before_round.contains(reader)) return -1;
     const int own = cell.writer_index(reader.pass);
     if (!port.pinned()) return own >= 0 ? own - 1 : static_cast<int>(cell.writers.size()) - 1;
     int last = -1;

@@ -123,7 +123,7 @@ class WriterOrder {
     void add_known(Cell& cell) {
         for (const CellUse& reader : cell.readers) {
             reporter_.spend(search_steps(cell), use(reader).loc);
-            if (port(reader).sees_before_round) continue;
+            if (cell.before_round.contains(reader)) continue;
             if (port(reader).pinned()) {
                 add_pin(cell, reader);
             } else if (cell.writer_index(reader.pass) < 0) {

@@ -46,7 +46,7 @@ class RoundSeparator {
         for (const CellUse& reader : own.readers) {
             if (use(reader).wakes || draft(reader.pass).group != draft(writer->pass).group) continue;
             use(reader).latest = true;
-            graph_.passes[reader.pass].ports[reader.use].sees_before_round = true;
+            own.before_round.insert(reader);
         }
         std::erase_if(own.readers, elsewhere);
         std::erase_if(others.readers, [&](const CellUse& reader) { return !elsewhere(reader); });
