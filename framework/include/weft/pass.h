@@ -64,8 +64,8 @@ class HostInputs {
     std::map<std::string, Entry, std::less<>> values_;
 };
 
-// What a pass gives to the current frame before it is recorded: put() stores bytes for a port, and
-// Recorder::copy_upload() copies these bytes to the resource of the port.
+// A pass gives its data to the current frame through this interface, before the frame is recorded: put()
+// stores bytes for a port, and Recorder::copy_upload() copies these bytes to the resource of the port.
 class Uploads {
  public:
     virtual ~Uploads() = default;

@@ -1,5 +1,6 @@
 #include "vulkan/execute/replay_executor.h"
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
 
@@ -153,19 +154,22 @@ void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turn
     }
     chosen_ = rest_.choose(unit_inputs_, turns);
     objects_->validity.begin_frame(rest_, chosen_);
-    for (uint32_t unit = 0; unit < chosen_.wakes.size(); ++unit)
-        if (chosen_.wakes[unit].reason == WakeReason::input)
-            chosen_.wakes[unit].input =
-                changed_input({*objects_, frame, {objects_->resources, frames_run_}, slot},
-                              positions_of(unit), rest_.last_input(unit));
+    name_changed_inputs({*objects_, frame, {objects_->resources, frames_run_}, slot});
 }
 
-std::vector<Position> ReplayExecutor::positions_of(uint32_t unit) const {
+// Adds to each unit that runs because of an input which input it is.
+void ReplayExecutor::name_changed_inputs(const UnitInputContext& context) {
+    const auto woken = [](const Wake& wake) { return wake.reason == WakeReason::input; };
+    if (std::ranges::none_of(chosen_.wakes, woken)) return;
     const FramePlan& plan = objects_->plan;
-    std::vector<Position> positions;
-    for (Position position(0); position < plan.schedule.order.size(); ++position)
-        if (plan.graph.passes[plan.schedule.order[position]].rest_unit == unit) positions.push_back(position);
-    return positions;
+    std::vector<std::vector<Position>> positions(chosen_.wakes.size());
+    for (Position position(0); position < plan.schedule.order.size(); ++position) {
+        const uint32_t unit = plan.graph.passes[plan.schedule.order[position]].rest_unit;
+        if (unit != kNoId) positions[unit].push_back(position);
+    }
+    for (uint32_t unit = 0; unit < positions.size(); ++unit)
+        if (woken(chosen_.wakes[unit]))
+            chosen_.wakes[unit].input = changed_input(context, positions[unit], rest_.last_input(unit));
 }
 
 std::vector<uint8_t> ReplayExecutor::running_units() const {

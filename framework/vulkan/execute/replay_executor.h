@@ -10,6 +10,7 @@
 #include "graph/rest/frame_steps.h"
 #include "graph/rest/rest_state.h"
 #include "vulkan/execute/frame_slots.h"
+#include "vulkan/execute/unit_input.h"
 #include "vulkan/record/plan_objects.h"
 #include "vulkan/record/record.h"
 
@@ -62,7 +63,7 @@ class ReplayExecutor final : public Executor {
     void record_step(const RecordContext& context, const FrameStep& step);
     void record_epilogue(const RecordContext& context);
     void record_start(VkCommandBuffer commands) const;
-    [[nodiscard]] std::vector<Position> positions_of(uint32_t unit) const;
+    void name_changed_inputs(const UnitInputContext& context);
     [[nodiscard]] std::vector<uint8_t> running_units() const;
     [[nodiscard]] std::vector<uint8_t> empty_batches() const;
     [[nodiscard]] Status submit_frame(uint32_t slot);
