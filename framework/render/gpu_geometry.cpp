@@ -123,6 +123,8 @@ std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std:
         placed.push_back(gpu_instance(instance.transform));
         placed.back().color_offset = ranges[instance.mesh].color_offset;
         placed.back().second_uv_offset = ranges[instance.mesh].second_uv_offset;
+        placed.back().mesh = instance.mesh;
+        placed.back().material = instance.material;
     }
     return placed;
 }
@@ -144,7 +146,8 @@ Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& 
     Result<vk::Buffer> indices = filled(device, indices_of(scene), kIndices, "scene indices");
     if (!indices) return indices.take_errors();
     Result<vk::Buffer> instances =
-        filled(device, instances_of(scene, geometry.meshes), kStorage, "scene instances");
+        filled(device, instances_of(scene, geometry.meshes),
+               kStorage | VK_BUFFER_USAGE_TRANSFER_SRC_BIT, "scene instances");
     if (!instances) return instances.take_errors();
     Result<vk::Buffer> colors = filled(device, colors_of(scene), kStorage, "scene vertex colours");
     if (!colors) return colors.take_errors();

@@ -46,6 +46,9 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     write_buffers(device, gpu->instances_.sets[0], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers);
     gpu->sort_draws(scene);
     if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
+    Result<SceneBuffers> described = SceneBuffers::create(device, scene, gpu->geometry_.meshes);
+    if (!described) return described.take_errors();
+    gpu->buffers_ = std::move(*described);
     return gpu;
 }
 
@@ -110,6 +113,10 @@ Status GpuScene::upload_commands(vk::Device& device) {
 
 VkBuffer GpuScene::commands(std::string_view list) const {
     return commands_.find(list)->second.handle();
+}
+
+VkBuffer GpuScene::buffer(std::string_view name) const {
+    return name == "instances" ? geometry_.instances.handle() : buffers_.find(name);
 }
 
 VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {

@@ -13,6 +13,7 @@
 #include "render/gpu_frame.h"
 #include "render/gpu_geometry.h"
 #include "render/gpu_materials.h"
+#include "render/imports/scene_buffers.h"
 #include "weft/vulkan/draw_source.h"
 
 namespace weft::render {
@@ -42,6 +43,8 @@ class GpuScene final : public vk::DrawSource {
     // Returns the buffer with the draw commands of `list`, one of kDrawLists in import_catalog.h. Graphs
     // import the buffer under the name commands_of(list).
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
+    // Returns the buffer that graphs import under `name`, one of kSceneBuffers.
+    [[nodiscard]] VkBuffer buffer(std::string_view name) const;
 
  private:
     struct Draw {
@@ -75,6 +78,7 @@ class GpuScene final : public vk::DrawSource {
     GpuGeometry geometry_;
     GpuMaterials materials_;
     GpuFrame frame_;
+    SceneBuffers buffers_;
     // One descriptor set (set 3) with the instances and the optional vertex streams of all meshes.
     DescriptorSets instances_;
     std::map<std::string, std::vector<Draw>, std::less<>> lists_;
