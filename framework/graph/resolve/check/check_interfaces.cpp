@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/resolve/check/check_sampler.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 
@@ -62,6 +63,8 @@ class InterfaceCheck {
         if (port.binding->kind == BindingKind::storage_image) check_storage(use, resource, *port.binding);
         check_dimensions(use, resource, *port.binding);
         check_filter(use, resource);
+        if (use.access == Access::sampled_read)
+            check_sampler(declared_.input.profile, pass_, *port.desc, *port.binding, port_text(use), report_);
     }
 
     void error(const UseDecl& use, const char* code, const std::string& message, const std::string& help) {
