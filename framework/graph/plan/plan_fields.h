@@ -42,7 +42,8 @@ void visit_fields(V& v, const VersionSource& x) {
 template <class V>
 void visit_fields(V& v, const SamplerDecl& x) {
     v("filter", x.filter), v("mipFilter", x.mip_filter), v("wrap", x.wrap);
-    v("compareGreaterEqual", x.compare_greater_equal);
+    v("compare", x.compare), v("reduction", x.reduction), v("anisotropy", x.anisotropy);
+    v("lodBias", x.lod_bias), v("minLod", x.min_lod), v("maxLod", x.max_lod);
 }
 template <class V>
 void visit_fields(V& v, const UseDecl& x) {

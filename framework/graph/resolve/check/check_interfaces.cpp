@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/resolve/check/check_sampler.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 
@@ -63,6 +64,8 @@ class InterfaceCheck {
         if (port.binding->kind == BindingKind::storage_image) check_storage(use, resource, *port.binding);
         check_dimensions(use, resource, *port.binding);
         check_filter(use, resource);
+        if (use.access == Access::sampled_read)
+            check_sampler(declared_.input.profile, pass_, *port.desc, *port.binding, port_text(use), report_);
     }
 
     // The state of a read-only import before and after a frame describes no writes, so a write would change
