@@ -58,9 +58,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
-    // The program never changes the draw commands of a scene, and the buffers that describe its objects.
-    for (const char* list : kDrawLists) frame.import_versions.emplace(commands_of(list), 0);
-    for (const char* name : kSceneBuffers) frame.import_versions.emplace(name, 0);
+    scene.gpu().add_versions(frame.import_versions);
     return stage_.executor->run(frame);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <functional>
 #include <numeric>
@@ -95,14 +96,17 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
     if (moving_.all().empty()) return;
     moving_.move(nodes);
     std::byte* memory = geometry_.instances[slot].mapped().data();
+    bool any_changed = false;
     for (const MovingObject& object : moving_.all()) {
-        const MeshRange& mesh = geometry_.meshes[object.mesh];
         shared::Instance instance = gpu_instance(object.transform);
         instance.prev_object_to_world = object.previous;
-        instance.color_offset = mesh.color_offset;
-        instance.second_uv_offset = mesh.second_uv_offset;
-        std::memcpy(memory + uint64_t{object.instance} * sizeof instance, &instance, sizeof instance);
+        // The members after the matrices do not change.
+        std::memcpy(memory + uint64_t{object.instance} * sizeof instance, &instance,
+                    offsetof(shared::Instance, color_offset));
+        any_changed |= object.changed;
     }
+    buffers_.move(slot, moving_.all());
+    if (any_changed) ++objects_version_;
     for (auto& [name, list] : lists_) {
         bool changed = false;
         for (const MovingDraw& moving : list.moving) {
@@ -155,12 +159,16 @@ Status GpuScene::upload_commands(vk::Device& device) {
     return Unit{};
 }
 
-VkBuffer GpuScene::commands(std::string_view list) const {
-    return commands_.find(list)->second.handle();
+void GpuScene::bind(vk::ImportBindings& to) const {
+    for (const auto& [list, buffer] : commands_) to.buffers.emplace(commands_of(list), buffer.handle());
+    bind_scene_buffer("instances", geometry_.instances, to);
+    buffers_.bind(to);
 }
 
-VkBuffer GpuScene::buffer(std::string_view name) const {
-    return name == "instances" ? geometry_.instances.front().handle() : buffers_.find(name);
+void GpuScene::add_versions(std::map<std::string, uint64_t, std::less<>>& to) const {
+    for (const auto& [list, unused] : commands_) to.emplace(commands_of(list), 0);
+    for (const char* name : kSceneBuffers) to.emplace(name, 0);
+    to["instances"] = to["bounds"] = objects_version_;
 }
 
 VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {

@@ -47,11 +47,11 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     void record(const vk::DrawContext& context) const override;
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
-    // Returns the buffer with the draw commands of `list`, one of kDrawLists in import_catalog.h. Graphs
-    // import the buffer under the name commands_of(list).
-    [[nodiscard]] VkBuffer commands(std::string_view list) const;
-    // Returns the buffer that graphs import under `name`, one of kSceneBuffers.
-    [[nodiscard]] VkBuffer buffer(std::string_view name) const;
+    // Adds the buffers that graphs can import: the draw commands of each list, under the name commands_of(),
+    // and kSceneBuffers.
+    void bind(vk::ImportBindings& to) const;
+    // Adds the versions of these buffers. Those of "instances" and "bounds" change when an object moves.
+    void add_versions(std::map<std::string, uint64_t, std::less<>>& to) const;
 
  private:
     struct Draw {
@@ -97,6 +97,7 @@ class GpuScene final : public vk::DrawSource {
     GpuMaterials materials_;
     GpuFrame frame_;
     SceneBuffers buffers_;
+    uint64_t objects_version_ = 0;  // Changes whenever an object has moved.
     // Descriptor set 3 with the instances and the optional vertex streams of all meshes: one for each buffer
     // of GpuGeometry::instances.
     DescriptorSets instances_;

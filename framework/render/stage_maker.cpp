@@ -135,9 +135,7 @@ Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own) c
         own != VK_NULL_HANDLE ? vk::Image::adopt(device_, own, decl) : vk::Image::create(device_, decl);
     if (!output) return output.take_errors();
     run.bindings.images.emplace("backbuffer", &*output);
-    for (const char* list : kDrawLists)
-        run.bindings.buffers.emplace(commands_of(list), scene_.commands(list));
-    for (const char* name : kSceneBuffers) run.bindings.buffers.emplace(name, scene_.buffer(name));
+    scene_.bind(run.bindings);
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
     if (!executor) return executor.take_errors();
     return RenderStage{std::move(*output), std::move(*executor)};

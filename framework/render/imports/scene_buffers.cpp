@@ -1,9 +1,10 @@
 #include "render/imports/scene_buffers.h"
 
 #include <algorithm>
-#include <span>
+#include <cstring>
 
 #include "render/frame_data.h"
+#include "render/imports/texture_table.h"
 
 namespace weft::render {
 namespace {
@@ -28,21 +29,38 @@ ImportDecl scene_buffer(const std::string& name, size_t elements, size_t stride_
     return import;
 }
 
+constexpr VkBufferUsageFlags kBufferUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+                                            VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+
 template <class T>
-Status upload(vk::Device& device, std::vector<T> items, const std::string& name,
-              std::map<std::string, vk::Buffer, std::less<>>& to) {
+Result<vk::Buffer> uploaded(vk::Device& device, std::vector<T> items, const std::string& name) {
     // Vulkan has no empty buffers, so an empty list gives one element with the value 0.
     if (items.empty()) items.emplace_back();
     const std::span<const std::byte> bytes = std::as_bytes(std::span<const T>(items));
-    Result<vk::Buffer> buffer =
-        vk::Buffer::create(device, bytes.size(),
-                           VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                               VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                           vk::Buffer::Memory::device, "scene " + name);
-    if (!buffer) return buffer.take_errors();
-    if (Status copied = vk::upload_buffer(device, *buffer, bytes); !copied) return copied;
-    to.emplace(name, std::move(*buffer));
-    return Unit{};
+    Result<vk::Buffer> buffer = vk::Buffer::create(device, bytes.size(), kBufferUsage,
+                                                   vk::Buffer::Memory::device, "scene " + name);
+    if (!buffer) return buffer;
+    if (Status copied = vk::upload_buffer(device, *buffer, bytes); !copied) return copied.take_errors();
+    return buffer;
+}
+
+Result<std::vector<vk::Buffer>> bounds_buffers(vk::Device& device, const scene::Scene& scene) {
+    const bool moves = std::ranges::any_of(
+        scene.instances, [](const scene::Instance& instance) { return instance.node != scene::kNone; });
+    const std::vector<shared::Bounds> boxes = instance_bounds(scene);
+    std::vector<vk::Buffer> buffers;
+    for (uint32_t slot = 0; slot < (moves ? vk::kFramesInFlight : 1); ++slot) {
+        const std::span<const std::byte> bytes = std::as_bytes(std::span(boxes));
+        Result<vk::Buffer> buffer =
+            moves ? vk::Buffer::create(device, bytes.size(), kBufferUsage, vk::Buffer::Memory::upload,
+                                       "scene bounds")
+                  : uploaded(device, boxes, "bounds");
+        if (!buffer) return buffer.take_errors();
+        if (moves) std::ranges::copy(bytes, buffer->mapped().begin());
+        buffers.push_back(std::move(*buffer));
+    }
+    return buffers;
 }
 
 }  // namespace
@@ -64,20 +82,22 @@ void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene) {
     catalog.numbers.emplace("materialCount", static_cast<double>(materials));
 }
 
+// Arvo 1990, "Transforming Axis-Aligned Bounding Boxes": the centre is transformed, and the half size by the
+// absolute values of the matrix.
+shared::Bounds world_box(const scene::Bounds& mesh, const glm::mat4& transform) {
+    const glm::vec3 centre = transform * glm::vec4((mesh.min + mesh.max) * 0.5f, 1);
+    const glm::vec3 half = (mesh.max - mesh.min) * 0.5f;
+    glm::vec3 reach(0);
+    for (int column = 0; column < 3; ++column)
+        reach += glm::abs(glm::vec3(transform[column])) * half[column];
+    return {centre - reach, 0, centre + reach, 0};
+}
+
 std::vector<shared::Bounds> instance_bounds(const scene::Scene& scene) {
     std::vector<shared::Bounds> all;
     all.reserve(scene.instances.size());
-    for (const scene::Instance& instance : scene.instances) {
-        const scene::Bounds& box = scene.meshes[instance.mesh].bounds;
-        // Arvo 1990, "Transforming Axis-Aligned Bounding Boxes": the centre is transformed, and the half size
-        // by the absolute values of the matrix.
-        const glm::vec3 centre = instance.transform * glm::vec4((box.min + box.max) * 0.5f, 1);
-        const glm::vec3 half = (box.max - box.min) * 0.5f;
-        glm::vec3 reach(0);
-        for (int column = 0; column < 3; ++column)
-            reach += glm::abs(glm::vec3(instance.transform[column])) * half[column];
-        all.push_back({centre - reach, 0, centre + reach, 0});
-    }
+    for (const scene::Instance& instance : scene.instances)
+        all.push_back(world_box(scene.meshes[instance.mesh].bounds, instance.transform));
     return all;
 }
 
@@ -94,15 +114,46 @@ std::vector<shared::Mesh> mesh_table(const scene::Scene& scene, const std::vecto
 
 Result<SceneBuffers> SceneBuffers::create(vk::Device& device, const scene::Scene& scene,
                                           const std::vector<MeshRange>& ranges) {
+    const TextureTable textures = texture_table(scene);
     std::vector<shared::Material> materials;
     materials.reserve(scene.materials.size());
-    for (const scene::Material& material : scene.materials) materials.push_back(gpu_material(material));
+    for (size_t i = 0; i < scene.materials.size(); ++i) {
+        materials.push_back(gpu_material(scene.materials[i]));
+        set_textures(textures.materials[i], materials.back());
+    }
     SceneBuffers out;
-    Status done = upload(device, instance_bounds(scene), "bounds", out.buffers_);
-    if (done) done = upload(device, mesh_table(scene, ranges), "meshes", out.buffers_);
-    if (done) done = upload(device, std::move(materials), "materials", out.buffers_);
-    if (!done) return done.take_errors();
+    Result<std::vector<vk::Buffer>> bounds = bounds_buffers(device, scene);
+    if (!bounds) return bounds.take_errors();
+    out.bounds_ = std::move(*bounds);
+    Result<vk::Buffer> meshes = uploaded(device, mesh_table(scene, ranges), "meshes");
+    if (!meshes) return meshes.take_errors();
+    out.buffers_.emplace("meshes", std::move(*meshes));
+    Result<vk::Buffer> constants = uploaded(device, std::move(materials), "materials");
+    if (!constants) return constants.take_errors();
+    out.buffers_.emplace("materials", std::move(*constants));
     return out;
+}
+
+void SceneBuffers::move(uint32_t slot, std::span<const MovingObject> objects) {
+    std::byte* memory = bounds_[slot].mapped().data();
+    for (const MovingObject& object : objects) {
+        const shared::Bounds box = world_box(object.mesh_bounds, object.transform);
+        std::memcpy(memory + uint64_t{object.instance} * sizeof box, &box, sizeof box);
+    }
+}
+
+void SceneBuffers::bind(vk::ImportBindings& to) const {
+    bind_scene_buffer("bounds", bounds_, to);
+    for (const auto& [name, buffer] : buffers_) to.buffers.emplace(name, buffer.handle());
+}
+
+void bind_scene_buffer(const std::string& name, const std::vector<vk::Buffer>& slots,
+                       vk::ImportBindings& to) {
+    if (slots.size() == 1) {
+        to.buffers.emplace(name, slots.front().handle());
+        return;
+    }
+    for (size_t slot = 0; slot < slots.size(); ++slot) to.slot_buffers[name][slot] = slots[slot].handle();
 }
 
 }  // namespace weft::render

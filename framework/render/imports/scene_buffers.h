@@ -6,16 +6,19 @@
 
 #include <array>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "render/gpu_geometry.h"
+#include "render/motion/moving_objects.h"
 #include "shared/bounds.glsl"
 #include "shared/instance.glsl"
 #include "shared/material.glsl"
 #include "shared/mesh.glsl"
 #include "weft/imports.h"
 #include "weft/scene/scene.h"
+#include "weft/vulkan/executor.h"
 
 namespace weft::render {
 
@@ -25,7 +28,9 @@ inline constexpr std::array kSceneBuffers{"instances", "bounds", "meshes", "mate
 // "meshCount" and "materialCount". If `scene` is null, each buffer has one element.
 void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene);
 
-// Returns the axis-aligned box in world space around the corners of each instance's transformed box.
+// Returns the axis-aligned box in world space around the corners of the transformed box of a mesh.
+[[nodiscard]] shared::Bounds world_box(const scene::Bounds& mesh, const glm::mat4& transform);
+// Returns the boxes of all instances. A moving instance has its box at time 0.
 [[nodiscard]] std::vector<shared::Bounds> instance_bounds(const scene::Scene& scene);
 // Returns the elements of "meshes". `ranges` has the place of each mesh in the vertex and index buffers.
 [[nodiscard]] std::vector<shared::Mesh> mesh_table(const scene::Scene& scene,
@@ -36,11 +41,18 @@ class SceneBuffers {
  public:
     [[nodiscard]] static Result<SceneBuffers> create(vk::Device& device, const scene::Scene& scene,
                                                      const std::vector<MeshRange>& ranges);
-    // `name` is one of kSceneBuffers except "instances".
-    [[nodiscard]] VkBuffer find(std::string_view name) const { return buffers_.find(name)->second.handle(); }
+    // Writes the boxes of the moving objects for a frame slot.
+    void move(uint32_t slot, std::span<const MovingObject> objects);
+    // Adds the buffers to the imports of an executor.
+    void bind(vk::ImportBindings& to) const;
 
  private:
+    // One buffer for all frames, or if objects of the scene move, one mapped buffer per frame slot.
+    std::vector<vk::Buffer> bounds_;
     std::map<std::string, vk::Buffer, std::less<>> buffers_;
 };
+// Adds a buffer of the scene to the imports of an executor. `slots` has one buffer for all frames, or one for
+// each frame slot.
+void bind_scene_buffer(const std::string& name, const std::vector<vk::Buffer>& slots, vk::ImportBindings& to);
 
 }  // namespace weft::render

@@ -149,12 +149,12 @@ void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turn
     for (Position position(0); position < objects_->passes.size(); ++position) {
         const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
         if (pass.rest_unit == kNoId) continue;
-        add_unit_input({*objects_, frame, {objects_->resources, frames_run_}, slot}, position,
+        add_unit_input({*objects_, frame, {objects_->resources, frames_run_, slot}, slot}, position,
                        unit_inputs_[pass.rest_unit]);
     }
     chosen_ = rest_.choose(unit_inputs_, turns);
     objects_->validity.begin_frame(rest_, chosen_);
-    name_changed_inputs({*objects_, frame, {objects_->resources, frames_run_}, slot});
+    name_changed_inputs({*objects_, frame, {objects_->resources, frames_run_, slot}, slot});
 }
 
 // Adds to each unit that runs because of an input which input it is.
@@ -231,7 +231,7 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
                                     slot,
                                     frame,
                                     *objects_,
-                                    {objects_->resources, frames_run_}};
+                                    {objects_->resources, frames_run_, slot}};
         objects_->timer.record_batch_start(context.commands, slot, i);
         for (const FrameStep& step : frame_steps(plan, batch, running, chosen_.rounds))
             record_step(context, step);

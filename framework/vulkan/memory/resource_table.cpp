@@ -20,6 +20,10 @@ bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
 Status bind_import(const FramePlan& plan, ResourceId id, const ImportBindings& bindings,
                    ResourceTable& table) {
     const ResourceDecl& decl = plan.graph.resources[id];
+    if (const auto slots = bindings.slot_buffers.find(decl.name); slots != bindings.slot_buffers.end()) {
+        table.slot_buffers.emplace(id, slots->second);
+        return Unit{};
+    }
     if (decl.kind == ResourceKind::buffer) {
         const auto it = bindings.buffers.find(decl.name);
         if (it == bindings.buffers.end() || it->second == VK_NULL_HANDLE)
@@ -57,8 +61,9 @@ Result<ResourceTable> bind_resources(const FramePlan& plan, const TransientHeap&
                                      const ImportBindings& bindings) {
     const size_t count = plan.graph.resources.size();
     const std::vector<uint8_t> used = used_resources(plan);
-    ResourceTable table{std::vector<VkImage>(count, VK_NULL_HANDLE),
-                        std::vector<VkBuffer>(count, VK_NULL_HANDLE), Rings(plan)};
+    ResourceTable table{.images = std::vector<VkImage>(count, VK_NULL_HANDLE),
+                        .buffers = std::vector<VkBuffer>(count, VK_NULL_HANDLE),
+                        .rings = Rings(plan)};
     Diagnostics errors;
     for (ResourceId id(0); id < count; ++id) {
         table.images[id] = heap.image(id);

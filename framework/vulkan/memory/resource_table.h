@@ -3,6 +3,8 @@
 // size, mip levels, layers or samples of an imported image differ from those in the resolved graph.
 #pragma once
 
+#include <array>
+#include <map>
 #include <vector>
 
 #include "vulkan/memory/rings.h"
@@ -16,27 +18,37 @@ struct ResourceTable {
     std::vector<VkImage> images;
     // One buffer for each ResourceId; null for images and for resources that the plan does not use.
     std::vector<VkBuffer> buffers;
-    Rings rings;
+    // Imports of which each frame slot has its own buffer.
+    std::map<ResourceId, std::array<VkBuffer, kFramesInFlight>> slot_buffers = {};
+    Rings rings = {};
 };
 
 // The resource table as one frame uses it. A resource with history has several copies in memory, whose roles
-// (content of this frame, of the previous frame, and so on) rotate. This class finds the copy for its frame.
+// (content of this frame, of the previous frame, and so on) rotate. This class finds the copy for its frame,
+// and the buffers of its frame slot.
 class FrameResources {
  public:
-    FrameResources(const ResourceTable& table, uint64_t frame) : table_(&table), frame_(frame) {}
+    FrameResources(const ResourceTable& table, uint64_t frame, uint32_t slot = 0)
+        : table_(&table), frame_(frame), slot_(slot) {}
 
     [[nodiscard]] VkImage image(ResourceId id) const {
         return table_->images[table_->rings.copy(id, frame_)];
     }
     [[nodiscard]] VkBuffer buffer(ResourceId id) const {
+        if (has_slot_buffers(id)) return table_->slot_buffers.at(id)[slot_];
         return table_->buffers[table_->rings.copy(id, frame_)];
     }
+    [[nodiscard]] bool has_slot_buffers(ResourceId id) const {
+        return !table_->slot_buffers.empty() && table_->slot_buffers.contains(id);
+    }
+    [[nodiscard]] FrameResources in_slot(uint32_t slot) const { return {*table_, frame_, slot}; }
     [[nodiscard]] const Rings& rings() const { return table_->rings; }
     [[nodiscard]] uint64_t frame() const { return frame_; }
 
  private:
     const ResourceTable* table_;
     uint64_t frame_;
+    uint32_t slot_;
 };
 
 [[nodiscard]] Result<ResourceTable> bind_resources(const FramePlan& plan, const TransientHeap& heap,

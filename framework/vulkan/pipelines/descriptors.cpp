@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <map>
+#include <utility>
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
@@ -16,6 +17,8 @@ struct SetWrites {
     std::vector<VkWriteDescriptorSet> writes;
     std::deque<std::vector<VkDescriptorImageInfo>> images;
     std::deque<std::vector<VkDescriptorBufferInfo>> buffers;
+    // The infos of imports of which each frame slot has its own buffer.
+    std::vector<std::pair<VkDescriptorBufferInfo*, ResourceId>> slot_buffers;
 };
 
 std::vector<const UseDecl*> uses_of(const PassDecl& pass, const ShaderBinding& binding) {
@@ -90,6 +93,9 @@ Status add_binding(DescriptorSources& sources, const PassDecl& pass, const Shade
             out.buffers.back().push_back(*info);
         }
     }
+    for (uint32_t i = 0; i < uses.size(); ++i)
+        if (!is_image && sources.resources.has_slot_buffers(uses[i]->resource))
+            out.slot_buffers.emplace_back(&out.buffers.back()[i], uses[i]->resource);
     if (is_image)
         write.pImageInfo = out.images.back().data();
     else
@@ -152,6 +158,8 @@ Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool, Descripto
     Result<SlotSets> sets = allocate_sets(device, pool, sources.plan, pass, layout);
     if (!sets) return sets;
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot) {
+        for (const auto& [info, resource] : ports.slot_buffers)
+            info->buffer = sources.resources.in_slot(slot).buffer(resource);
         std::vector<VkWriteDescriptorSet> writes = ports.writes;
         VkDescriptorBufferInfo params{};
         if (params_in_buffer(interface)) {

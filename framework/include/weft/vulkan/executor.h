@@ -4,6 +4,7 @@
 // plan's barriers between consecutive frames order their accesses.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
@@ -40,6 +41,9 @@ struct PipelineCounts {
 // The program's Vulkan objects for the imports of a graph, by the names of the imports.
 struct ImportBindings {
     std::map<std::string, VkBuffer, std::less<>> buffers;
+    // Imports for which each frame slot has its own buffer, so that the program can write the buffer of the
+    // next frame while the GPU reads that of the last one. Index: the slot that begin_frame() returned.
+    std::map<std::string, std::array<VkBuffer, kFramesInFlight>, std::less<>> slot_buffers = {};
     std::map<std::string, const Image*, std::less<>> images;
 };
 
