@@ -51,6 +51,7 @@ void expect_shares(const GraphCoverage& coverage) {
          {coverage.waits, coverage.history, coverage.ranges, coverage.repeats, coverage.conditionals})
         EXPECT_GE(count * 10, coverage.graphs * 3);
     EXPECT_GE(coverage.merged_scopes * 10, coverage.graphs);
+    EXPECT_GE(coverage.carried * 50, coverage.graphs);
 }
 
 TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesForAllProfiles) {

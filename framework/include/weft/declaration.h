@@ -324,6 +324,9 @@ struct PassDecl {
     // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
     // In each frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
+    // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
+    // last frame to the copy of this frame, before all other passes that use this copy.
+    bool carries = false;
     // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;

@@ -46,6 +46,7 @@ void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     });
     history += any_live_use(plan, [](const ResourceDecl& r) { return r.age > 0; });
     kept += any_live_use(plan, [](const ResourceDecl& r) { return r.ring != kNoId && r.history == 0; });
+    carried += any_live_pass(plan, [](const PassDecl& pass) { return pass.carries; });
     ranges += any(plan.barriers.steps, [&](const PassStep& step) {
         return any(step.barriers, [&](const BarrierDecl& b) {
                    return b.range != plan.graph.resources[b.resource].whole();
@@ -75,6 +76,7 @@ std::string GraphCoverage::text() const {
     share("family transfers", transfers);
     share("history", history);
     share("kept", kept);
+    share("carried", carried);
     share("subresource ranges", ranges);
     share("repeats", repeats);
     share("mip chains made in memory", chains);
