@@ -34,7 +34,7 @@ enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
 
 // A part of a resource: `mips` mip levels from `mip` on, `layers` layers from `layer` on, and the given
-// aspects. A buffer has one subresource: mip 0, layer 0, aspect kColor.
+// aspects. The layers of a buffer are its pieces (ResourceDecl::cuts_bytes); it has mip 0 and aspect kColor.
 struct SubresourceRange {
     uint32_t mip = 0;
     uint32_t mips = 1;
@@ -46,7 +46,14 @@ struct SubresourceRange {
 };
 [[nodiscard]] bool overlaps(const SubresourceRange& a, const SubresourceRange& b);
 [[nodiscard]] bool contains(const SubresourceRange& outer, const SubresourceRange& inner);
-[[nodiscard]] std::string range_text(const SubresourceRange& range);
+
+// A part of a buffer.
+struct ByteRange {
+    uint64_t offset_bytes = 0;
+    uint64_t size_bytes = 0;
+    [[nodiscard]] uint64_t end_bytes() const { return offset_bytes + size_bytes; }
+    bool operator==(const ByteRange&) const = default;
+};
 
 using UsageMask = uint32_t;
 namespace usage {
@@ -106,9 +113,12 @@ struct ResourceDecl {
     uint32_t layers = 1;
     uint32_t samples = 1;
     AspectMask aspects = aspect::kColor;
-    // The members size_bytes and stride_bytes describe a buffer. Images do not use them.
+    // The members from size_bytes to cuts_bytes describe a buffer. Images do not use them.
     uint64_t size_bytes = 0;
     uint32_t stride_bytes = 0;
+    // The offsets that divide the buffer into pieces, in ascending order, without 0 and the size. Each part
+    // that a pass uses consists of whole pieces. Empty: the buffer is one piece.
+    std::vector<uint64_t> cuts_bytes;
     // Union of the usage flags of all passes that use the resource, including culled passes.
     UsageMask usage = 0;
     // A resource with `history` n is a ring of n + 1 ResourceDecls. In a ring of 3, "color" (age 0) is the
@@ -133,6 +143,11 @@ struct ResourceDecl {
     [[nodiscard]] SubresourceRange whole() const;
 };
 
+// Returns the text of a part of a resource, such as ".mip(0).layer(1..2)", or ".range(0..63)" for elements 0
+// to 63 of a buffer. Empty for the whole of a buffer that has only one piece.
+[[nodiscard]] std::string range_text(const ResourceDecl& resource, const SubresourceRange& range);
+// Returns the bytes of the pieces in `range`.
+[[nodiscard]] ByteRange piece_bytes(const ResourceDecl& buffer, const SubresourceRange& range);
 // Returns the bytes of all texels in all mips and layers, without padding; for a buffer, its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
@@ -174,6 +189,9 @@ struct UseDecl {
     std::string port;
     ResourceId resource = kNoId;
     SubresourceRange range;
+    // The bytes that the pass uses, if the port names elements of a buffer. Absent: the whole resource or,
+    // for an image, `range`.
+    std::optional<ByteRange> bytes;
     Access access = Access::none;
     // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
     // `access`.
@@ -195,6 +213,8 @@ struct UseDecl {
     bool latest = false;
     SourceLoc loc;
 };
+// Returns the bytes of a buffer that a use names: UseDecl::bytes, or the whole buffer.
+[[nodiscard]] ByteRange used_bytes(const ResourceDecl& buffer, const UseDecl& use);
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
 
@@ -357,9 +377,7 @@ struct GroupDecl {
         return unit >= first_unit && unit - first_unit < rounds;
     }
     // Returns true if a frame may be unable to run all rounds.
-    [[nodiscard]] bool is_limited() const {
-        return per_frame < rounds || warm_up < rounds || !turns.empty();
-    }
+    [[nodiscard]] bool is_limited() const { return per_frame < rounds || warm_up < rounds || !turns.empty(); }
 };
 
 struct ResolvedGraph {

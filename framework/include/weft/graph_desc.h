@@ -61,8 +61,8 @@ struct ColorDesc {
     std::array<Expr, 4> channels;
 };
 
-// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth. Only the name is
-// required. The brackets of [-N] are written, as in "hdr[-1]".
+// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth, or .range(a..b)
+// for a buffer. Only the name is required. The brackets of [-N] are written, as in "hdr[-1]".
 struct RefDesc {
     std::string name;
     // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
@@ -70,7 +70,8 @@ struct RefDesc {
     uint32_t history = 0;  // N of [-N]: the content at the end of N frames ago; 0: the content of this frame.
     // The range of mips, as in ".mip(a..b)". If mip_last is absent, the range is the single mip mip_first.
     std::optional<Expr> mip_first, mip_last;
-    std::optional<Expr> layer_first, layer_last;  // The range of layers; absent like the range of mips.
+    std::optional<Expr> layer_first, layer_last;      // The range of layers; absent like the range of mips.
+    std::optional<Expr> element_first, element_last;  // The range of elements of a buffer, also absent so.
     AspectMask aspects = 0;  // The selected aspects, as in ".depth" or ".stencil"; 0: all aspects.
     std::string text;
     SourceLoc loc;
