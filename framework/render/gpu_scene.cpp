@@ -121,17 +121,22 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
     }
 }
 
-void GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                         const shared::ViewConstants& camera, const SunCascades& sun) {
-    frame_.write(slot, frame, camera, sun);
+Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::SunConstants& sun,
+                           std::span<const FrameView> views) {
+    if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
+    mirrored_views_.clear();
+    for (const FrameView& view : views)
+        if (view.mirrored) mirrored_views_.insert(view.name);
+    const glm::vec3 eye = views.front().constants.eye;
     const std::vector<Draw>& draws = lists_[std::string(kSortedList)].draws;
     far_to_near_.resize(draws.size());
     std::iota(far_to_near_.begin(), far_to_near_.end(), 0u);
     const auto distance2 = [&](uint32_t i) {
-        const glm::vec3 way = draws[i].center - camera.eye;
+        const glm::vec3 way = draws[i].center - eye;
         return glm::dot(way, way);
     };
     std::ranges::stable_sort(far_to_near_, std::greater{}, distance2);
+    return Unit{};
 }
 
 uint32_t GpuScene::place_of(std::string_view list, uint32_t i) const {
@@ -214,6 +219,7 @@ void GpuScene::record(const vk::DrawContext& context) const {
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    &instances, 0, nullptr);
+    const bool mirrored = is_mirrored(context.view);
     DrawState state;
     const std::vector<Draw>& draws = found->second.draws;
     for (uint32_t i = 0; i < draws.size();) {
@@ -222,7 +228,7 @@ void GpuScene::record(const vk::DrawContext& context) const {
         const uint32_t same = count_alike(context, draws, i);
         i += same;
         if (draw.variant != context.variant) continue;
-        set_state(context, draw, state);
+        set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
             fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
                                         1, kCommandBytes);
@@ -251,7 +257,8 @@ uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector
 }
 
 // Records only the state that differs from the previous draw.
-void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const {
+void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise,
+                         DrawState& state) const {
     const vk::DeviceFunctions& fn = *context.fn;
     if (context.uses_materials && draw.material != state.material) {
         const VkDescriptorSet set = materials_.set(draw.material);
@@ -259,15 +266,19 @@ void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawS
                                    &set, 0, nullptr);
         state.material = draw.material;
     }
-    if (state.mirrored != draw.mirrored) {
+    if (state.clockwise != clockwise) {
         fn.vkCmdSetFrontFace(context.commands,
-                             draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-        state.mirrored = draw.mirrored;
+                             clockwise ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        state.clockwise = clockwise;
     }
     if (context.cull == CullMode::material && state.double_sided != draw.double_sided) {
         fn.vkCmdSetCullMode(context.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
         state.double_sided = draw.double_sided;
     }
+}
+
+bool GpuScene::is_mirrored(std::string_view view) const {
+    return mirrored_views_.contains(view);
 }
 
 uint64_t GpuScene::draw_count(std::string_view list) const {
