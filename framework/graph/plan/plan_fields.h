@@ -33,7 +33,7 @@ void visit_fields(V& v, const ResourceDecl& x) {
     v("aspects", x.aspects), v("sizeBytes", x.size_bytes), v("strideBytes", x.stride_bytes),
         v("usage", x.usage);
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
-    v("onResize", x.on_resize), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
+    v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {
@@ -170,7 +170,7 @@ void visit_fields(V& v, const AliasTransition& x) {
 template <class V>
 void visit_fields(V& v, const HeapPlan& x) {
     v("sizeBytes", x.size_bytes), v("typeBits", x.type_bits), v("buffers", x.buffers),
-        v("persistent", x.persistent);
+        v("persistent", x.persistent), v("shared", x.shared);
 }
 template <class V>
 void visit_fields(V& v, const MemoryPlan& x) {

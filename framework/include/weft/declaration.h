@@ -123,6 +123,9 @@ struct ResourceDecl {
     // Initial value (r, g, b, a) of every copy in the ring, before the first write.
     std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
+    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of all
+    // tiers. Only for resources with `keep` and without `history`.
+    bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
