@@ -36,7 +36,9 @@ class PlanText {
     // Returns the name of the resource. A range that is not the whole resource is appended, such as
     // "bloom.mip(2)".
     std::string part(ResourceId id, const SubresourceRange& range) const {
-        return resource(id) + (range == plan_.graph.resources[id].whole() ? "" : range_text(range));
+        return resource(id) + (range == plan_.graph.resources[id].whole()
+                                   ? ""
+                                   : range_text(plan_.graph.resources[id], range));
     }
 
     std::string state(const AccessState& s, bool image) const {

@@ -102,7 +102,11 @@ class Builder {
             if (state.resource != from) continue;
             for (BarrierDecl after : new_.barriers.prologue.after) {
                 if (after.resource != id) continue;
-                const std::optional<SubresourceRange> part = common_part(state.range, after.range);
+                // The two plans may divide a buffer into different pieces, and a buffer has no layouts.
+                const bool buffer = new_.graph.resources[id].kind == ResourceKind::buffer;
+                if (buffer && state.range.layer > 0) continue;
+                const std::optional<SubresourceRange> part =
+                    buffer ? after.range : common_part(state.range, after.range);
                 if (!part) continue;
                 after.range = *part;
                 after.src = everything(state.state.layout);

@@ -26,6 +26,8 @@ struct GraphCoverage {
     uint32_t carried = 0;
     // Frames with a barrier on a part of an image.
     uint32_t ranges = 0;
+    // Frames with a barrier on a part of a buffer.
+    uint32_t buffer_ranges = 0;
     // Frames with a live iteration of a repeated pass.
     uint32_t repeats = 0;
     // Frames with a live pass of a mip chain that the class RandomFeatures made. A mip chain of random_text()

@@ -131,8 +131,11 @@ ResolvedGraph remove_idle_carries(ResolvedGraph graph) {
         const SubresourceRange box = NeededParts(graph, id).box();
         removed[id] = box.mips == 0 ? 1 : 0;
         any |= removed[id] != 0;
+        const ResourceDecl& resource = graph.resources[pass.uses.back().resource];
         for (UseDecl& use : pass.uses) {
             use.range = box;
+            if (resource.kind == ResourceKind::buffer && !removed[id] && box != resource.whole())
+                use.bytes = piece_bytes(resource, box);
             for (VersionSource& source : use.sources) source.range = box;
         }
     }

@@ -94,9 +94,11 @@ class SlicedCell {
                               " wrote it, but in frames without that pass, pass " +
                               quote(declared_.pass_name(other.pass)) + " has overwritten this content");
         add_note(d, reporter_.sources(), use(other).loc, "the other pass writes here");
-        if (resource.kind == ResourceKind::image)
-            add_help(d, "let each iteration write its own layer or mip, and read this part: " +
-                            quote(resource.name + ".layer(i)"));
+        add_help(d, resource.kind == ResourceKind::image
+                        ? "let each iteration write its own layer or mip, and read this part: " +
+                              quote(resource.name + ".layer(i)")
+                        : "let each iteration write its own elements, and read this part: " +
+                              quote(resource.name + ".range(64*i..64*i+63)"));
         add_help(d, "or add \"partial\": true, if each iteration changes only its own part of the content");
         add_help(d, "or run all iterations in every frame: remove \"perFrame\" from " +
                         quote(declared_.author_name(wanted.pass)));

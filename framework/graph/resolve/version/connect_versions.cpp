@@ -194,7 +194,8 @@ class VersionConnector {
                             "\"repeat\" is empty");
         } else if (written_at_all(use(u).resource, u.pass)) {
             add_help(d,
-                     "check the mips, the layers and the @pass of the reference: passes write other parts or "
+                     "check the mips, layers, elements and the @pass of the reference: passes write other "
+                     "parts or "
                      "later versions");
         } else if (resource.lifetime == ResourceLifetime::imported) {
             add_help(d, "write the import in an earlier pass: it has no content when the frame begins");

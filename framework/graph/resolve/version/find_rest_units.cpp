@@ -237,10 +237,10 @@ class RestUnitFinder {
                               "has \"rest\" and writes " + what(cell) + ", but pass " + name +
                                   " writes this part, too, and in every frame");
         add_note(d, reporter_.sources(), use(writer).loc, "the other pass writes here");
-        add_help(
-            d,
-            "let the two passes write different resources, mips or layers; or add \"rest\": true to pass " +
-                name);
+        add_help(d,
+                 "let the two passes write different resources, mips, layers or elements; or add \"rest\": "
+                 "true to pass " +
+                     name);
     }
 
     void report_not_kept(const Cell& cell, const CellUse& writer) {
