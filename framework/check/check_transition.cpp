@@ -111,7 +111,8 @@ class TransitionCheck {
         // The pieces of a buffer may differ in the two plans, and a buffer has no layouts.
         if (new_.graph.resources[id].kind == ResourceKind::buffer)
             return check_passed_on(id, left.state.layout, wanted, wanted.range);
-        const uint32_t mips = std::min(left.range.mip + left.range.mips, wanted.range.mip + wanted.range.mips);
+        const uint32_t mips =
+            std::min(left.range.mip + left.range.mips, wanted.range.mip + wanted.range.mips);
         const uint32_t layers =
             std::min(left.range.layer + left.range.layers, wanted.range.layer + wanted.range.layers);
         SubresourceRange part{std::max(left.range.mip, wanted.range.mip), 0,
@@ -154,8 +155,7 @@ class TransitionCheck {
     static bool formats_fit(const ResourceDecl& from, const ResourceDecl& to, const ContentCopy& carry) {
         const bool floats = format_info(from.format).numeric == NumericClass::float_like &&
                             format_info(to.format).numeric == NumericClass::float_like;
-        return from.format == to.format ||
-               (carry.resample && floats && from.on_resize == OnResize::resample);
+        return from.format == to.format || (carry.resample && floats && from.on_resize == OnResize::resample);
     }
 
     void check_carried(const ContentCopy& carry) {
@@ -167,7 +167,8 @@ class TransitionCheck {
         }
         if (carry.shared) return check_shared(carry);
         const ResourceDecl& from = old_.graph.resources[carry.from];
-        if (from.lifetime != ResourceLifetime::persistent || ring_name(old_.graph, from) != ring_name(new_.graph, decl) ||
+        if (from.lifetime != ResourceLifetime::persistent ||
+            ring_name(old_.graph, from) != ring_name(new_.graph, decl) ||
             frames_ago(from) != frames_ago(decl) || !formats_fit(from, decl, carry))
             add("C370", carry.to, "gets its content from \"" + from.name + "\"",
                 "copy only a resource of the same name, format and age; convert only floats");

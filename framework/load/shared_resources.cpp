@@ -128,14 +128,15 @@ class SharedCheck {
         const bool says_kind = what == "kind";
         Diagnostic d = other.desc->sources.error(
             loc, "W198",
-            "resource " + quote(name) + R"( has "keep": "shared", but its )" + what + " differs: " +
-                (says_kind ? std::string() : property.text(a) + " ") + tier_text(first.tier) +
+            "resource " + quote(name) + R"( has "keep": "shared", but its )" + what +
+                " differs: " + (says_kind ? std::string() : property.text(a) + " ") + tier_text(first.tier) +
                 (says_kind ? " and " : ", " + property.text(b) + " ") + tier_text(other.tier));
         add_note(d, other.desc->sources, note,
                  note.line == tier_place(other).line ? "this tier changes the " + what
                                                      : "the other " + what + " is given here");
         add_help(d, "give the resource the same " + what + " in all tiers");
-        add_help(d, R"(or write "keep": true: each tier then has its own memory, and Weft copies the content)");
+        add_help(d,
+                 R"(or write "keep": true: each tier then has its own memory, and Weft copies the content)");
         faults_.push_back(std::move(d));
     }
 

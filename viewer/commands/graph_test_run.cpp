@@ -229,8 +229,7 @@ class TestRun {
                         "pipelines for which a frame had to wait");
             if (e.what == "kept" && measured_.lost.contains(e.ref))
                 fail(e, "W161",
-                     "a change of tier loses the content of \"" + e.ref +
-                         "\": " + measured_.lost.at(e.ref),
+                     "a change of tier loses the content of \"" + e.ref + "\": " + measured_.lost.at(e.ref),
                      "give \"" + e.ref +
                          "\" the same size and format in all tiers, or set \"onResize\": \"resample\"");
             if (e.what == "finite" || e.what == "range" || e.what == "mean") check_values(e);

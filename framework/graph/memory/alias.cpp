@@ -103,7 +103,8 @@ void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const M
         if (!wanted) continue;
         const HeapKey key{false, needs[id].type_bits};
         if (graph.resources[id].shared) {
-            plan.placements.push_back({id, static_cast<uint32_t>(plan.heaps.size()), 0, needs[id].size_bytes});
+            plan.placements.push_back(
+                {id, static_cast<uint32_t>(plan.heaps.size()), 0, needs[id].size_bytes});
             plan.heaps.push_back({needs[id].size_bytes, key.type_bits, false, true, true});
             continue;
         }

@@ -37,7 +37,8 @@ void visit_fields(V& v, const ResourceDecl& x) {
     v("aspects", x.aspects), v("sizeBytes", x.size_bytes), v("strideBytes", x.stride_bytes),
         v("cutsBytes", x.cuts_bytes), v("usage", x.usage);
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
-    v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
+    v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import),
+        v("clear", x.clear);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {

@@ -22,8 +22,8 @@ bool can_blit(const ResourceDecl& from, const ResourceDecl& to) {
     const auto is_float = [](const ResourceDecl& d) {
         return format_info(d.format).numeric == NumericClass::float_like;
     };
-    const bool formats = from.format == to.format ||
-                         (is_float(from) && is_float(to) && from.on_resize == OnResize::resample);
+    const bool formats =
+        from.format == to.format || (is_float(from) && is_float(to) && from.on_resize == OnResize::resample);
     return to.on_resize == OnResize::resample && to.kind == ResourceKind::image && from.layers == to.layers &&
            to.samples == 1 && (to.aspects & aspect::kColor) != 0 && formats;
 }
@@ -36,7 +36,7 @@ ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& de
     if (!same_kind) return ContentAction::clear;
     if (same_shape(old_decl, decl) && old_decl.format == decl.format)
         return old_decl.shared && decl.shared && old_decl.usage == decl.usage ? ContentAction::share
-                                                                             : ContentAction::copy;
+                                                                              : ContentAction::copy;
     return can_blit(old_decl, decl) ? ContentAction::resample : ContentAction::clear;
 }
 
@@ -96,7 +96,8 @@ class Builder {
         }
     }
 
-    // Brings shared memory from the states in which the old plan leaves it to those that the new plan expects.
+    // Brings shared memory from the states in which the old plan leaves it to those that the new plan
+    // expects.
     void pass_on(ResourceId from, ResourceId id) {
         for (const BoundaryState& state : old_.boundary) {
             if (state.resource != from) continue;
@@ -125,9 +126,8 @@ class Builder {
         const uint32_t old_history = old_.graph.resources[ring].history;
         if ((old_history > 0) == (decl.history > 0)) return find_resource(old_.graph, decl.name);
         if (old_history == 0) return decl.age == 1 ? ring : kNoId;
-        const auto last = std::ranges::find_if(old_.graph.resources, [&](const ResourceDecl& old) {
-            return old.ring == ring && old.age == 1;
-        });
+        const auto last = std::ranges::find_if(
+            old_.graph.resources, [&](const ResourceDecl& old) { return old.ring == ring && old.age == 1; });
         return static_cast<ResourceId>(last - old_.graph.resources.begin());
     }
 

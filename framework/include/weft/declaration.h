@@ -133,8 +133,8 @@ struct ResourceDecl {
     // Initial value (r, g, b, a) of every copy in the ring, before the first write.
     std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
-    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of all
-    // tiers. Only for resources with `keep` and without `history`.
+    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of
+    // all tiers. Only for resources with `keep` and without `history`.
     bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
@@ -361,8 +361,8 @@ struct PassDecl {
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
 
-// program: the program gives the matrices. mirror: the views of another list in a mirror. cube: the faces of a
-// cube.
+// program: the program gives the matrices. mirror: the views of another list in a mirror. cube: the faces of
+// a cube.
 enum class ViewSource : uint8_t { program, mirror, cube };
 
 // A list of views. View i has the name "list(i)".

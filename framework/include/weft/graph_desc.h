@@ -143,8 +143,8 @@ enum class ViewTarget : uint8_t { one, layers, rects };
 inline constexpr const char* kViewIndex = "view";
 
 // Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames and
-// shared: from frame to frame, and into a new plan as transition() decides. shared: the new plan uses the same
-// memory, if the shape is the same.
+// shared: from frame to frame, and into a new plan as transition() decides. shared: the new plan uses the
+// same memory, if the shape is the same.
 enum class KeepMode : uint8_t { none, frames, shared };
 
 struct ResourceDesc {

@@ -8,9 +8,17 @@ namespace {
 // Returns a text that is equal for two declarations if one object can serve both.
 std::string key_of(const ResourceDecl& d) {
     std::string key = d.name;
-    const std::initializer_list<uint64_t> numbers{
-        static_cast<uint64_t>(d.kind), static_cast<uint64_t>(d.image_kind), static_cast<uint64_t>(d.format),
-        d.extent.width, d.extent.height, d.extent.depth, d.mips, d.layers, d.samples, d.size_bytes, d.usage};
+    const std::initializer_list<uint64_t> numbers{static_cast<uint64_t>(d.kind),
+                                                  static_cast<uint64_t>(d.image_kind),
+                                                  static_cast<uint64_t>(d.format),
+                                                  d.extent.width,
+                                                  d.extent.height,
+                                                  d.extent.depth,
+                                                  d.mips,
+                                                  d.layers,
+                                                  d.samples,
+                                                  d.size_bytes,
+                                                  d.usage};
     for (const uint64_t number : numbers) key += " " + std::to_string(number);
     return key;
 }

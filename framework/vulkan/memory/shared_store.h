@@ -1,7 +1,7 @@
-// Purpose: the images and buffers of resources with `"keep": "shared"`. Plans that follow each other lease the
-// same object from the store, if the resource has the same name and shape in both. When the last lease ends,
-// the object and its memory are destroyed. Only the plan that runs, and the plan that replaces it, may use
-// one store at a time. Thread-safe. Errors: those of the function that makes the object.
+// Purpose: the images and buffers of resources with `"keep": "shared"`. Plans that follow each other lease
+// the same object from the store, if the resource has the same name and shape in both. When the last lease
+// ends, the object and its memory are destroyed. Only the plan that runs, and the plan that replaces it, may
+// use one store at a time. Thread-safe. Errors: those of the function that makes the object.
 #pragma once
 
 #include <cstdint>

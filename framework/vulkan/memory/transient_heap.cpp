@@ -104,9 +104,9 @@ Result<BufferHandle> make_buffer(Device& device, const ResourceDecl& decl, const
 // Creates an image or a buffer with memory of its own. All queue families may use it, because the plans that
 // share it may use it on different queues.
 Result<SharedObject> make_shared_object(Device& device, const ResourceDecl& decl, const HeapPlan& heap) {
-    Result<MemoryHandle> memory =
-        allocate_memory(device, heap, "allocating " + std::to_string(heap.size_bytes) +
-                                          " bytes for the shared resource \"" + decl.name + "\"");
+    Result<MemoryHandle> memory = allocate_memory(device, heap,
+                                                  "allocating " + std::to_string(heap.size_bytes) +
+                                                      " bytes for the shared resource \"" + decl.name + "\"");
     if (!memory) return memory.take_errors();
     SharedObject object;
     object.memory = std::move(*memory);
@@ -172,8 +172,8 @@ Status TransientHeap::place(Device& device, const ResourceDecl& decl, const Plac
 Status TransientHeap::lease(Device& device, const FramePlan& plan, const Placement& placement,
                             SharedStore& shared) {
     const ResourceDecl& decl = plan.graph.resources[placement.resource];
-    Result<SharedLease> lease = shared.get(
-        decl, [&] { return make_shared_object(device, decl, plan.memory.heaps[placement.heap]); });
+    Result<SharedLease> lease =
+        shared.get(decl, [&] { return make_shared_object(device, decl, plan.memory.heaps[placement.heap]); });
     if (!lease) return lease.take_errors();
     shared_[placement.resource] = std::move(*lease);
     return Unit{};

@@ -46,8 +46,8 @@ class TransientHeap {
     [[nodiscard]] Status place(Device& device, const ResourceDecl& decl, const Placement& placement,
                                const Sharing& sharing);
 
-    // One for each heap; empty for the heaps of shared resources. The memory is declared before the images and
-    // buffers bound to it. Members are destroyed in reverse order, so the memory is freed last.
+    // One for each heap; empty for the heaps of shared resources. The memory is declared before the images
+    // and buffers bound to it. Members are destroyed in reverse order, so the memory is freed last.
     std::vector<MemoryHandle> memory_;
     // One image for each ResourceId; empty for buffers, imports and unused resources.
     std::vector<ImageHandle> images_;

@@ -1,5 +1,5 @@
-// Tests a change of the tier that changes only formats and sizes: resources with `"onResize": "resample"` keep
-// their content in the new format. The expected values are computed on the CPU.
+// Tests a change of the tier that changes only formats and sizes: resources with `"onResize": "resample"`
+// keep their content in the new format. The expected values are computed on the CPU.
 #include <algorithm>
 #include <cmath>
 
@@ -86,10 +86,11 @@ class ConvertVk : public SessionTest {
 };
 
 TEST_F(ConvertVk, TheContentGetsTheNewFormat) {
-    // Half floats below 1 have 11 significant bits. Vulkan requires conversions to normalised formats to round
-    // to a neighbouring value.
-    for (const Tier& tier : {Tier{"half", "rgba16f", 1.0 / 1024, false}, Tier{"byte", "rgba8", 1.0 / 255, false},
-                             Tier{"srgb", "rgba8_srgb", 1.5 / 255, true}}) {
+    // Half floats below 1 have 11 significant bits. Vulkan requires conversions to normalised formats to
+    // round to a neighbouring value.
+    for (const Tier& tier :
+         {Tier{"half", "rgba16f", 1.0 / 1024, false}, Tier{"byte", "rgba8", 1.0 / 255, false},
+          Tier{"srgb", "rgba8_srgb", 1.5 / 255, true}}) {
         SCOPED_TRACE(tier.name);
         begin();
         choose(tier.name);
@@ -117,7 +118,8 @@ TEST_F(ConvertVk, SizeAndFormatChangeTogether) {
                                      painted(2 * x, 2 * y + 1) + painted(2 * x + 1, 2 * y + 1)) *
                                     0.25;
             const glm::dvec4 got = found[size_t{y} * 12 + x];
-            for (int c = 0; c < 4; ++c) EXPECT_NEAR(got[c], mean[c], 1.0 / 256 + 1.0 / 1024) << x << ", " << y;
+            for (int c = 0; c < 4; ++c)
+                EXPECT_NEAR(got[c], mean[c], 1.0 / 256 + 1.0 / 1024) << x << ", " << y;
         }
 }
 

@@ -1,5 +1,5 @@
-// Tests resources with `"keep": "shared"` on a device: a change of the tier keeps the very image or buffer and
-// its memory, and copies nothing.
+// Tests resources with `"keep": "shared"` on a device: a change of the tier keeps the very image or buffer
+// and its memory, and copies nothing.
 #include <algorithm>
 #include <cstring>
 

@@ -102,7 +102,8 @@ void renumber(const std::vector<uint8_t>& removed, ResolvedGraph& graph) {
             for (VersionSource& source : use.sources)
                 if (source.producer != kNoId) source.producer = ids[source.producer];
     std::erase_if(graph.edges, [&](const EdgeDecl& e) { return removed[e.from] || removed[e.to]; });
-    for (EdgeDecl& edge : graph.edges) edge = {ids[edge.from], ids[edge.to], edge.kind, edge.resource, edge.loc};
+    for (EdgeDecl& edge : graph.edges)
+        edge = {ids[edge.from], ids[edge.to], edge.kind, edge.resource, edge.loc};
 }
 
 }  // namespace
