@@ -153,6 +153,7 @@ void GpuScene::record(const vk::DrawContext& context) const {
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    instances_.sets.data(), 0, nullptr);
+    if (context.draw_count != VK_NULL_HANDLE) return record_counted(context);
     DrawState state;
     const std::vector<Draw>& draws = found->second;
     for (uint32_t i = 0; i < draws.size();) {
@@ -163,12 +164,22 @@ void GpuScene::record(const vk::DrawContext& context) const {
         if (draw.variant != context.variant) continue;
         set_state(context, draw, state);
         if (context.draw_commands != VK_NULL_HANDLE)
-            fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
-                                        1, kCommandBytes);
+            fn.vkCmdDrawIndexedIndirect(
+                commands, context.draw_commands,
+                context.draw_commands_offset_bytes + VkDeviceSize{place} * kCommandBytes, 1, kCommandBytes);
         else
             fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, same, draw.mesh.first_index,
                                 draw.mesh.vertex_offset, draw.instance);
     }
+}
+
+// Records one command that draws as many commands of the buffer as the GPU has counted. resolve() ensures
+// that the pass culls no faces and reads no materials, so all draws have the same state.
+void GpuScene::record_counted(const vk::DrawContext& context) {
+    context.fn->vkCmdSetFrontFace(context.commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    context.fn->vkCmdDrawIndexedIndirectCount(
+        context.commands, context.draw_commands, context.draw_commands_offset_bytes, context.draw_count,
+        context.draw_count_offset_bytes, context.most_draws, kCommandBytes);
 }
 
 // Returns how many draws one instanced command can draw, starting with the i-th draw. These draws have the

@@ -44,6 +44,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
 
  private:
+    static void record_counted(const vk::DrawContext& context);
+
     struct Draw {
         MeshRange mesh;
         uint32_t instance = 0;

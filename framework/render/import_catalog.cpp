@@ -5,6 +5,7 @@
 #include "render/scene_bindings.h"
 #include "render/sun_cascades.h"
 #include "shared/draw_command.glsl"
+#include "shared/draw_vertices_command.glsl"
 #include "shared/light.glsl"
 
 namespace weft::render {
@@ -134,7 +135,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     for (uint32_t i = 0; i < shared::kMostSunCascades; ++i) catalog.views.push_back(sun_view_name(i));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
-    catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
+    catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)},
+                       {"DrawVerticesCommand", sizeof(shared::DrawVerticesCommand)},
+                       {"Light", sizeof(shared::Light)}};
     catalog.bindings = scene_bindings();
     return catalog;
 }

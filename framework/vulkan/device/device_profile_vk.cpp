@@ -57,6 +57,7 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_uniform_buffer_bytes = limits.maxUniformBufferRange;
     profile.max_storage_buffer_bytes = limits.maxStorageBufferRange;
     profile.buffer_image_granularity_bytes = limits.bufferImageGranularity;
+    profile.max_draw_indirect_count = limits.maxDrawIndirectCount;
     profile.storage_offset_alignment_bytes = limits.minStorageBufferOffsetAlignment;
     profile.uniform_offset_alignment_bytes = limits.minUniformBufferOffsetAlignment;
 }
@@ -109,6 +110,7 @@ void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profi
     profile.non_solid_fill = enabled.fill_mode_non_solid;
     profile.depth_clamp = enabled.depth_clamp;
     profile.depth_bias_clamp = enabled.depth_bias_clamp;
+    profile.draw_indirect_count = enabled.draw_indirect_count;
     const auto set = [&](ShaderCapabilityMask bit, bool has) {
         profile.shader_capabilities =
             has ? profile.shader_capabilities | bit : profile.shader_capabilities & ~bit;
