@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/imports/scene_buffers.h"
 #include "render/scene_bindings.h"
 #include "render/sun_cascades.h"
 #include "shared/draw_command.glsl"
@@ -45,6 +46,7 @@ ImportDecl draw_commands(const ImportDecl& list) {
     ImportDecl import;
     import.name = commands_of(list.name);
     import.kind = ImportKind::buffer;
+    import.read_only = true;
     ResourceDecl& buffer = import.resource;
     buffer.name = import.name;
     buffer.kind = ResourceKind::buffer;
@@ -138,6 +140,7 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)},
                        {"DrawVerticesCommand", sizeof(shared::DrawVerticesCommand)},
                        {"Light", sizeof(shared::Light)}};
+    add_scene_buffers(catalog, scene);
     catalog.bindings = scene_bindings();
     return catalog;
 }

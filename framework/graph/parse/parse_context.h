@@ -235,6 +235,7 @@ void parse_groups(ParseContext& context, const JsonNode& node, GraphDesc& graph)
 void check_groups(ParseContext& context, const JsonNode& root, const GraphDesc& graph);
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_sampler(ParseContext& context, const JsonNode& node, PortDesc& port);
 void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass);
@@ -263,6 +264,7 @@ void list_resource_grammar(std::vector<GrammarTable>& lists);
 void list_pass_grammar(std::vector<GrammarTable>& lists);
 void list_group_grammar(std::vector<GrammarTable>& lists);
 void list_port_grammar(std::vector<GrammarTable>& lists);
+void list_sampler_grammar(std::vector<GrammarTable>& lists);
 void list_state_grammar(std::vector<GrammarTable>& lists);
 void list_blend_grammar(std::vector<GrammarTable>& lists);
 void list_debug_grammar(std::vector<GrammarTable>& lists);

@@ -46,7 +46,8 @@ void visit_fields(V& v, const VersionSource& x) {
 template <class V>
 void visit_fields(V& v, const SamplerDecl& x) {
     v("filter", x.filter), v("mipFilter", x.mip_filter), v("wrap", x.wrap);
-    v("compareGreaterEqual", x.compare_greater_equal);
+    v("compare", x.compare), v("reduction", x.reduction), v("anisotropy", x.anisotropy);
+    v("lodBias", x.lod_bias), v("minLod", x.min_lod), v("maxLod", x.max_lod);
 }
 template <class V>
 void visit_fields(V& v, const UseDecl& x) {
@@ -118,7 +119,8 @@ void visit_fields(V& v, const PassDecl& x) {
         v("view", x.view), v("clear", x.clear), v("flops", x.flops);
     v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use),
         v("drawCountUse", x.draw_count_use), v("mostDraws", x.most_draws);
-    v("frameSlice", x.frame_slice), v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit);
+    v("frameSlice", x.frame_slice), v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit),
+        v("carries", x.carries);
 }
 template <class V>
 void visit_fields(V& v, const GroupDecl& x) {

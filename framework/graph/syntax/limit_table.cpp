@@ -125,7 +125,9 @@ constexpr std::array kTable{
     LimitRow{"scene.nodeDepth", "", "depth of nested nodes of a scene", kMostItems,
              [](Limits& l) -> uint64_t& { return l.scene.node_depth; }},
     LimitRow{"scene.instances", "",
-             "number of meshes in the scene; a mesh counts once for each node that uses it", 1ull << 28,
+             "number of meshes in the scene; a mesh counts once for each node that uses it, and once for each "
+             "instance of `EXT_mesh_gpu_instancing`",
+             1ull << 28,
              [](Limits& l) -> uint64_t& { return l.scene.instances; }},
     LimitRow{"scene.vertices", "", "number of vertices of all meshes, and of values of all sparse accessors",
              1ull << 31, [](Limits& l) -> uint64_t& { return l.scene.vertices; }},

@@ -143,12 +143,23 @@ struct VersionSource {
 
 enum class SamplerFilter : uint8_t { nearest, linear };
 enum class SamplerWrap : uint8_t { clamp, repeat, mirror, border };
+// The result of a lookup that touches several texels: their weighted average, or the least or greatest of
+// them.
+enum class SamplerReduction : uint8_t { average, min, max };
+// The value of SamplerDecl::max_lod that does not limit the mips.
+inline constexpr float kNoMaxLod = 1000;
 struct SamplerDecl {
     SamplerFilter filter = SamplerFilter::linear;
     SamplerFilter mip_filter = SamplerFilter::linear;
     SamplerWrap wrap = SamplerWrap::clamp;
-    // True for a sampler2DShadow: the sampler compares with "greater or equal".
-    bool compare_greater_equal = false;
+    // The comparison of a sampler2DShadow. Absent: the sampler does not compare.
+    std::optional<CompareOp> compare;
+    SamplerReduction reduction = SamplerReduction::average;
+    // Greatest number of samples along the longer axis of a pixel's footprint, 1 to 16. 1: isotropic.
+    float anisotropy = 1;
+    // Level of detail: 0 is the first mip of the port, 1 the second. A lookup adds lod_bias to the level, and
+    // then clamps it to min_lod..max_lod.
+    float lod_bias = 0, min_lod = 0, max_lod = kNoMaxLod;
     bool operator==(const SamplerDecl&) const = default;
 };
 
@@ -316,6 +327,9 @@ struct PassDecl {
     // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
     // In each frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
+    // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
+    // last frame to the copy of this frame, before all other passes that use this copy.
+    bool carries = false;
     // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;

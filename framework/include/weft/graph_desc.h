@@ -77,6 +77,11 @@ struct RefDesc {
     SourceLoc loc;
 };
 
+// Places of the values of a sampler in the file; line 0: the key is absent.
+struct SamplerLocs {
+    SourceLoc compare, reduction, anisotropy, lod_bias, max_lod;
+};
+
 struct PortDesc {
     std::string port;
     RefDesc ref;
@@ -88,6 +93,7 @@ struct PortDesc {
     // False: a change of the content of this port does not make a pass with "rest" run.
     bool wakes = true;
     std::optional<SamplerDecl> sampler;
+    SamplerLocs sampler_locs = {};
     SourceLoc loc;  // Place of the port's name in the file.
 };
 

@@ -51,15 +51,16 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::imageCubeArray, &OptionalFeatures::cube_arrays},
     OptionalFeature<F10>{&F10::drawIndirectFirstInstance, &OptionalFeatures::draw_indirect_first_instance},
     OptionalFeature<F10>{&F10::multiDrawIndirect, &OptionalFeatures::multi_draw_indirect},
+    OptionalFeature<F10>{&F10::samplerAnisotropy, &OptionalFeatures::sampler_anisotropy},
     OptionalFeature<F10>{&F10::shaderImageGatherExtended, &OptionalFeatures::image_gather_extended},
     OptionalFeature<F10>{&F10::shaderUniformBufferArrayDynamicIndexing,
                          &OptionalFeatures::uniform_array_indexing},
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
 };
-
 constexpr std::array kOptional12{
     OptionalFeature<F12>{&F12::drawIndirectCount, &OptionalFeatures::draw_indirect_count},
+    OptionalFeature<F12>{&F12::samplerFilterMinmax, &OptionalFeatures::sampler_min_max},
 };
 
 // robustBufferAccess keeps out-of-range accesses to storage and uniform buffers inside the memory of the

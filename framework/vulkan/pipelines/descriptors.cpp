@@ -42,7 +42,7 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
     SamplerDecl decl = use != nullptr ? use->sampler : SamplerDecl{};
     if (use == nullptr) {
         decl.filter = decl.mip_filter = SamplerFilter::nearest;
-        decl.compare_greater_equal = binding.shadow;
+        if (binding.shadow) decl.compare = CompareOp::greater_equal;
     }
     Result<VkSampler> sampler = sources.samplers.get(decl, integer);
     if (!sampler) return sampler.take_errors();

@@ -46,6 +46,7 @@ void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     });
     history += any_live_use(plan, [](const ResourceDecl& r) { return r.age > 0; });
     kept += any_live_use(plan, [](const ResourceDecl& r) { return r.ring != kNoId && r.history == 0; });
+    carried += any_live_pass(plan, [](const PassDecl& pass) { return pass.carries; });
     const auto has_barrier_on_part = [&](ResourceKind kind) {
         return any(plan.barriers.steps, [&](const PassStep& step) {
             return any(step.barriers, [&](const BarrierDecl& b) {
@@ -80,6 +81,7 @@ std::string GraphCoverage::text() const {
     share("family transfers", transfers);
     share("history", history);
     share("kept", kept);
+    share("carried", carried);
     share("subresource ranges", ranges);
     share("buffer ranges", buffer_ranges);
     share("repeats", repeats);

@@ -22,6 +22,8 @@ struct GraphCoverage {
     uint32_t history = 0;
     // Frames in which a live pass uses a resource that keeps its content from frame to frame without history.
     uint32_t kept = 0;
+    // Frames in which a pass copies the content of the last frame (PassDecl::carries).
+    uint32_t carried = 0;
     // Frames with a barrier on a part of an image.
     uint32_t ranges = 0;
     // Frames with a barrier on a part of a buffer.

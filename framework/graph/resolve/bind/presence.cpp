@@ -48,6 +48,7 @@ std::set<std::string> Presence::writers_of(const std::string& resource, PassId e
     std::set<std::string> names;
     for (PassId pass(0); pass < outputs_.size(); ++pass) {
         if (declared_.author_name(pass) == declared_.author_name(except)) continue;
+        if (declared_.expansion.passes[pass].decl.carries) continue;
         for (const BoundPort& port : outputs_[pass]) {
             if (declared_.resource_name(port.use.resource) == resource)
                 names.insert(declared_.author_name(pass));

@@ -31,6 +31,14 @@ bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, co
            from.samples == to.samples;
 }
 
+// Returns true if the sampler has a setting that a blit cannot use: only its filter matters.
+bool only_shaders_can_use(const SamplerDecl& sampler) {
+    SamplerDecl plain = sampler;
+    plain.filter = plain.mip_filter = SamplerFilter::linear;
+    plain.wrap = SamplerWrap::clamp;
+    return plain != SamplerDecl{};
+}
+
 struct BlitFault {
     std::string reason;
     std::string remedy;
@@ -57,6 +65,9 @@ std::optional<BlitFault> blit_fault(const std::vector<ResourceDecl>& resources, 
     if (linear && numeric != NumericClass::float_like)
         return BlitFault{"linear filtering needs a format of floats",
                          "set \"sampler\": { \"filter\": \"nearest\" } for the input"};
+    if (only_shaders_can_use(from.sampler))
+        return BlitFault{"the sampler has a setting that only shaders can use",
+                         "give the sampler only a \"filter\", or use a fullscreen pass"};
     if (from.range.mips != 1 || to.range.mips != 1)
         return BlitFault{
             "a blit copies only one mip to one mip",

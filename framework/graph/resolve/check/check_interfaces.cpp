@@ -2,6 +2,7 @@
 #include <array>
 
 #include "graph/resolve/check/check_buffer_use.h"
+#include "graph/resolve/check/check_sampler.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 
@@ -40,6 +41,7 @@ class InterfaceCheck {
             const UseDecl& use = pass.uses[i];
             const ResourceDecl& resource = graph_.resources[use.resource];
             if (suspects_.shapes[use.resource]) continue;
+            check_writable(use, resource);
             if (resource.kind == ResourceKind::image && !check_aspects(use, resource))
                 suspects_.uses[pass_][i] = 1;
             else
@@ -65,6 +67,22 @@ class InterfaceCheck {
         if (port.binding->kind == BindingKind::storage_image) check_storage(use, resource, *port.binding);
         check_dimensions(use, resource, *port.binding);
         check_filter(use, resource);
+        if (use.access == Access::sampled_read)
+            check_sampler(declared_.input.profile, pass_, *port.desc, *port.binding, port_text(use), report_);
+    }
+
+    // The state of a read-only import before and after a frame describes no writes, so a write would change
+    // the import for all later frames without synchronisation.
+    void check_writable(const UseDecl& use, const ResourceDecl& resource) {
+        if (!writes(use.access)) return;
+        const auto import = declared_.input.imports.imports.find(resource.name);
+        if (resource.lifetime != ResourceLifetime::imported || import == declared_.input.imports.imports.end() ||
+            !import->second.read_only)
+            return;
+        error(use, "W147",
+              "pass " + quote(declared_.pass_name(pass_)) + " writes " + quote(resource.name) +
+                  ", which the program only lets passes read",
+              "copy the import to a resource of the graph with a pass of type \"copy\", and write that resource");
     }
 
     void error(const UseDecl& use, const char* code, const std::string& message, const std::string& help) {

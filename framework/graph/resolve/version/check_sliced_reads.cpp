@@ -47,6 +47,8 @@ class SlicedCell {
     void check() {
         const auto is_sliced = [&](const CellUse& w) { return slice_of(declared_, w.pass) != FrameSlice{}; };
         if (!cell_.ordered || std::ranges::none_of(cell_.writers, is_sliced)) return;
+        // check_frame_slices() has reported an error if a pass with `perFrame` writes a resource with history.
+        if (graph_.resources[cell_.resource].history > 0) return;
         const auto changes = [&](const CellUse& w) { return source_of(w) != nullptr; };
         if (std::ranges::all_of(cell_.writers, changes)) return;
         for (const CellUse& reader : cell_.readers) check_read(reader);

@@ -152,6 +152,7 @@ class RestUnitFinder {
     }
 
     void check_writer(const Cell& cell, const CellUse& writer) {
+        if (draft(writer.pass).decl.carries) return;  // The other writers get report_not_kept().
         if (!has_unit(writer.pass)) return report_other_writer(cell, writer);
         if (!is_kept(cell) && resource(cell).lifetime != ResourceLifetime::transient)
             return report_not_kept(cell, writer);

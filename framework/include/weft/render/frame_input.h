@@ -13,6 +13,7 @@
 namespace weft::render {
 
 struct FrameInput {
+    // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
     float exposure_ev = 0;
     double time_s = 0;

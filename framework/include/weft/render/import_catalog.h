@@ -1,7 +1,8 @@
 // Purpose: lists the imports that a scene offers to graphs; needs no device. Three draw lists, "opaque",
 // "masked" and "transparent", together contain all draws of the scene. The draw list "anisotropic" repeats
 // some draws of "opaque" and "masked". Further imports: a buffer with the draw commands of each list
-// (opaqueCommands, …), and the output image. Graphs may also use the element types Light and DrawCommand, the
+// (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes, materials), and the
+// output image. Graphs may also use the element types Light and DrawCommand and those of the buffers, the
 // views "camera" and "sun(0)" to "sun(3)", and the numbers directionalLights and environmentPictures.
 #pragma once
 
