@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/gpu_scene.h"
-#include "render/sun_cascades.h"
+#include "render/views/sun_cascades.h"
 #include "weft/scene/scene.h"
 
 namespace weft::render {

@@ -21,6 +21,7 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
     size_ = size;
     jitter_length_ = jitter_length;
     sun_maps_ = sun_maps_of(plan());
+    views_.set_plan(plan());
 }
 
 // Returns the view constants of this frame. The first frame has no previous frame, so it uses its own view as
@@ -52,7 +53,8 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    scene.gpu().set_frame(*slot, constants, view_, sun_);
+    if (Status made = views_.update({view_, sun_, scene.lights(), input.views}); !made) return made;
+    if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views()); !set) return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};
     HostInputs host;
     host.set("lights", lights);

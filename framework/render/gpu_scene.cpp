@@ -70,8 +70,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         for (const char* list : kDrawLists)
             if (is_in_draw_list(material, list))
                 lists_[list].draws.push_back({geometry_.meshes[instance.mesh], i, instance.material,
-                                        draw_variant(material, list), material.double_sided, mirrored,
-                                        center});
+                                              draw_variant(material, list), material.double_sided, mirrored,
+                                              center});
     }
     // Draws are sorted by material for few state changes. The sort is stable: draws with the same material
     // keep the scene's order, so the picture is always the same.
@@ -109,25 +109,30 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
             const MovingObject& object = moving_.all()[moving.object];
             Draw& draw = list.draws[moving.draw];
             draw.mirrored = glm::determinant(glm::mat3(object.transform)) < 0;
-            draw.center = object.transform *
-                          glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
+            draw.center =
+                object.transform * glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
             changed |= object.changed;
         }
         if (changed) ++list.version;
     }
 }
 
-void GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                         const shared::ViewConstants& camera, const SunCascades& sun) {
-    frame_.write(slot, frame, camera, sun);
+Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                           const shared::SunConstants& sun, std::span<const FrameView> views) {
+    if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
+    mirrored_views_.clear();
+    for (const FrameView& view : views)
+        if (view.mirrored) mirrored_views_.insert(view.name);
+    const glm::vec3 eye = views.front().constants.eye;
     const std::vector<Draw>& draws = lists_[std::string(kSortedList)].draws;
     far_to_near_.resize(draws.size());
     std::iota(far_to_near_.begin(), far_to_near_.end(), 0u);
     const auto distance2 = [&](uint32_t i) {
-        const glm::vec3 way = draws[i].center - camera.eye;
+        const glm::vec3 way = draws[i].center - eye;
         return glm::dot(way, way);
     };
     std::ranges::stable_sort(far_to_near_, std::greater{}, distance2);
+    return Unit{};
 }
 
 uint32_t GpuScene::place_of(std::string_view list, uint32_t i) const {
@@ -207,6 +212,7 @@ void GpuScene::record(const vk::DrawContext& context) const {
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    &instances, 0, nullptr);
     if (context.draw_count != VK_NULL_HANDLE) return record_counted(context);
+    const bool mirrored = is_mirrored(context.view);
     DrawState state;
     const std::vector<Draw>& draws = found->second.draws;
     for (uint32_t i = 0; i < draws.size();) {
@@ -215,7 +221,7 @@ void GpuScene::record(const vk::DrawContext& context) const {
         const uint32_t same = count_alike(context, draws, i);
         i += same;
         if (draw.variant != context.variant) continue;
-        set_state(context, draw, state);
+        set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
             fn.vkCmdDrawIndexedIndirect(
                 commands, context.draw_commands,
@@ -228,8 +234,10 @@ void GpuScene::record(const vk::DrawContext& context) const {
 
 // Records one command that draws as many commands of the buffer as the GPU has counted. resolve() ensures
 // that the pass culls no faces and reads no materials, so all draws have the same state.
-void GpuScene::record_counted(const vk::DrawContext& context) {
-    context.fn->vkCmdSetFrontFace(context.commands, VK_FRONT_FACE_COUNTER_CLOCKWISE);
+void GpuScene::record_counted(const vk::DrawContext& context) const {
+    context.fn->vkCmdSetFrontFace(context.commands, is_mirrored(context.view)
+                                                        ? VK_FRONT_FACE_CLOCKWISE
+                                                        : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     context.fn->vkCmdDrawIndexedIndirectCount(
         context.commands, context.draw_commands, context.draw_commands_offset_bytes, context.draw_count,
         context.draw_count_offset_bytes, context.most_draws, kCommandBytes);
@@ -254,7 +262,8 @@ uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector
 }
 
 // Records only the state that differs from the previous draw.
-void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const {
+void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise,
+                         DrawState& state) const {
     const vk::DeviceFunctions& fn = *context.fn;
     if (context.uses_materials && draw.material != state.material) {
         const VkDescriptorSet set = materials_.set(draw.material);
@@ -262,15 +271,19 @@ void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawS
                                    &set, 0, nullptr);
         state.material = draw.material;
     }
-    if (state.mirrored != draw.mirrored) {
+    if (state.clockwise != clockwise) {
         fn.vkCmdSetFrontFace(context.commands,
-                             draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-        state.mirrored = draw.mirrored;
+                             clockwise ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        state.clockwise = clockwise;
     }
     if (context.cull == CullMode::material && state.double_sided != draw.double_sided) {
         fn.vkCmdSetCullMode(context.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
         state.double_sided = draw.double_sided;
     }
+}
+
+bool GpuScene::is_mirrored(std::string_view view) const {
+    return mirrored_views_.contains(view);
 }
 
 uint64_t GpuScene::draw_count(std::string_view list) const {

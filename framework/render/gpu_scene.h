@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,9 +34,9 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] const MovingObjects& moving() const { return moving_; }
 
     // Writes the constants of a frame slot, and sorts the transparent surfaces by distance. Call it between
-    // Executor::begin_frame() and run().
-    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
-                   const SunCascades& sun);
+    // Executor::begin_frame() and run(). The first view is the camera.
+    [[nodiscard]] Status set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                                   const shared::SunConstants& sun, std::span<const FrameView> views);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
@@ -47,6 +48,7 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     void record(const vk::DrawContext& context) const override;
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
+    [[nodiscard]] bool is_mirrored(std::string_view view) const override;
     // Returns the buffer with the draw commands of `list`, one of kDrawLists in import_catalog.h. Graphs
     // import the buffer under the name commands_of(list).
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
@@ -54,7 +56,7 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] VkBuffer buffer(std::string_view name) const;
 
  private:
-    static void record_counted(const vk::DrawContext& context);
+    void record_counted(const vk::DrawContext& context) const;
 
     struct Draw {
         MeshRange mesh;
@@ -81,11 +83,11 @@ class GpuScene final : public vk::DrawSource {
     // The state that the previous draws in a command buffer have set.
     struct DrawState {
         uint32_t material = scene::kNone;
-        std::optional<bool> mirrored, double_sided;
+        std::optional<bool> clockwise, double_sided;
     };
     [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
                                        uint32_t i) const;
-    void set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const;
+    void set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise, DrawState& state) const;
     // Returns the index in `list` of the draw that is recorded as number i, counted from 0. The index differs
     // from i only in the transparent list, which is recorded from far to near.
     [[nodiscard]] uint32_t place_of(std::string_view list, uint32_t i) const;
@@ -106,6 +108,8 @@ class GpuScene final : public vk::DrawSource {
     std::map<std::string, DrawList, std::less<>> lists_;
     // Indices into the transparent list, sorted from far to near as seen from the camera.
     std::vector<uint32_t> far_to_near_;
+    // The views of the frame whose picture is a mirror image.
+    std::set<std::string, std::less<>> mirrored_views_;
     // The buffer of draw commands of each draw list, by the name of the list.
     std::map<std::string, vk::Buffer, std::less<>> commands_;
 };

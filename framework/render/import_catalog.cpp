@@ -4,7 +4,9 @@
 
 #include "render/imports/scene_buffers.h"
 #include "render/scene_bindings.h"
-#include "render/sun_cascades.h"
+#include "render/frame_data.h"
+#include "render/views/sun_cascades.h"
+#include "render/views/frame_views.h"
 #include "shared/draw_command.glsl"
 #include "shared/draw_vertices_command.glsl"
 #include "shared/light.glsl"
@@ -77,6 +79,15 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
     }));
 }
 
+// Counts the views of the scene's lamps. Returns 1 if `scene` is null.
+uint32_t count_all_lamp_views(const scene::Scene* scene) {
+    if (scene == nullptr) return 1;
+    uint32_t count = 0;
+    for (const shared::Light& light : gpu_lights(scene->lights, 0, scene->light_functions.size()))
+        count += count_lamp_views(light);
+    return count;
+}
+
 // True if the scene has an environment map with a scale above 0, or if `scene` is null.
 bool has_environment_picture(const scene::Scene* scene) {
     return scene == nullptr || (!scene->environment.mips.empty() && scene->environment.scale > 0);
@@ -125,6 +136,14 @@ std::string commands_of(std::string_view list) {
     return std::string(list) + "Commands";
 }
 
+ImportDecl view_list(const std::string& name, uint32_t count) {
+    ImportDecl import;
+    import.name = name;
+    import.kind = ImportKind::views;
+    import.views = count;
+    return import;
+}
+
 ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     ImportCatalog catalog;
     for (const char* list : kDrawLists) {
@@ -133,8 +152,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
         catalog.imports.emplace(list, std::move(import));
     }
     catalog.imports.emplace("backbuffer", output(output_extent));
-    catalog.views = {"camera"};
-    for (uint32_t i = 0; i < shared::kMostSunCascades; ++i) catalog.views.push_back(sun_view_name(i));
+    catalog.views = {"camera", "sun"};
+    catalog.imports.emplace("sun", view_list("sun", shared::kMostSunCascades));
+    catalog.imports.emplace(kLampViews, view_list(kLampViews, count_all_lamp_views(scene)));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)},

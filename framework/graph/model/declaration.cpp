@@ -153,6 +153,8 @@ const char* import_kind_name(ImportKind kind) {
             return "cube";
         case ImportKind::output:
             return "output";
+        case ImportKind::views:
+            return "views";
     }
     assert(false);
     return "";

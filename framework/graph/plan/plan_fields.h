@@ -128,10 +128,15 @@ void visit_fields(V& v, const GroupDecl& x) {
     v("warmUp", x.warm_up), v("rests", x.rests), v("settle", x.settle), v("turns", x.turns);
 }
 template <class V>
+void visit_fields(V& v, const ViewListDecl& x) {
+    v("name", x.name), v("source", x.source), v("count", x.count), v("of", x.of), v("first", x.first);
+    v("plane", x.plane), v("at", x.at), v("nearM", x.near_m);
+}
+template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {
     v("name", x.name), v("outputExtent", x.output_extent), v("resources", x.resources), v("passes", x.passes);
     v("edges", x.edges), v("output", x.output), v("params", x.params), v("restUnitCount", x.rest_unit_count);
-    v("groups", x.groups);
+    v("groups", x.groups), v("views", x.views);
 }
 template <class V>
 void visit_fields(V& v, const LiveGraph& x) {

@@ -15,6 +15,7 @@
 #include "weft/format.h"
 #include "weft/id.h"
 #include "weft/raster_state.h"
+#include "weft/resource_usage.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
 #include "weft/subresource.h"
@@ -33,23 +34,6 @@ struct Extent3D {
 
 enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
-
-using UsageMask = uint32_t;
-namespace usage {
-inline constexpr UsageMask kSampled = 1u << 0;
-inline constexpr UsageMask kStorage = 1u << 1;
-inline constexpr UsageMask kColorAttachment = 1u << 2;
-inline constexpr UsageMask kDepthAttachment = 1u << 3;
-inline constexpr UsageMask kTransferSrc = 1u << 4;
-inline constexpr UsageMask kTransferDst = 1u << 5;
-inline constexpr UsageMask kUniform = 1u << 6;
-inline constexpr UsageMask kVertex = 1u << 7;
-inline constexpr UsageMask kIndex = 1u << 8;
-inline constexpr UsageMask kIndirect = 1u << 9;
-}  // namespace usage
-
-// Returns the usage flag that a resource needs for an access. Example: kSampled for Access::sampled_read.
-[[nodiscard]] UsageMask usage_of(Access a);
 
 enum class ResourceLifetime : uint8_t {
     // The content lives within one frame. The memory may be shared with other transient resources.
@@ -315,7 +299,8 @@ struct PassDecl {
     uint32_t vertices = 0;
     // For a raster pass without draw lists: how many instances of its vertices are drawn.
     uint32_t instances = 0;
-    std::string view = "camera";  // The view from which the pass looks at the scene, such as a camera.
+    // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
+    std::string view = "camera";
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
     // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
@@ -344,6 +329,25 @@ struct PassDecl {
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
+
+// program: the program gives the matrices. mirror: the views of another list in a mirror. cube: the faces of
+// a cube.
+enum class ViewSource : uint8_t { program, mirror, cube };
+
+// A list of views. View i has the name "list(i)".
+struct ViewListDecl {
+    std::string name;
+    ViewSource source = ViewSource::program;
+    uint32_t count = 1;
+    // For a mirror: the view i shows view `first` + i of the list `of`, which can also be "camera".
+    std::string of;
+    uint32_t first = 0;
+    // The plane of a mirror, (a, b, c, d): points with a x + b y + c z + d = 0. (a, b, c) is a unit vector.
+    std::array<double, 4> plane{0, 1, 0, 0};
+    // For a cube: its centre, and the distance of the near planes of its faces, in metres.
+    std::array<double, 3> at{0, 0, 0};
+    double near_m = 0;
+};
 
 // A group of passes. Its rounds are units, and each frame runs some of them, in any order.
 struct GroupDecl {
@@ -379,6 +383,8 @@ struct ResolvedGraph {
     std::vector<GraphParam> params;  // The graph's parameters with their values.
     uint32_t rest_unit_count = 0;    // Number of units; see PassDecl::rest_unit.
     std::vector<GroupDecl> groups;   // Sorted by name. Their units have the highest numbers.
+    // The lists of views that passes use, and the lists that these show in mirrors, sorted by name.
+    std::vector<ViewListDecl> views;
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };

@@ -48,36 +48,46 @@ IndirectPlace place_of(const RecordContext& context, const PassDecl& pass, uint3
     return {context.resources.buffer(use.resource), used_bytes(buffer, use).offset_bytes};
 }
 
-// Draws vertices without vertex buffers, as the commands in a buffer say. A device without multiDrawIndirect
-// executes only one command at a time.
+FrontFace opposite(FrontFace face) {
+    return face == FrontFace::clockwise ? FrontFace::counter_clockwise : FrontFace::clockwise;
+}
+
+// Prepares draws without vertex buffers. The shader gets only the vertex and instance indices.
+void bind_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+    const DeviceFunctions& fn = context.device.fn();
+    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+                         prepared.pipelines[0].pipeline.get());
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    // The triangle of a fullscreen pass is the same in every view.
+    const DrawSource* draws = context.objects.draws;
+    if (pass.kind == PassKind::raster && draws != nullptr && draws->is_mirrored(pass.view))
+        fn.vkCmdSetFrontFace(context.commands, to_vk(opposite(pass.state.front_face)));
+}
+
+void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+                   uint32_t vertices, uint32_t instances) {
+    bind_vertices(context, pass, prepared);
+    context.device.fn().vkCmdDraw(context.commands, vertices, instances, 0, 0);
+}
+
+// Draws what the commands in a buffer say. A device without multiDrawIndirect executes only one command at a
+// time.
 void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass,
                               const PreparedPass& prepared) {
     constexpr uint32_t kCommandBytes = sizeof(VkDrawIndirectCommand);
     const DeviceFunctions& fn = context.device.fn();
     const IndirectPlace from = place_of(context, pass, pass.draw_commands_use);
     const IndirectPlace count = place_of(context, pass, pass.draw_count_use);
-    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                         prepared.pipelines[0].pipeline.get());
-    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    bind_vertices(context, pass, prepared);
     if (count.buffer != VK_NULL_HANDLE)
         return fn.vkCmdDrawIndirectCount(context.commands, from.buffer, from.offset_bytes, count.buffer,
                                          count.offset_bytes, pass.most_draws, kCommandBytes);
     const bool several = context.device.optional().multi_draw_indirect;
     const uint32_t step = several ? context.device.profile().max_draw_indirect_count : 1;
-    for (uint32_t done = 0; done < pass.most_draws; done += step)
-        fn.vkCmdDrawIndirect(context.commands, from.buffer,
-                             from.offset_bytes + VkDeviceSize{done} * kCommandBytes,
-                             std::min(step, pass.most_draws - done), kCommandBytes);
-}
-
-// Draws a number of vertices without vertex buffers. The shader gets only the vertex and instance indices.
-void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
-                   uint32_t vertices, uint32_t instances) {
-    const DeviceFunctions& fn = context.device.fn();
-    fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                         prepared.pipelines[0].pipeline.get());
-    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
-    fn.vkCmdDraw(context.commands, vertices, instances, 0, 0);
+    for (uint64_t done = 0; done < pass.most_draws; done += step)
+        fn.vkCmdDrawIndirect(context.commands, from.buffer, from.offset_bytes + done * kCommandBytes,
+                             static_cast<uint32_t>(std::min<uint64_t>(step, pass.most_draws - done)),
+                             kCommandBytes);
 }
 
 void draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
@@ -92,6 +102,7 @@ void draw_list(const RecordContext& context, const PassDecl& pass, const Prepare
     draws.commands = context.commands;
     draws.layout = prepared.layout.pipeline.get();
     draws.list = draw.list;
+    draws.view = pass.view;
     draws.variant = draw.variant;
     draws.cull = pass.state.cull;
     draws.frame_slot = context.slot;
