@@ -10,6 +10,7 @@
 
 #include "check/check_frame_slices.h"
 #include "check/check_groups.h"
+#include "check/check_indirect.h"
 #include "check/check_pieces.h"
 #include "check/check_rest_units.h"
 #include "check/check_scopes.h"
@@ -283,6 +284,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     if (!check_shape(plan, faults)) return false;
     check_pieces(plan, faults);
     if (faults.any("C344")) return false;
+    check_indirect(plan, faults);
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);

@@ -70,8 +70,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         for (const char* list : kDrawLists)
             if (is_in_draw_list(material, list))
                 lists_[list].draws.push_back({geometry_.meshes[instance.mesh], i, instance.material,
-                                        draw_variant(material, list), material.double_sided, mirrored,
-                                        center});
+                                              draw_variant(material, list), material.double_sided, mirrored,
+                                              center});
     }
     // Draws are sorted by material for few state changes. The sort is stable: draws with the same material
     // keep the scene's order, so the picture is always the same.
@@ -109,16 +109,16 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
             const MovingObject& object = moving_.all()[moving.object];
             Draw& draw = list.draws[moving.draw];
             draw.mirrored = glm::determinant(glm::mat3(object.transform)) < 0;
-            draw.center = object.transform *
-                          glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
+            draw.center =
+                object.transform * glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
             changed |= object.changed;
         }
         if (changed) ++list.version;
     }
 }
 
-Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::SunConstants& sun,
-                           std::span<const FrameView> views) {
+Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                           const shared::SunConstants& sun, std::span<const FrameView> views) {
     if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
     mirrored_views_.clear();
     for (const FrameView& view : views)
@@ -211,6 +211,7 @@ void GpuScene::record(const vk::DrawContext& context) const {
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    &instances, 0, nullptr);
+    if (context.draw_count != VK_NULL_HANDLE) return record_counted(context);
     const bool mirrored = is_mirrored(context.view);
     DrawState state;
     const std::vector<Draw>& draws = found->second.draws;
@@ -222,12 +223,24 @@ void GpuScene::record(const vk::DrawContext& context) const {
         if (draw.variant != context.variant) continue;
         set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
-            fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
-                                        1, kCommandBytes);
+            fn.vkCmdDrawIndexedIndirect(
+                commands, context.draw_commands,
+                context.draw_commands_offset_bytes + VkDeviceSize{place} * kCommandBytes, 1, kCommandBytes);
         else
             fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, same, draw.mesh.first_index,
                                 draw.mesh.vertex_offset, draw.instance);
     }
+}
+
+// Records one command that draws as many commands of the buffer as the GPU has counted. resolve() ensures
+// that the pass culls no faces and reads no materials, so all draws have the same state.
+void GpuScene::record_counted(const vk::DrawContext& context) const {
+    context.fn->vkCmdSetFrontFace(context.commands, is_mirrored(context.view)
+                                                        ? VK_FRONT_FACE_CLOCKWISE
+                                                        : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    context.fn->vkCmdDrawIndexedIndirectCount(
+        context.commands, context.draw_commands, context.draw_commands_offset_bytes, context.draw_count,
+        context.draw_count_offset_bytes, context.most_draws, kCommandBytes);
 }
 
 // Returns how many draws one instanced command can draw, starting with the i-th draw. These draws have the

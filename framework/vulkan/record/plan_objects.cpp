@@ -62,9 +62,9 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
             errors.push_back(
                 pass_error(plan, pass, "V415",
                            "the pass draws the lists of a scene, but the program gave no DrawSource"));
-        if (pass.draw_commands_use != kNoId && pass.draw_lists.size() != 1)
+        if (pass.draw_commands_use != kNoId && pass.draw_lists.size() > 1)
             fault("the pass draws " + std::to_string(pass.draw_lists.size()) +
-                  " lists with one buffer of draw commands; wanted exactly one list");
+                  " lists with one buffer of draw commands; wanted at most one list");
         if (!runs_shader(pass.kind)) continue;
         const auto program =
             input.shaders == nullptr ? ShaderCatalog::const_iterator{} : input.shaders->find(pass.shader);
