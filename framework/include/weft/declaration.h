@@ -303,6 +303,8 @@ struct PassDecl {
     uint32_t instances = 0;
     // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
     std::string view = "camera";
+    // True: the draw source may leave out direct draws that are outside of the frustum of the view.
+    bool culls_draws = false;
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
     // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass

@@ -51,7 +51,8 @@ void draw_vertices(const RecordContext& context, const PassDecl& pass, const Pre
     fn.vkCmdDraw(context.commands, vertices, instances, 0, 0);
 }
 
-void draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+// Returns the number of draws that were left out.
+uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                const DrawPipeline& draw) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
@@ -71,7 +72,10 @@ void draw_list(const RecordContext& context, const PassDecl& pass, const Prepare
         draws.draw_commands = context.resources.buffer(pass.uses[pass.draw_commands_use].resource);
     draws.uses_materials = prepared.layout.declares[kMaterialSet];
     draws.uses_instances = prepared.layout.declares[kInstanceSet];
-    context.objects.draws->record(draws);
+    draws.culls_draws = pass.culls_draws;
+    draws.depth_clamp = pass.state.depth_clamp;
+    draws.frame_ranges = prepared.frame_ranges;
+    return context.objects.draws->record(draws);
 }
 
 }  // namespace
@@ -94,12 +98,14 @@ void record_fullscreen(const RecordContext& context, const PassDecl& pass, const
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
-void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+void record_raster(const RecordContext& context, Position position, const PassDecl& pass,
+                   const PreparedPass& prepared) {
     begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
     if (pass.vertices > 0)
         draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
     else
-        for (const DrawPipeline& draw : prepared.pipelines) draw_list(context, pass, prepared, draw);
+        for (const DrawPipeline& draw : prepared.pipelines)
+            context.draws_left_out[position] += draw_list(context, pass, prepared, draw);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
@@ -113,7 +119,7 @@ void record_pass(const RecordContext& context, Position position) {
         case PassKind::fullscreen:
             return record_fullscreen(context, pass, prepared);
         case PassKind::raster:
-            return record_raster(context, pass, prepared);
+            return record_raster(context, position, pass, prepared);
         case PassKind::clear:
             return record_clear(context, pass);
         case PassKind::copy:

@@ -19,6 +19,8 @@ struct PassTiming {
     // For a pass with `rest` or in a group that ran: the reason, such as `pass "table" ran`. Empty for all
     // other passes.
     std::string woken_by;
+    // Number of draws that were not recorded because they are outside of the frustum of the view.
+    uint32_t draws_left_out = 0;
 };
 
 struct FrameTiming {
