@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/imports/scene_buffers.h"
 #include "render/scene_bindings.h"
 #include "render/frame_data.h"
 #include "render/views/sun_cascades.h"
@@ -46,6 +47,7 @@ ImportDecl draw_commands(const ImportDecl& list) {
     ImportDecl import;
     import.name = commands_of(list.name);
     import.kind = ImportKind::buffer;
+    import.read_only = true;
     ResourceDecl& buffer = import.resource;
     buffer.name = import.name;
     buffer.kind = ResourceKind::buffer;
@@ -155,6 +157,7 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
+    add_scene_buffers(catalog, scene);
     catalog.bindings = scene_bindings();
     return catalog;
 }

@@ -242,6 +242,7 @@ void check_pass_views(ParseContext& context, const JsonNode& node, const PassDes
 void check_groups(ParseContext& context, const JsonNode& root, const GraphDesc& graph);
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_sampler(ParseContext& context, const JsonNode& node, PortDesc& port);
 void parse_resolves(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass);
@@ -271,6 +272,7 @@ void list_pass_grammar(std::vector<GrammarTable>& lists);
 void list_group_grammar(std::vector<GrammarTable>& lists);
 void list_view_grammar(std::vector<GrammarTable>& lists);
 void list_port_grammar(std::vector<GrammarTable>& lists);
+void list_sampler_grammar(std::vector<GrammarTable>& lists);
 void list_state_grammar(std::vector<GrammarTable>& lists);
 void list_blend_grammar(std::vector<GrammarTable>& lists);
 void list_debug_grammar(std::vector<GrammarTable>& lists);

@@ -12,26 +12,6 @@ struct PortDraft {
     bool has_ref = false;
 };
 
-constexpr std::array kFilters{Choice<SamplerFilter>{"nearest", SamplerFilter::nearest},
-                              Choice<SamplerFilter>{"linear", SamplerFilter::linear}};
-constexpr std::array kWraps{
-    Choice<SamplerWrap>{"clamp", SamplerWrap::clamp}, Choice<SamplerWrap>{"repeat", SamplerWrap::repeat},
-    Choice<SamplerWrap>{"mirror", SamplerWrap::mirror}, Choice<SamplerWrap>{"border", SamplerWrap::border}};
-constexpr std::array kSamplerCompares{Choice<bool>{"none", false}, Choice<bool>{"greater_equal", true}};
-
-constexpr std::array kSamplerKeys{
-    KeyRule<SamplerDecl>{"filter", [](ParseContext& c, const JsonNode& n,
-                                      SamplerDecl& s) { read_choice(c, n, kFilters, s.filter); }},
-    KeyRule<SamplerDecl>{"mipFilter", [](ParseContext& c, const JsonNode& n,
-                                         SamplerDecl& s) { read_choice(c, n, kFilters, s.mip_filter); }},
-    KeyRule<SamplerDecl>{"wrap", [](ParseContext& c, const JsonNode& n,
-                                    SamplerDecl& s) { read_choice(c, n, kWraps, s.wrap); }},
-    KeyRule<SamplerDecl>{"compare",
-                         [](ParseContext& c, const JsonNode& n, SamplerDecl& s) {
-                             read_choice(c, n, kSamplerCompares, s.compare_greater_equal);
-                         }},
-};
-
 void read_ref(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     draft.has_ref = true;
     read_reference(context, node, draft.port.ref);
@@ -51,7 +31,7 @@ void read_optional(ParseContext& context, const JsonNode& node, PortDraft& draft
 }
 
 void read_sampler(ParseContext& context, const JsonNode& node, PortDraft& draft) {
-    read_object(context, node, "a sampler", kSamplerKeys, draft.port.sampler.emplace());
+    parse_sampler(context, node, draft.port);
 }
 
 void read_port_clear(ParseContext& context, const JsonNode& node, PortDraft& draft) {
@@ -149,10 +129,7 @@ void read_ports(ParseContext& context, const JsonNode& node, F read) {
 void list_port_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "input", kInputKeys);
     list_keys(lists, "output", kOutputKeys);
-    list_keys(lists, "sampler", kSamplerKeys);
-    list_choices(lists, "filter", kFilters);
-    list_choices(lists, "wrap", kWraps);
-    list_choices(lists, "samplerCompare", kSamplerCompares);
+    list_sampler_grammar(lists);
     list_keys(lists, "indirectGroups", kGroupsKeys);
     list_keys(lists, "indirectDraws", kDrawsKeys);
     list_keys(lists, "proceduralDraws", kVerticesKeys);

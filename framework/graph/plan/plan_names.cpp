@@ -72,6 +72,10 @@ const char* enum_name(SamplerFilter value) {
     return pick(value, std::array{"nearest", "linear"});
 }
 
+const char* enum_name(SamplerReduction value) {
+    return pick(value, std::array{"average", "min", "max"});
+}
+
 const char* enum_name(SamplerWrap value) {
     return pick(value, std::array{"clamp", "repeat", "mirror", "border"});
 }

@@ -40,6 +40,8 @@ class FieldFacts {
             facts.push_back(name + " " + number(static_cast<double>(value)));
         else if constexpr (std::is_same_v<T, std::optional<RectPx>>)
             value ? add(name, *value) : facts.push_back(name + " whole");
+        else if constexpr (std::is_same_v<T, std::optional<CompareOp>>)
+            facts.push_back(name + " " + (value ? enum_name(*value) : "none"));
         else {
             FieldFacts inner(name + ".");
             visit_fields(inner, value);

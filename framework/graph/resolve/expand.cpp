@@ -1,6 +1,7 @@
 #include "graph/resolve/expand.h"
 
 #include "graph/parse/reference.h"
+#include "graph/resolve/carry/carry_passes.h"
 #include "graph/resolve/expand/draft_pass.h"
 #include "graph/resolve/expand/expand_groups.h"
 #include "graph/resolve/expand/expand_repeat.h"
@@ -75,6 +76,10 @@ std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const V
     };
     for (const auto& [name, desc] : input.graph.passes) add(desc, false);
     for (const auto& [name, desc] : expansion.observers) add(desc, true);
+    for (const auto& [name, desc] : expansion.carries) {
+        add(desc, false);
+        drafts[name].decl.carries = true;
+    }
     return drafts;
 }
 
@@ -97,6 +102,7 @@ Expansion expand(const ResolveInput& input, const Values& values, const Shapes& 
     expansion.too_large = shapes.too_large;
     if (expansion.too_large) return expansion;
     expansion.observers = find_observers(input, reporter);
+    expansion.carries = describe_carries(input, shapes);
     const Evaluator evaluator(values, shapes, expansion.suspects, reporter);
     name_passes(evaluator, draft_passes(input, values, evaluator, shapes, expansion, reporter), expansion);
     if (!input.graph.groups.empty()) expand_groups(input, evaluator, expansion);

@@ -34,7 +34,7 @@ enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
 
 // A part of a resource: `mips` mip levels from `mip` on, `layers` layers from `layer` on, and the given
-// aspects. A buffer has one subresource: mip 0, layer 0, aspect kColor.
+// aspects. The layers of a buffer are its pieces (ResourceDecl::cuts_bytes); it has mip 0 and aspect kColor.
 struct SubresourceRange {
     uint32_t mip = 0;
     uint32_t mips = 1;
@@ -46,7 +46,14 @@ struct SubresourceRange {
 };
 [[nodiscard]] bool overlaps(const SubresourceRange& a, const SubresourceRange& b);
 [[nodiscard]] bool contains(const SubresourceRange& outer, const SubresourceRange& inner);
-[[nodiscard]] std::string range_text(const SubresourceRange& range);
+
+// A part of a buffer.
+struct ByteRange {
+    uint64_t offset_bytes = 0;
+    uint64_t size_bytes = 0;
+    [[nodiscard]] uint64_t end_bytes() const { return offset_bytes + size_bytes; }
+    bool operator==(const ByteRange&) const = default;
+};
 
 using UsageMask = uint32_t;
 namespace usage {
@@ -106,9 +113,12 @@ struct ResourceDecl {
     uint32_t layers = 1;
     uint32_t samples = 1;
     AspectMask aspects = aspect::kColor;
-    // The members size_bytes and stride_bytes describe a buffer. Images do not use them.
+    // The members from size_bytes to cuts_bytes describe a buffer. Images do not use them.
     uint64_t size_bytes = 0;
     uint32_t stride_bytes = 0;
+    // The offsets that divide the buffer into pieces, in ascending order, without 0 and the size. Each part
+    // that a pass uses consists of whole pieces. Empty: the buffer is one piece.
+    std::vector<uint64_t> cuts_bytes;
     // Union of the usage flags of all passes that use the resource, including culled passes.
     UsageMask usage = 0;
     // A resource with `history` n is a ring of n + 1 ResourceDecls. In a ring of 3, "color" (age 0) is the
@@ -133,6 +143,11 @@ struct ResourceDecl {
     [[nodiscard]] SubresourceRange whole() const;
 };
 
+// Returns the text of a part of a resource, such as ".mip(0).layer(1..2)", or ".range(0..63)" for elements 0
+// to 63 of a buffer. Empty for the whole of a buffer that has only one piece.
+[[nodiscard]] std::string range_text(const ResourceDecl& resource, const SubresourceRange& range);
+// Returns the bytes of the pieces in `range`.
+[[nodiscard]] ByteRange piece_bytes(const ResourceDecl& buffer, const SubresourceRange& range);
 // Returns the bytes of all texels in all mips and layers, without padding; for a buffer, its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
@@ -149,12 +164,23 @@ struct VersionSource {
 
 enum class SamplerFilter : uint8_t { nearest, linear };
 enum class SamplerWrap : uint8_t { clamp, repeat, mirror, border };
+// The result of a lookup that touches several texels: their weighted average, or the least or greatest of
+// them.
+enum class SamplerReduction : uint8_t { average, min, max };
+// The value of SamplerDecl::max_lod that does not limit the mips.
+inline constexpr float kNoMaxLod = 1000;
 struct SamplerDecl {
     SamplerFilter filter = SamplerFilter::linear;
     SamplerFilter mip_filter = SamplerFilter::linear;
     SamplerWrap wrap = SamplerWrap::clamp;
-    // True for a sampler2DShadow: the sampler compares with "greater or equal".
-    bool compare_greater_equal = false;
+    // The comparison of a sampler2DShadow. Absent: the sampler does not compare.
+    std::optional<CompareOp> compare;
+    SamplerReduction reduction = SamplerReduction::average;
+    // Greatest number of samples along the longer axis of a pixel's footprint, 1 to 16. 1: isotropic.
+    float anisotropy = 1;
+    // Level of detail: 0 is the first mip of the port, 1 the second. A lookup adds lod_bias to the level, and
+    // then clamps it to min_lod..max_lod.
+    float lod_bias = 0, min_lod = 0, max_lod = kNoMaxLod;
     bool operator==(const SamplerDecl&) const = default;
 };
 
@@ -163,6 +189,9 @@ struct UseDecl {
     std::string port;
     ResourceId resource = kNoId;
     SubresourceRange range;
+    // The bytes that the pass uses, if the port names elements of a buffer. Absent: the whole resource or,
+    // for an image, `range`.
+    std::optional<ByteRange> bytes;
     Access access = Access::none;
     // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
     // `access`.
@@ -184,6 +213,8 @@ struct UseDecl {
     bool latest = false;
     SourceLoc loc;
 };
+// Returns the bytes of a buffer that a use names: UseDecl::bytes, or the whole buffer.
+[[nodiscard]] ByteRange used_bytes(const ResourceDecl& buffer, const UseDecl& use);
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
 
@@ -316,6 +347,9 @@ struct PassDecl {
     // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
     // In each frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
+    // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
+    // last frame to the copy of this frame, before all other passes that use this copy.
+    bool carries = false;
     // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;
@@ -365,9 +399,7 @@ struct GroupDecl {
         return unit >= first_unit && unit - first_unit < rounds;
     }
     // Returns true if a frame may be unable to run all rounds.
-    [[nodiscard]] bool is_limited() const {
-        return per_frame < rounds || warm_up < rounds || !turns.empty();
-    }
+    [[nodiscard]] bool is_limited() const { return per_frame < rounds || warm_up < rounds || !turns.empty(); }
 };
 
 struct ResolvedGraph {

@@ -61,8 +61,8 @@ struct ColorDesc {
     std::array<Expr, 4> channels;
 };
 
-// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth. Only the name is
-// required. The brackets of [-N] are written, as in "hdr[-1]".
+// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth, or .range(a..b)
+// for a buffer. Only the name is required. The brackets of [-N] are written, as in "hdr[-1]".
 struct RefDesc {
     std::string name;
     // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
@@ -70,10 +70,16 @@ struct RefDesc {
     uint32_t history = 0;  // N of [-N]: the content at the end of N frames ago; 0: the content of this frame.
     // The range of mips, as in ".mip(a..b)". If mip_last is absent, the range is the single mip mip_first.
     std::optional<Expr> mip_first, mip_last;
-    std::optional<Expr> layer_first, layer_last;  // The range of layers; absent like the range of mips.
+    std::optional<Expr> layer_first, layer_last;      // The range of layers; absent like the range of mips.
+    std::optional<Expr> element_first, element_last;  // The range of elements of a buffer, also absent so.
     AspectMask aspects = 0;  // The selected aspects, as in ".depth" or ".stencil"; 0: all aspects.
     std::string text;
     SourceLoc loc;
+};
+
+// Places of the values of a sampler in the file; line 0: the key is absent.
+struct SamplerLocs {
+    SourceLoc compare, reduction, anisotropy, lod_bias, max_lod;
 };
 
 struct PortDesc {
@@ -87,6 +93,7 @@ struct PortDesc {
     // False: a change of the content of this port does not make a pass with "rest" run.
     bool wakes = true;
     std::optional<SamplerDecl> sampler;
+    SamplerLocs sampler_locs = {};
     SourceLoc loc;  // Place of the port's name in the file.
 };
 

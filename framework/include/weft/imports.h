@@ -40,6 +40,7 @@ struct ImportDecl {
     ImportKind kind = ImportKind::buffer;
     // For buffers and images: format, extent or size, and import states. The lifetime is `imported`.
     ResourceDecl resource;
+    bool read_only = false;  // True: passes must not write the buffer or image (W147).
     // The members from `variants` to `draws` describe a draw list.
     std::vector<DrawVariant> variants;
     VertexFormat vertex_format;

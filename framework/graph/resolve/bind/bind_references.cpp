@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graph/parse/reference.h"
+#include "graph/resolve/bind/divide_buffers.h"
 #include "graph/resolve/bind/find_range.h"
 #include "graph/resolve/bind/find_role.h"
 #include "graph/resolve/bind/presence.h"
@@ -43,6 +44,7 @@ class ReferenceBinder {
             store_ports(id, inputs[id]);
             store_ports(id, outputs[id]);
         }
+        divide_buffers(declared_, result_, reporter_);
         return std::move(result_);
     }
 
@@ -168,7 +170,7 @@ class ReferenceBinder {
             if (is_output) result_.suspects.writers[resource] = 1;
             return std::nullopt;
         }
-        const std::optional<SubresourceRange> range =
+        const std::optional<FoundRange> range =
             find_range(pass, ref, declared_.shapes.resources[resource],
                        declared_.evaluator(pass, result_.suspects, reporter_), result_.suspects, report_);
         if (!range) {
@@ -179,7 +181,8 @@ class ReferenceBinder {
         bound.draft.desc = &port;
         bound.use.port = port.port;
         bound.use.resource = resource;
-        bound.use.range = *range;
+        bound.use.range = range->range;
+        bound.use.bytes = range->bytes;
         bound.use.history = ref.history;
         bound.use.is_output = is_output;
         bound.use.loc = ref.loc;

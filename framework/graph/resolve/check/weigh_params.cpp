@@ -87,8 +87,8 @@ class ParamCosts {
     }
 
     void add(const RefDesc& ref) {
-        for (const std::optional<Expr>* bound :
-             {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
+        for (const std::optional<Expr>* bound : {&ref.mip_first, &ref.mip_last, &ref.layer_first,
+                                                 &ref.layer_last, &ref.element_first, &ref.element_last})
             if (*bound) add(**bound, ParamCost::graph);
     }
 

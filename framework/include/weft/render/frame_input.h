@@ -23,6 +23,7 @@ struct ViewInput {
 using ViewLists = std::map<std::string, std::vector<ViewInput>, std::less<>>;
 
 struct FrameInput {
+    // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
     float exposure_ev = 0;
     double time_s = 0;
