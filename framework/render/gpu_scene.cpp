@@ -71,9 +71,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         for (const char* list : kDrawLists)
             if (is_in_draw_list(material, list))
                 lists_[list].draws.push_back({geometry_.meshes[instance.mesh], i, instance.material,
-                                              draw_variant(material, list), material.double_sided,
-                                              mirrored, center,
-                                              box_in_world(mesh.bounds, instance.transform)});
+                                              draw_variant(material, list), material.double_sided, mirrored,
+                                              center, box_in_world(mesh.bounds, instance.transform)});
     }
     // Draws are sorted by material for few state changes. The sort is stable: draws with the same material
     // keep the scene's order, so the picture is always the same.
@@ -111,8 +110,8 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
             const MovingObject& object = moving_.all()[moving.object];
             Draw& draw = list.draws[moving.draw];
             draw.mirrored = glm::determinant(glm::mat3(object.transform)) < 0;
-            draw.center = object.transform *
-                          glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
+            draw.center =
+                object.transform * glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
             draw.box = box_in_world(object.mesh_bounds, object.transform);
             changed |= object.changed;
         }
@@ -120,8 +119,8 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
     }
 }
 
-Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::SunConstants& sun,
-                           std::span<const FrameView> views) {
+Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                           const shared::SunConstants& sun, std::span<const FrameView> views) {
     if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
     views_.clear();
     for (const FrameView& view : views)
@@ -250,12 +249,13 @@ const Frustum* GpuScene::find_frustum(const vk::DrawContext& context) const {
                kMatrix < range.offset_bytes + range.size_bytes;
     });
     const auto view = views_.find(context.view);
-    return culls_ && context.culls_draws && reads_matrix && view != views_.end() ? &view->second.frustum : nullptr;
+    return culls_ && context.culls_draws && reads_matrix && view != views_.end() ? &view->second.frustum
+                                                                                 : nullptr;
 }
 
 // Returns how many draws one instanced command can draw, starting with the i-th draw. These draws have the
-// same mesh and state, their instances have consecutive indices, and none of them is outside of the frustum. With indirect drawing the result is 1,
-// because each draw has its own command in the buffer.
+// same mesh and state, their instances have consecutive indices, and none of them is outside of the frustum.
+// With indirect drawing the result is 1, because each draw has its own command in the buffer.
 uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws, uint32_t i,
                                const Frustum* frustum) const {
     if (context.draw_commands != VK_NULL_HANDLE) return 1;

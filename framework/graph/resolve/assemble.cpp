@@ -28,8 +28,8 @@ void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
     pass.draw_commands_use = dispatch.draw_commands_use;
 }
 
-// Returns true if a draw whose box is outside of the frustum cannot change the picture. Lines and points are wider than
-// their vertices, and indirect draws have their own commands.
+// Returns true if a draw whose box is outside of the frustum cannot change the picture. Lines and points are
+// wider than their vertices, and indirect draws have their own commands.
 bool may_cull(const PassDecl& pass) {
     const Topology topology = pass.state.topology;
     return pass.kind == PassKind::raster && !pass.draw_lists.empty() && pass.draw_commands_use == kNoId &&

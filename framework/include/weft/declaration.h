@@ -17,6 +17,7 @@
 #include "weft/raster_state.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
+#include "weft/view_list.h"
 
 namespace weft {
 
@@ -359,25 +360,6 @@ struct PassDecl {
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
-
-// program: the program gives the matrices. mirror: the views of another list in a mirror. cube: the faces of a
-// cube.
-enum class ViewSource : uint8_t { program, mirror, cube };
-
-// A list of views. View i has the name "list(i)".
-struct ViewListDecl {
-    std::string name;
-    ViewSource source = ViewSource::program;
-    uint32_t count = 1;
-    // For a mirror: the view i shows view `first` + i of the list `of`, which can also be "camera".
-    std::string of;
-    uint32_t first = 0;
-    // The plane of a mirror, (a, b, c, d): points with a x + b y + c z + d = 0. (a, b, c) is a unit vector.
-    std::array<double, 4> plane{0, 1, 0, 0};
-    // For a cube: its centre, and the distance of the near planes of its faces, in metres.
-    std::array<double, 3> at{0, 0, 0};
-    double near_m = 0;
-};
 
 // A group of passes. Its rounds are units, and each frame runs some of them, in any order.
 struct GroupDecl {

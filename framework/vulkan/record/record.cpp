@@ -53,7 +53,7 @@ void draw_vertices(const RecordContext& context, const PassDecl& pass, const Pre
 
 // Returns the number of draws that were left out.
 uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
-               const DrawPipeline& draw) {
+                   const DrawPipeline& draw) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
     // Binds sets 0 and 1 again for every variant. All variants share one pipeline layout, but earlier draws

@@ -59,7 +59,9 @@ TEST_F(ResolveView, OfTooFewRoundsIsReportedOnce) {
 }
 
 TEST_F(ResolveView, LeavesOutDrawsUnlessTheyMayReachIntoThePicture) {
-    const auto culls = [&](const std::string& keys) { return pass_in(good(graph("camera", keys)), "a").culls_draws; };
+    const auto culls = [&](const std::string& keys) {
+        return pass_in(good(graph("camera", keys)), "a").culls_draws;
+    };
     EXPECT_TRUE(culls(""));
     EXPECT_TRUE(culls(R"j(, "state": {"topology": "triangle_strip", "depthClamp": true})j"));
     EXPECT_FALSE(culls(R"j(, "frustum": false)j"));

@@ -25,7 +25,8 @@ struct RandomText {
     std::string text;
     // The same graph after the generator has evaluated all conditions. Passes with a false `if` are removed
     // (exception: TextPass::stays). Inputs without content are removed, or replaced with their `else` inputs.
-    // The bounds of repeats contain no parameters. A pass that draws all views of a list is a repeat with one view.
+    // The bounds of repeats contain no parameters. A pass that draws all views of a list is a repeat with one
+    // view.
     std::string plain;
     // Values of some parameters, by name, for `text` and for `plain`. The other parameters keep their
     // defaults.

@@ -232,8 +232,8 @@ class RandomTextPasses : public RandomTextFrame {
         if (rects) {
             const std::string rect = R"j(["view % 2 * 32", "floor(view / 2) * 32", 32, 32])j";
             pass.more_text = R"j(, "views": "sun", "into": "rects")j" + attachments("");
-            pass.more_plain = plain + R"j(, "partial": true, "state": {"viewport": )j" + rect + ", \"scissor\": " +
-                              rect + "}" + attachments("");
+            pass.more_plain = plain + R"j(, "partial": true, "state": {"viewport": )j" + rect +
+                              ", \"scissor\": " + rect + "}" + attachments("");
         } else {
             pass.more_text = R"j(, "views": "sun")j" + attachments("");
             pass.more_plain = plain + attachments(".layer(view)");

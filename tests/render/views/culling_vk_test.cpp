@@ -53,7 +53,8 @@ class Culling : public SessionTest {
             glm::vec3 p;
             for (int axis = 0; axis < 3; ++axis) {
                 const float size = scene_.bounds.max[axis] - scene_.bounds.min[axis];
-                p[axis] = scene_.bounds.min[axis] + size * std::uniform_real_distribution<float>(-0.1f, 1.1f)(random);
+                p[axis] = scene_.bounds.min[axis] +
+                          size * std::uniform_real_distribution<float>(-0.1f, 1.1f)(random);
             }
             return p;
         };
@@ -73,7 +74,8 @@ class Culling : public SessionTest {
         EXPECT_TRUE(culled.output == whole.output) << what;
         ASSERT_EQ(culled.readbacks.size(), whole.readbacks.size()) << what;
         for (size_t i = 0; i < whole.readbacks.size(); ++i)
-            EXPECT_TRUE(culled.readbacks[i].bytes == whole.readbacks[i].bytes) << what << ": " << whole.readbacks[i].pass;
+            EXPECT_TRUE(culled.readbacks[i].bytes == whole.readbacks[i].bytes)
+                << what << ": " << whole.readbacks[i].pass;
         EXPECT_EQ(whole.left_out, 0u) << what;
     }
 
@@ -83,17 +85,67 @@ class Culling : public SessionTest {
 TEST_F(Culling, ChangesNoShippedPicture) {
     uint64_t left_out = 0;
     const bool extended = std::getenv("WEFT_EXTENDED") != nullptr;
-    // All shipped graphs that draw the scene; the extended test draws the others too, which are based on these.
+    // All shipped graphs that draw the scene; the extended test draws the others too, which are based on
+    // these.
     std::vector<std::string> graphs{"deferred", "forward", "forward_plus"};
     if (extended)
-        graphs.insert(graphs.end(), {"bloom", "dof", "edges", "light_indexed", "light_volumes", "taa", "tiled_deferred"});
+        graphs.insert(graphs.end(),
+                      {"bloom", "dof", "edges", "light_indexed", "light_volumes", "taa", "tiled_deferred"});
     for (const std::string& name : graphs) {
         const std::vector<scene::Camera> path = cameras(17, extended ? 12 : 3);
-        const Pictures culled = draw(graph_path(name), path, true), whole = draw(graph_path(name), path, false);
+        const Pictures culled = draw(graph_path(name), path, true),
+                       whole = draw(graph_path(name), path, false);
         expect_same(culled, whole, name);
         left_out += culled.left_out;
     }
     EXPECT_GT(left_out, 10u);
+}
+
+// Returns a graph with one raster pass "a", which draws a picture of 40 x 30 px or the faces of a cube.
+std::string graph_of(const std::string& keys, bool cube = false) {
+    const std::string size = cube ? "\"cube\": 16" : "\"size\": [40, 30]";
+    return R"json({ "version": 1, "imports": { "opaque": "drawlist" },
+      "views": { "mirror": { "of": "camera", "plane": [0, 1, 0, 0.1] }, "probe": { "cube": { "at": [0.5, 1.5, 0.5] } } },
+      "resources": { "color": { "format": "rgba32f", )json" +
+           size + R"json( }, "past": { "format": "rgba32f", )json" + size +
+           R"json( }, "depth": { "format": "d32f", )json" + size +
+           R"json( } },
+      "passes": { "a": { "type": "raster", "draws": ["opaque"], "depth": "depth", )json" +
+           keys + " } } }";
+}
+
+FileReader reader_of(const std::string& graph) {
+    return [graph](const std::string& path) {
+        return path.ends_with("views/graph.json") ? std::optional(graph) : read_text(path);
+    };
+}
+
+constexpr const char* kLook = R"json("shader": "look", "out": { "color": "color", "past": "past" })json";
+
+TEST_F(Culling, ChangesNoPictureOfAnyView) {
+    const std::string path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
+    const std::vector<scene::Camera> walk = cameras(18, 3);
+    const std::string look = kLook;
+    const std::vector<std::string> graphs{
+        graph_of(look), graph_of(look + R"json(, "view": "mirror", "state": { "cull": "material" })json"),
+        graph_of(look + R"json(, "views": "probe")json", true),
+        graph_of(look + R"json(, "state": { "depthClamp": true, "cull": "none" })json"),
+        graph_of(look + R"json(, "views": "probe", "into": "rects")json")};
+    for (const std::string& graph : graphs) {
+        const Pictures culled = draw(path, walk, true, {"color", "depth"}, reader_of(graph));
+        const Pictures whole = draw(path, walk, false, {"color", "depth"}, reader_of(graph));
+        expect_same(culled, whole, graph);
+        EXPECT_GT(culled.left_out, 0u) << graph;
+        if (HasFailure()) return;
+    }
+}
+
+TEST_F(Culling, LeavesOutNothingThatTheShaderMayMove) {
+    const std::string path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
+    const std::vector<scene::Camera> walk = cameras(18, 1);
+    for (const std::string& keys : {std::string(R"json("shader": "fixed", "out": ["color"])json"),
+                                    std::string(kLook) + R"json(, "frustum": false)json"})
+        EXPECT_EQ(draw(path, walk, true, {"color"}, reader_of(graph_of(keys))).left_out, 0u) << keys;
 }
 
 }  // namespace

@@ -12,13 +12,17 @@ namespace {
 
 class Frusta : public ::testing::Test {
  protected:
-    float number(float least, float most) { return std::uniform_real_distribution<float>(least, most)(random_); }
+    float number(float least, float most) {
+        return std::uniform_real_distribution<float>(least, most)(random_);
+    }
     glm::vec3 point(float most) { return {number(-most, most), number(-most, most), number(-most, most)}; }
     // A random view: a camera, a face of a cube, or a parallel projection with a far plane.
     shared::ViewConstants view(int kind) {
-        if (kind % 3 == 1) return constants_of(cube_face(point(5), static_cast<uint32_t>(kind) % kCubeFaces, 0.1));
+        if (kind % 3 == 1)
+            return constants_of(cube_face(point(5), static_cast<uint32_t>(kind) % kCubeFaces, 0.1));
         scene::Camera camera;
-        const glm::vec3 back = glm::normalize(point(1) + glm::vec3(0.001f)), side = glm::normalize(glm::cross({0.1f, 1, 0}, back));
+        const glm::vec3 back = glm::normalize(point(1) + glm::vec3(0.001f)),
+                        side = glm::normalize(glm::cross({0.1f, 1, 0}, back));
         camera.transform = {glm::vec4(side, 0), glm::vec4(glm::cross(back, side), 0), glm::vec4(back, 0),
                             glm::vec4(point(5), 1)};
         camera.near_m = 0.2f;
@@ -76,7 +80,8 @@ TEST_F(Frusta, KeepWhatTheDepthClampDraws) {
 TEST_F(Frusta, BoxesContainTheTransformedPoints) {
     for (int i = 0; i < 300; ++i) {
         glm::mat4 to_world(1);
-        for (int column = 0; column < 4; ++column) to_world[column] = glm::vec4(point(column < 3 ? 2 : 1000), column < 3 ? 0 : 1);
+        for (int column = 0; column < 4; ++column)
+            to_world[column] = glm::vec4(point(column < 3 ? 2 : 1000), column < 3 ? 0 : 1);
         const glm::vec3 center = point(4), half = glm::abs(point(2));
         const scene::Bounds box = box_in_world({center - half, center + half}, to_world);
         for (int k = 0; k < 20; ++k) {
