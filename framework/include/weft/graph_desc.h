@@ -247,6 +247,7 @@ struct PassDesc {
     // The indices of the key "repeat". If there are several, the first is the outermost loop. The repeat of a
     // pass in a group begins with the indices of the group.
     std::vector<RepeatDesc> repeat;
+    bool frustum = true;  // False: draws outside of the view's frustum are drawn too.
     // The key "perFrame": number of passes of the repeat that run in each frame; absent or 0: all.
     Expr per_frame;
     SourceLoc per_frame_loc;
