@@ -22,7 +22,7 @@ FLOW = [
     "framework/scene/model", "framework/scene/loading", "framework/scene/pictures", "framework/scene/procedural",
     "framework/scene/builtin", "framework/scene/gltf", "framework/image",
     "framework/vulkan/device", "framework/vulkan/memory", "framework/vulkan/pipelines", "framework/vulkan/record",
-    "framework/vulkan/execute", "framework/render/motion", "framework/render/views", "framework/render", "passes",
+    "framework/vulkan/execute", "framework/render/views", "framework/render/motion", "framework/render", "passes",
     "viewer/files", "viewer/output", "viewer/process", "viewer/options", "viewer/pictures", "viewer/bench",
     "viewer/schema", "viewer/sandbox", "viewer/commands", "viewer",
 ]

@@ -119,6 +119,10 @@ void read_cost(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_object(context, node, "a cost", kCostKeys, pass);
 }
 
+void read_frustum(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_bool(context, node, pass.frustum);
+}
+
 void read_if(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_switch(context, node, pass.condition);
 }
@@ -140,6 +144,7 @@ constexpr std::array kPassKeys{
     PassKey{"resolve", kDrawing, parse_resolves},
     PassKey{"draws", kRaster, read_draws},
     PassKey{"view", kShaded, parse_view},
+    PassKey{"frustum", kRaster, read_frustum},
     PassKey{"params", kShaded | kCustom, parse_pass_params},
     PassKey{"constants", kShaded, parse_constants},
     PassKey{"if", kAll, read_if},
@@ -296,7 +301,7 @@ void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& p
 }
 
 void check_procedural(ParseContext& context, const JsonNode& node, const PassDesc& pass) {
-    if (pass.vertices.empty() || pass.state.cull != CullMode::material) return;
+    if (!pass.draws_without_list() || pass.state.cull != CullMode::material) return;
     const JsonNode* cull = node.find("state")->find("cull");
     const PointerScope scope(context, "state"), key(context, "cull");
     context.error(cull->loc, "W109", "the pass draws no draw list, so no material can determine culling",
@@ -305,9 +310,9 @@ void check_procedural(ParseContext& context, const JsonNode& node, const PassDes
 
 void check_port_names(ParseContext& context, const PassDesc& pass) {
     for (const PortDesc& port : pass.in)
-        if (pass.indirect && port.port == "indirect")
+        if ((pass.indirect && port.port == "indirect") || (pass.draw_count && port.port == "count"))
             context.error(port.loc, "W109",
-                          "the port name \"indirect\" is reserved for the indirect commands",
+                          "the port name \"" + port.port + "\" is reserved for the indirect commands",
                           "give the input another name: { \"name\": \"" + port.ref.text + "\" }");
     for (const PortDesc& port : pass.out)
         if (pass.depth && port.port == "depth")

@@ -15,8 +15,11 @@
 #include "weft/format.h"
 #include "weft/id.h"
 #include "weft/raster_state.h"
+#include "weft/resource_usage.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
+#include "weft/subresource.h"
+#include "weft/view_list.h"
 
 namespace weft {
 
@@ -32,45 +35,6 @@ struct Extent3D {
 
 enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
-
-// A part of a resource: `mips` mip levels from `mip` on, `layers` layers from `layer` on, and the given
-// aspects. The layers of a buffer are its pieces (ResourceDecl::cuts_bytes); it has mip 0 and aspect kColor.
-struct SubresourceRange {
-    uint32_t mip = 0;
-    uint32_t mips = 1;
-    uint32_t layer = 0;
-    uint32_t layers = 1;
-    AspectMask aspects = aspect::kColor;
-    bool operator==(const SubresourceRange&) const = default;
-    auto operator<=>(const SubresourceRange&) const = default;
-};
-[[nodiscard]] bool overlaps(const SubresourceRange& a, const SubresourceRange& b);
-[[nodiscard]] bool contains(const SubresourceRange& outer, const SubresourceRange& inner);
-
-// A part of a buffer.
-struct ByteRange {
-    uint64_t offset_bytes = 0;
-    uint64_t size_bytes = 0;
-    [[nodiscard]] uint64_t end_bytes() const { return offset_bytes + size_bytes; }
-    bool operator==(const ByteRange&) const = default;
-};
-
-using UsageMask = uint32_t;
-namespace usage {
-inline constexpr UsageMask kSampled = 1u << 0;
-inline constexpr UsageMask kStorage = 1u << 1;
-inline constexpr UsageMask kColorAttachment = 1u << 2;
-inline constexpr UsageMask kDepthAttachment = 1u << 3;
-inline constexpr UsageMask kTransferSrc = 1u << 4;
-inline constexpr UsageMask kTransferDst = 1u << 5;
-inline constexpr UsageMask kUniform = 1u << 6;
-inline constexpr UsageMask kVertex = 1u << 7;
-inline constexpr UsageMask kIndex = 1u << 8;
-inline constexpr UsageMask kIndirect = 1u << 9;
-}  // namespace usage
-
-// Returns the usage flag that a resource needs for an access. Example: kSampled for Access::sampled_read.
-[[nodiscard]] UsageMask usage_of(Access a);
 
 enum class ResourceLifetime : uint8_t {
     // The content lives within one frame. The memory may be shared with other transient resources.
@@ -133,6 +97,9 @@ struct ResourceDecl {
     // Initial value (r, g, b, a) of every copy in the ring, before the first write.
     std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
+    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of
+    // all tiers. Only for resources with `keep` and without `history`.
+    bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
@@ -327,6 +294,10 @@ struct PassDecl {
     // For indirect draws: the index, in `uses`, of the buffer that contains one draw command for each draw.
     // kNoId: the draws are direct.
     uint32_t draw_commands_use = kNoId;
+    // The index, in `uses`, of the buffer whose first word is the number of draws; kNoId: all are drawn.
+    uint32_t draw_count_use = kNoId;
+    // For indirect draws without a list or with a number in a buffer: number of commands in the buffer.
+    uint32_t most_draws = 0;
     // For a raster pass without draw lists: number of vertices. The shader computes their positions from
     // gl_VertexIndex.
     uint32_t vertices = 0;
@@ -334,6 +305,8 @@ struct PassDecl {
     uint32_t instances = 0;
     // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
     std::string view = "camera";
+    // True: the draw source may leave out direct draws that are outside of the frustum of the view.
+    bool culls_draws = false;
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
     // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
@@ -352,30 +325,16 @@ struct PassDecl {
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;
     SourceLoc loc;
+
+    // Returns true for a raster pass that draws vertices without a draw list.
+    [[nodiscard]] bool draws_without_list() const {
+        return vertices > 0 || (draw_commands_use != kNoId && draw_lists.empty());
+    }
 };
 
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
-
-// program: the program gives the matrices. mirror: the views of another list in a mirror. cube: the faces of a
-// cube.
-enum class ViewSource : uint8_t { program, mirror, cube };
-
-// A list of views. View i has the name "list(i)".
-struct ViewListDecl {
-    std::string name;
-    ViewSource source = ViewSource::program;
-    uint32_t count = 1;
-    // For a mirror: the view i shows view `first` + i of the list `of`, which can also be "camera".
-    std::string of;
-    uint32_t first = 0;
-    // The plane of a mirror, (a, b, c, d): points with a x + b y + c z + d = 0. (a, b, c) is a unit vector.
-    std::array<double, 4> plane{0, 1, 0, 0};
-    // For a cube: its centre, and the distance of the near planes of its faces, in metres.
-    std::array<double, 3> at{0, 0, 0};
-    double near_m = 0;
-};
 
 // A group of passes. Its rounds are units, and each frame runs some of them, in any order.
 struct GroupDecl {

@@ -5,6 +5,7 @@
 
 #include "render/frame_data.h"
 #include "render/imports/texture_table.h"
+#include "render/views/frustum.h"
 
 namespace weft::render {
 namespace {
@@ -27,6 +28,11 @@ ImportDecl scene_buffer(const std::string& name, size_t elements, size_t stride_
     buffer.usage = usage::kStorage | usage::kTransferSrc;
     buffer.import = ImportState{};
     return import;
+}
+
+shared::Bounds gpu_bounds(const scene::Bounds& mesh, const glm::mat4& to_world) {
+    const scene::Bounds box = box_in_world(mesh, to_world);
+    return {box.min, 0, box.max, 0};
 }
 
 constexpr VkBufferUsageFlags kBufferUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
@@ -82,22 +88,11 @@ void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene) {
     catalog.numbers.emplace("materialCount", static_cast<double>(materials));
 }
 
-// Arvo 1990, "Transforming Axis-Aligned Bounding Boxes": the centre is transformed, and the half size by the
-// absolute values of the matrix.
-shared::Bounds world_box(const scene::Bounds& mesh, const glm::mat4& transform) {
-    const glm::vec3 centre = transform * glm::vec4((mesh.min + mesh.max) * 0.5f, 1);
-    const glm::vec3 half = (mesh.max - mesh.min) * 0.5f;
-    glm::vec3 reach(0);
-    for (int column = 0; column < 3; ++column)
-        reach += glm::abs(glm::vec3(transform[column])) * half[column];
-    return {centre - reach, 0, centre + reach, 0};
-}
-
 std::vector<shared::Bounds> instance_bounds(const scene::Scene& scene) {
     std::vector<shared::Bounds> all;
     all.reserve(scene.instances.size());
     for (const scene::Instance& instance : scene.instances)
-        all.push_back(world_box(scene.meshes[instance.mesh].bounds, instance.transform));
+        all.push_back(gpu_bounds(scene.meshes[instance.mesh].bounds, instance.transform));
     return all;
 }
 
@@ -137,7 +132,7 @@ Result<SceneBuffers> SceneBuffers::create(vk::Device& device, const scene::Scene
 void SceneBuffers::move(uint32_t slot, std::span<const MovingObject> objects) {
     std::byte* memory = bounds_[slot].mapped().data();
     for (const MovingObject& object : objects) {
-        const shared::Bounds box = world_box(object.mesh_bounds, object.transform);
+        const shared::Bounds box = gpu_bounds(object.mesh_bounds, object.transform);
         std::memcpy(memory + uint64_t{object.instance} * sizeof box, &box, sizeof box);
     }
 }

@@ -28,9 +28,7 @@ inline constexpr std::array kSceneBuffers{"instances", "bounds", "meshes", "mate
 // "meshCount" and "materialCount". If `scene` is null, each buffer has one element.
 void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene);
 
-// Returns the axis-aligned box in world space around the corners of the transformed box of a mesh.
-[[nodiscard]] shared::Bounds world_box(const scene::Bounds& mesh, const glm::mat4& transform);
-// Returns the boxes of all instances. A moving instance has its box at time 0.
+// Returns the boxes of all instances in world space: box_in_world(). A moving instance has its box at time 0.
 [[nodiscard]] std::vector<shared::Bounds> instance_bounds(const scene::Scene& scene);
 // Returns the elements of "meshes". `ranges` has the place of each mesh in the vertex and index buffers.
 [[nodiscard]] std::vector<shared::Mesh> mesh_table(const scene::Scene& scene,

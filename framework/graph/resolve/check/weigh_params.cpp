@@ -51,14 +51,12 @@ class ParamCosts {
         const char* output = import_kind_name(ImportKind::output);
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
-                !costs_.contains(name + "Views") &&
-                !is_included(graph_.sources, import.loc))
+                !costs_.contains(name + "Views") && !is_included(graph_.sources, import.loc))
                 reporter.warn(import.loc, "W134",
                               (import.kind == "turns" ? "no group" : "no pass") +
                                   std::string(" uses the import ") + quote(name),
-                              import.kind == "turns"
-                                  ? "remove the import, or use it in \"turns\" of a group"
-                                  : import.kind == import_kind_name(ImportKind::views)
+                              import.kind == "turns" ? "remove the import, or use it in \"turns\" of a group"
+                              : import.kind == import_kind_name(ImportKind::views)
                                   ? "remove the import, or use it in \"view\" or \"views\" of a pass"
                                   : "remove the import, or use it in a port or in \"draws\"");
     }
@@ -105,6 +103,7 @@ class ParamCosts {
         for (const PortDesc& port : pass.in) add_port(port);
         for (const PortDesc* port : written_ports(pass)) add_port(*port);
         if (pass.indirect) add_port(*pass.indirect);
+        if (pass.draw_count) add_port(*pass.draw_count);
         for (const Expr* expression : {&pass.condition, &pass.per_frame, &pass.vertices, &pass.instances})
             add(*expression, ParamCost::graph);
         add(pass.view_number, ParamCost::graph);
@@ -181,6 +180,7 @@ class ParamCosts {
             for (const PortDesc& port : pass.in) add_named(port);
             for (const PortDesc* port : written_ports(pass)) add_named(*port);
             if (pass.indirect) add_named(*pass.indirect);
+            if (pass.draw_count) add_named(*pass.draw_count);
             named.insert(pass.draws.begin(), pass.draws.end());
             named.insert(pass.view);
         }
