@@ -34,6 +34,8 @@ shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
 }
 
 Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
+    // After begin_frame(), only errors of Vulkan may end the frame early.
+    if (Status given = views_.check(input.views); !given) return given;
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
     vk::FrameInput frame;
@@ -53,7 +55,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    if (Status made = views_.update({view_, sun_, scene.lights(), input.views}); !made) return made;
+    views_.update({view_, sun_, scene.lights(), input.views});
     if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views()); !set)
         return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};

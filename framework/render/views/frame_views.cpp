@@ -54,16 +54,24 @@ void FrameViews::set_plan(const FramePlan& plan) {
     }
 }
 
-Status FrameViews::update(const ViewSources& sources) {
+Status FrameViews::check(const ViewLists& program) const {
+    for (const ViewListDecl& list : lists_) {
+        if (list.source != ViewSource::program || list.name == kSun || list.name == kLampViews) continue;
+        const auto given = program.find(list.name);
+        const size_t count = given != program.end() ? given->second.size() : 0;
+        if (count < list.count) return too_few(list.name, count, list.count);
+    }
+    return Unit{};
+}
+
+void FrameViews::update(const ViewSources& sources) {
     const Frame frame{sources, lamp_views(sources.lights)};
     std::map<std::string, glm::mat4> now;
     for (size_t i = 0; i < views_.size(); ++i) {
         FrameView& view = views_[i];
         const ViewName name = parts_of(view.name);
-        Result<shared::ViewConstants> made = make(frame, name.list, name.index);
-        if (!made) return made.take_errors();
-        view.constants = *made;
-        view.mirrored = is_mirrored(made->view_projection);
+        view.constants = make(frame, name.list, name.index);
+        view.mirrored = is_mirrored(view.constants.view_projection);
         if (i == 0) continue;
         if (sizes_px_[i].x > 0 && name.list != kSun) {
             view.constants.viewport_px = glm::vec2(sizes_px_[i]);
@@ -75,37 +83,29 @@ Status FrameViews::update(const ViewSources& sources) {
         now.emplace(view.name, steady);
     }
     before_ = std::move(now);
-    return Unit{};
 }
 
-Result<shared::ViewConstants> FrameViews::make(const Frame& frame, const std::string& name,
-                                               uint32_t index) const {
+shared::ViewConstants FrameViews::make(const Frame& frame, const std::string& name, uint32_t index) const {
     if (name == kCamera) return frame.sources.camera;
     const auto list = std::ranges::find(lists_, name, &ViewListDecl::name);
-    if (list == lists_.end()) return too_few(name, 0, index + 1);
     switch (list->source) {
         case ViewSource::program:
             return make_given(frame, *list, index);
-        case ViewSource::mirror: {
-            Result<shared::ViewConstants> seen = make(frame, list->of, list->first + index);
-            return seen ? Result<shared::ViewConstants>(mirrored(*seen, list->plane)) : seen;
-        }
+        case ViewSource::mirror:
+            return mirrored(make(frame, list->of, list->first + index), list->plane);
         case ViewSource::cube:
             break;
     }
     return constants_of(cube_face({list->at[0], list->at[1], list->at[2]}, index, list->near_m));
 }
 
-Result<shared::ViewConstants> FrameViews::make_given(const Frame& frame, const ViewListDecl& list,
-                                                     uint32_t index) const {
+shared::ViewConstants FrameViews::make_given(const Frame& frame, const ViewListDecl& list,
+                                             uint32_t index) const {
     if (list.name == kSun) return frame.sources.sun.views[std::min(index, shared::kMostSunCascades - 1u)];
     if (list.name == kLampViews)
         // A lamp that has moved too far away gives no light and no views.
         return index < frame.lamps.size() ? constants_of(frame.lamps[index]) : shared::ViewConstants{};
-    const auto given = frame.sources.program.find(list.name);
-    const size_t count = given != frame.sources.program.end() ? given->second.size() : 0;
-    if (index >= count) return too_few(list.name, count, list.count);
-    return constants_of(given->second[index]);
+    return constants_of(frame.sources.program.find(list.name)->second[index]);
 }
 
 }  // namespace weft::render

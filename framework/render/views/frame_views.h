@@ -35,8 +35,10 @@ class FrameViews {
  public:
     // Finds the views that the live passes of a plan use, and the sizes at which they draw them.
     void set_plan(const FramePlan& plan);
-    // Computes all views of the next frame.
-    [[nodiscard]] Status update(const ViewSources& sources);
+    // Checks that the program gives all views of its lists that the plan uses. Error: W193.
+    [[nodiscard]] Status check(const ViewLists& program) const;
+    // Computes all views of the next frame. check() must have accepted the lists of the program.
+    void update(const ViewSources& sources);
     // Returns the views of the frame. The first is the camera.
     [[nodiscard]] const std::vector<FrameView>& views() const { return views_; }
 
@@ -46,10 +48,9 @@ class FrameViews {
         std::vector<ViewInput> lamps;
     };
     // Returns the constants of a view, but without its own size and previous matrix.
-    [[nodiscard]] Result<shared::ViewConstants> make(const Frame& frame, const std::string& list,
-                                                     uint32_t index) const;
-    [[nodiscard]] Result<shared::ViewConstants> make_given(const Frame& frame, const ViewListDecl& list,
-                                                           uint32_t index) const;
+    [[nodiscard]] shared::ViewConstants make(const Frame& frame, const std::string& list, uint32_t index) const;
+    [[nodiscard]] shared::ViewConstants make_given(const Frame& frame, const ViewListDecl& list,
+                                                   uint32_t index) const;
 
     std::vector<ViewListDecl> lists_;
     std::vector<FrameView> views_;

@@ -76,6 +76,47 @@ TEST_F(SceneBuffersVk, GraphsReadWhatTheSceneContains) {
     }
 }
 
+// Two frames are in flight, and each has a buffer of its own. So the frames are rendered without waiting.
+TEST_F(SceneBuffersVk, MovingObjectsHaveTheirPlaceOfEachFrame) {
+    Result<scene::Scene> scene = scene::make_builtin("spheres");
+    ASSERT_TRUE(scene);
+    constexpr uint32_t kMoving = 3;
+    scene->motion.nodes = {{}};
+    scene::Animation animation;
+    animation.length_s = 16;
+    animation.samplers = {{scene::Interpolation::linear, false, {0, 16}, {glm::vec4(0), {0, 32, 0, 0}}}};
+    animation.channels = {{0, scene::MotionPath::translation, 0}};
+    scene->motion.animations = {animation};
+    scene->instances[kMoving].node = 0;
+    const std::unique_ptr<render::Session> session =
+        start(*scene, scene::framing_camera(*scene, 1.5f), kCullGraph, {96, 64, 1}, {"instances", "bounds"});
+    ASSERT_TRUE(session);
+    constexpr int kFrames = 7;
+    std::vector<vk::ReadbackData> read;
+    for (int frame = 0; frame < kFrames; ++frame) {
+        ASSERT_TRUE(draw_frame(*session, frame));
+        for (vk::ReadbackData& data : session->take_readbacks()) read.push_back(std::move(data));
+    }
+    ASSERT_TRUE(session->finish());
+    for (vk::ReadbackData& data : session->take_readbacks()) read.push_back(std::move(data));
+    ASSERT_EQ(read.size(), 2u * kFrames);
+    for (const vk::ReadbackData& data : read) {
+        const auto height = 2 * static_cast<float>(data.frame_index);
+        if (data.pass == "observe:instances") {
+            const shared::Instance instance = elements<shared::Instance>(data.bytes).at(kMoving);
+            EXPECT_EQ(instance.object_to_world[3], glm::vec4(0, height, 0, 1));
+            EXPECT_EQ(instance.prev_object_to_world[3].y, std::max(0.0f, height - 2));
+            EXPECT_EQ(instance.mesh, scene->instances[kMoving].mesh);
+            EXPECT_EQ(instance.material, scene->instances[kMoving].material);
+        } else {
+            const shared::Bounds box = elements<shared::Bounds>(data.bytes).at(kMoving);
+            const scene::Bounds& mesh = scene->meshes[scene->instances[kMoving].mesh].bounds;
+            EXPECT_NEAR(box.least.y, mesh.min.y + height, 1e-3f);
+            EXPECT_NEAR(box.most.y, mesh.max.y + height, 1e-3f);
+        }
+    }
+}
+
 TEST_F(SceneBuffersVk, CullingByTheBoxesChangesNoPixel) {
     const Result<scene::Scene> scene = scene::make_builtin("spheres");
     ASSERT_TRUE(scene);

@@ -309,6 +309,9 @@ TEST_F(Views, ThatTheProgramDoesNotGiveAreAnError) {
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.errors().at(0).code, "W193");
     EXPECT_NE(failed.errors()[0].message.find("gave 2 views for the list \"mine\""), std::string::npos);
+    // The session goes on with the next frame.
+    EXPECT_TRUE(session->render_frame(input(0)));
+    EXPECT_TRUE(session->finish());
 }
 
 // The draws of a mirrored view without a draw list have the front faces that the author gives.
