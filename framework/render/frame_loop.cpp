@@ -35,6 +35,7 @@ shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
 Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
+    std::erase_if(retired_, [&](const RetiredFiles& files) { return files.until <= frame_index_; });
     vk::FrameInput frame;
     frame.frame_index = frame_index_;
     frame.time_s = input.time_s;
@@ -60,6 +61,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     frame.turns = input.turns;
     // The program never changes the draw commands of a scene.
     for (const char* list : kDrawLists) frame.import_versions.emplace(commands_of(list), 0);
+    for (const auto& [name, file] : stage_.files) frame.import_versions.emplace(name, file.hash());
     return stage_.executor->run(frame);
 }
 
@@ -82,6 +84,9 @@ Status FrameLoop::take_over(RenderStage stage, bool check) {
         Diagnostics faults = check_transition(old_plan, new_plan, between);
         if (!faults.empty()) return faults;
     }
+    if (Status uploaded = upload_files(stage.files); !uploaded) return uploaded;
+    // The slots of all frames in flight have been reused once kFramesInFlight further frames have begun.
+    retired_.push_back({std::move(stage_.files), frame_index_ + vk::kFramesInFlight});
     vk::Predecessor predecessor;
     predecessor.images.push_back(std::move(stage_.output));
     predecessor.transition = std::move(between);

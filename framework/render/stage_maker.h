@@ -34,7 +34,7 @@ class StageMaker {
     // The three referenced objects must outlive the StageMaker. The calling thread becomes the drawing
     // thread: pipelines_made_between_frames() counts the pipelines made on it.
     StageMaker(vk::Device& device, const GpuScene& scene, const GraphLoader& loader, StageSettings settings)
-        : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)) {}
+        : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)), files_(device) {}
 
     // Makes the parts for a resolved graph. `running` is the fingerprint of the stage that they replace; its
     // generation is 0 if no stage runs yet.
@@ -54,8 +54,9 @@ class StageMaker {
 
  private:
     [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const std::string& path) const;
-    [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders);
-    [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, VkImage output) const;
+    [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders,
+                                      FileUses files);
+    [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, VkImage output, FileUses files) const;
 
     vk::Device& device_;
     const GpuScene& scene_;
@@ -64,6 +65,7 @@ class StageMaker {
     const std::thread::id drawing_thread_ = std::this_thread::get_id();
     std::atomic<uint64_t> made_between_frames_ = 0;
     vk::PipelineStore pipelines_;
+    FileStore files_;
 };
 
 }  // namespace weft::render

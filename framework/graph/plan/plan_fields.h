@@ -34,6 +34,7 @@ void visit_fields(V& v, const ResourceDecl& x) {
         v("usage", x.usage);
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
     v("onResize", x.on_resize), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
+    v("file", x.file);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {
@@ -88,8 +89,7 @@ template <class V>
 void visit_fields(V& v, const ParamWrite& x) {
     v("member", x.member), v("offsetBytes", x.offset_bytes), v("scalar", x.scalar),
         v("components", x.components);
-    v("builtin", x.builtin), v("resource", x.resource), v("use", x.use),
-        v("value", x.value);
+    v("builtin", x.builtin), v("resource", x.resource), v("use", x.use), v("value", x.value);
 }
 template <class V>
 void visit_fields(V& v, const SpecValue& x) {

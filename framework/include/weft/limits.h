@@ -38,6 +38,7 @@ struct GraphLimits {
     uint64_t mips = 15;
     uint64_t layers = 2048;
     uint64_t transient_bytes = 4ull << 30;
+    uint64_t file_bytes = 512ull << 20;
 };
 
 struct ShaderLimits {
