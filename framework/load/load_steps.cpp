@@ -8,7 +8,7 @@
 
 #include "graph/parse/parse.h"
 #include "graph/syntax/merge.h"
-#include "load/files/measure_files.h"
+#include "load/measure_files.h"
 #include "shader/compile/glsl_compile.h"
 
 namespace weft {

@@ -125,6 +125,8 @@ std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std:
         placed.push_back(gpu_instance(instance.transform));
         placed.back().color_offset = ranges[instance.mesh].color_offset;
         placed.back().second_uv_offset = ranges[instance.mesh].second_uv_offset;
+        placed.back().mesh = instance.mesh;
+        placed.back().material = instance.material;
     }
     return placed;
 }
@@ -132,7 +134,8 @@ std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std:
 // Makes the buffers for GpuGeometry::instances.
 Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene::Scene& scene,
                                                  const std::vector<MeshRange>& ranges) {
-    constexpr VkBufferUsageFlags kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
+    constexpr VkBufferUsageFlags kStorage =
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     std::vector<vk::Buffer> buffers;
     std::vector<shared::Instance> placed = instances_of(scene, ranges);
     const bool moves = std::ranges::any_of(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <functional>
 #include <numeric>
@@ -53,6 +54,9 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     gpu->sort_draws(scene);
     gpu->find_moving_draws();
     if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
+    Result<SceneBuffers> described = SceneBuffers::create(device, scene, gpu->geometry_.meshes);
+    if (!described) return described.take_errors();
+    gpu->buffers_ = std::move(*described);
     return gpu;
 }
 
@@ -67,8 +71,8 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
         for (const char* list : kDrawLists)
             if (is_in_draw_list(material, list))
                 lists_[list].draws.push_back({geometry_.meshes[instance.mesh], i, instance.material,
-                                        draw_variant(material, list), material.double_sided, mirrored,
-                                        center});
+                                              draw_variant(material, list), material.double_sided, mirrored,
+                                              center, box_in_world(mesh.bounds, instance.transform)});
     }
     // Draws are sorted by material for few state changes. The sort is stable: draws with the same material
     // keep the scene's order, so the picture is always the same.
@@ -106,25 +110,31 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
             const MovingObject& object = moving_.all()[moving.object];
             Draw& draw = list.draws[moving.draw];
             draw.mirrored = glm::determinant(glm::mat3(object.transform)) < 0;
-            draw.center = object.transform *
-                          glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
+            draw.center =
+                object.transform * glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
+            draw.box = box_in_world(object.mesh_bounds, object.transform);
             changed |= object.changed;
         }
         if (changed) ++list.version;
     }
 }
 
-void GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                         const shared::ViewConstants& camera, const SunCascades& sun) {
-    frame_.write(slot, frame, camera, sun);
+Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                           const shared::SunConstants& sun, std::span<const FrameView> views) {
+    if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
+    views_.clear();
+    for (const FrameView& view : views)
+        views_.emplace(view.name, ViewShape{view.mirrored, frustum_of(view.constants)});
+    const glm::vec3 eye = views.front().constants.eye;
     const std::vector<Draw>& draws = lists_[std::string(kSortedList)].draws;
     far_to_near_.resize(draws.size());
     std::iota(far_to_near_.begin(), far_to_near_.end(), 0u);
     const auto distance2 = [&](uint32_t i) {
-        const glm::vec3 way = draws[i].center - camera.eye;
+        const glm::vec3 way = draws[i].center - eye;
         return glm::dot(way, way);
     };
     std::ranges::stable_sort(far_to_near_, std::greater{}, distance2);
+    return Unit{};
 }
 
 uint32_t GpuScene::place_of(std::string_view list, uint32_t i) const {
@@ -156,6 +166,10 @@ VkBuffer GpuScene::commands(std::string_view list) const {
     return commands_.find(list)->second.handle();
 }
 
+VkBuffer GpuScene::buffer(std::string_view name) const {
+    return name == "instances" ? geometry_.instances.front().handle() : buffers_.find(name);
+}
+
 VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {
     switch (set) {
         case 0:
@@ -185,9 +199,9 @@ std::optional<uint64_t> GpuScene::list_version(std::string_view list) const {
     return found == lists_.end() ? 0 : found->second.version;
 }
 
-void GpuScene::record(const vk::DrawContext& context) const {
+uint32_t GpuScene::record(const vk::DrawContext& context) const {
     const auto found = lists_.find(context.list);
-    if (found == lists_.end()) return;
+    if (found == lists_.end()) return 0;
     const vk::DeviceFunctions& fn = *context.fn;
     const VkCommandBuffer commands = context.commands;
     const std::array streams{geometry_.positions.handle(), geometry_.attributes.handle()};
@@ -199,29 +213,67 @@ void GpuScene::record(const vk::DrawContext& context) const {
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    &instances, 0, nullptr);
+    if (context.draw_count != VK_NULL_HANDLE) {
+        record_counted(context);
+        return 0;
+    }
+    const bool mirrored = is_mirrored(context.view);
+    const Frustum* frustum = find_frustum(context);
+    uint32_t left_out = 0;
     DrawState state;
     const std::vector<Draw>& draws = found->second.draws;
     for (uint32_t i = 0; i < draws.size();) {
         const uint32_t place = place_of(context.list, i);
         const Draw& draw = draws[place];
-        const uint32_t same = count_alike(context, draws, i);
+        const bool outside = frustum != nullptr && is_outside(*frustum, draw.box, context.depth_clamp);
+        if (draw.variant != context.variant || outside) {
+            left_out += draw.variant == context.variant ? 1 : 0;
+            ++i;
+            continue;
+        }
+        const uint32_t same = count_alike(context, draws, i, frustum);
         i += same;
-        if (draw.variant != context.variant) continue;
-        set_state(context, draw, state);
+        set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
-            fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
-                                        1, kCommandBytes);
+            fn.vkCmdDrawIndexedIndirect(
+                commands, context.draw_commands,
+                context.draw_commands_offset_bytes + VkDeviceSize{place} * kCommandBytes, 1, kCommandBytes);
         else
             fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, same, draw.mesh.first_index,
                                 draw.mesh.vertex_offset, draw.instance);
     }
+    return left_out;
+}
+
+// A shader that does not read the matrix of the view may place vertices anywhere.
+const Frustum* GpuScene::find_frustum(const vk::DrawContext& context) const {
+    constexpr uint32_t kViewBinding = 1;
+    constexpr uint32_t kMatrix = offsetof(shared::ViewConstants, view_projection);
+    const bool reads_matrix = std::ranges::any_of(context.frame_ranges, [](const FrameRange& range) {
+        return range.binding == kViewBinding && range.offset_bytes <= kMatrix &&
+               kMatrix < range.offset_bytes + range.size_bytes;
+    });
+    const auto view = views_.find(context.view);
+    return culls_ && context.culls_draws && reads_matrix && view != views_.end() ? &view->second.frustum
+                                                                                 : nullptr;
+}
+
+// Records one command that draws as many commands of the buffer as the GPU has counted. resolve() ensures
+// that the pass culls no faces and reads no materials, so all draws have the same state.
+void GpuScene::record_counted(const vk::DrawContext& context) const {
+    context.fn->vkCmdSetFrontFace(context.commands, is_mirrored(context.view)
+                                                        ? VK_FRONT_FACE_CLOCKWISE
+                                                        : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    context.fn->vkCmdDrawIndexedIndirectCount(
+        context.commands, context.draw_commands, context.draw_commands_offset_bytes, context.draw_count,
+        context.draw_count_offset_bytes, context.most_draws, kCommandBytes);
 }
 
 // Returns how many draws one instanced command can draw, starting with the i-th draw. These draws have the
-// same mesh and state, and their instances have consecutive indices. With indirect drawing the result is 1,
-// because each draw has its own command in the buffer.
-uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
-                               uint32_t i) const {
+// same mesh and state, their instances have consecutive indices, and none of them is outside of the frustum.
+// With indirect drawing the result is 1, because each draw has its own command in the buffer.
+uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws, uint32_t i,
+                               const Frustum* frustum) const {
     if (context.draw_commands != VK_NULL_HANDLE) return 1;
     const Draw& first = draws[place_of(context.list, i)];
     uint32_t count = 1;
@@ -229,14 +281,16 @@ uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector
         const Draw& next = draws[place_of(context.list, i + count)];
         const bool alike = next.mesh == first.mesh && next.instance == first.instance + count &&
                            next.material == first.material && next.variant == first.variant &&
-                           next.double_sided == first.double_sided && next.mirrored == first.mirrored;
+                           next.double_sided == first.double_sided && next.mirrored == first.mirrored &&
+                           (frustum == nullptr || !is_outside(*frustum, next.box, context.depth_clamp));
         if (!alike) break;
     }
     return count;
 }
 
 // Records only the state that differs from the previous draw.
-void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const {
+void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise,
+                         DrawState& state) const {
     const vk::DeviceFunctions& fn = *context.fn;
     if (context.uses_materials && draw.material != state.material) {
         const VkDescriptorSet set = materials_.set(draw.material);
@@ -244,15 +298,20 @@ void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawS
                                    &set, 0, nullptr);
         state.material = draw.material;
     }
-    if (state.mirrored != draw.mirrored) {
+    if (state.clockwise != clockwise) {
         fn.vkCmdSetFrontFace(context.commands,
-                             draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-        state.mirrored = draw.mirrored;
+                             clockwise ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        state.clockwise = clockwise;
     }
     if (context.cull == CullMode::material && state.double_sided != draw.double_sided) {
         fn.vkCmdSetCullMode(context.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
         state.double_sided = draw.double_sided;
     }
+}
+
+bool GpuScene::is_mirrored(std::string_view view) const {
+    const auto found = views_.find(view);
+    return found != views_.end() && found->second.mirrored;
 }
 
 uint64_t GpuScene::draw_count(std::string_view list) const {

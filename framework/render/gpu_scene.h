@@ -13,7 +13,9 @@
 #include "render/gpu_frame.h"
 #include "render/gpu_geometry.h"
 #include "render/gpu_materials.h"
+#include "render/imports/scene_buffers.h"
 #include "render/motion/moving_objects.h"
+#include "render/views/frustum.h"
 #include "weft/vulkan/draw_source.h"
 
 namespace weft::render {
@@ -32,9 +34,9 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] const MovingObjects& moving() const { return moving_; }
 
     // Writes the constants of a frame slot, and sorts the transparent surfaces by distance. Call it between
-    // Executor::begin_frame() and run().
-    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
-                   const SunCascades& sun);
+    // Executor::begin_frame() and run(). The first view is the camera.
+    [[nodiscard]] Status set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                                   const shared::SunConstants& sun, std::span<const FrameView> views);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
@@ -44,13 +46,20 @@ class GpuScene final : public vk::DrawSource {
     // The order of the transparent objects may change in every frame. The version of any other list changes
     // when one of its objects moves.
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
-    void record(const vk::DrawContext& context) const override;
+    uint32_t record(const vk::DrawContext& context) const override;
+    // Hook for tests: if `culls` is false, draws outside of the frustum are recorded too.
+    void set_culling(bool culls) { culls_ = culls; }
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
+    [[nodiscard]] bool is_mirrored(std::string_view view) const override;
     // Returns the buffer with the draw commands of `list`, one of kDrawLists in import_catalog.h. Graphs
     // import the buffer under the name commands_of(list).
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
+    // Returns the buffer that graphs import under `name`, one of kSceneBuffers.
+    [[nodiscard]] VkBuffer buffer(std::string_view name) const;
 
  private:
+    void record_counted(const vk::DrawContext& context) const;
+
     struct Draw {
         MeshRange mesh;
         uint32_t instance = 0;
@@ -62,6 +71,7 @@ class GpuScene final : public vk::DrawSource {
         bool mirrored = false;
         // Centre of the bounds in world space.
         glm::vec3 center{0};
+        scene::Bounds box;  // In world space.
     };
     // A draw of an object that moves: an index into DrawList::draws, and one into MovingObjects::all().
     struct MovingDraw {
@@ -76,11 +86,13 @@ class GpuScene final : public vk::DrawSource {
     // The state that the previous draws in a command buffer have set.
     struct DrawState {
         uint32_t material = scene::kNone;
-        std::optional<bool> mirrored, double_sided;
+        std::optional<bool> clockwise, double_sided;
     };
     [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
-                                       uint32_t i) const;
-    void set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const;
+                                       uint32_t i, const Frustum* frustum) const;
+    // Returns the frustum outside of which draws are left out; null if all draws are recorded.
+    [[nodiscard]] const Frustum* find_frustum(const vk::DrawContext& context) const;
+    void set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise, DrawState& state) const;
     // Returns the index in `list` of the draw that is recorded as number i, counted from 0. The index differs
     // from i only in the transparent list, which is recorded from far to near.
     [[nodiscard]] uint32_t place_of(std::string_view list, uint32_t i) const;
@@ -93,6 +105,7 @@ class GpuScene final : public vk::DrawSource {
     GpuGeometry geometry_;
     GpuMaterials materials_;
     GpuFrame frame_;
+    SceneBuffers buffers_;
     // Descriptor set 3 with the instances and the optional vertex streams of all meshes: one for each buffer
     // of GpuGeometry::instances.
     DescriptorSets instances_;
@@ -100,6 +113,13 @@ class GpuScene final : public vk::DrawSource {
     std::map<std::string, DrawList, std::less<>> lists_;
     // Indices into the transparent list, sorted from far to near as seen from the camera.
     std::vector<uint32_t> far_to_near_;
+    struct ViewShape {
+        bool mirrored = false;  // True if the picture is a mirror image.
+        Frustum frustum;
+    };
+    // The views of the frame, by name.
+    std::map<std::string, ViewShape, std::less<>> views_;
+    bool culls_ = true;
     // The buffer of draw commands of each draw list, by the name of the list.
     std::map<std::string, vk::Buffer, std::less<>> commands_;
 };

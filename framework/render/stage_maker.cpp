@@ -35,7 +35,7 @@ Diagnostics find_missing_features(const vk::Device& device, const FramePlan& pla
     if (device.optional().draw_indirect_first_instance) return missing;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
-        if (pass.draw_commands_use == kNoId) continue;
+        if (pass.draw_commands_use == kNoId || pass.draws_without_list()) continue;
         missing.push_back(plan.graph.sources.error(
             pass.loc, "V417",
             "pass \"" + pass.name + "\" draws indirectly, but the device lacks drawIndirectFirstInstance"));
@@ -120,6 +120,7 @@ Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCat
     run.passes = &loader_.passes();
     run.draws = &scene_;
     run.pipelines = &pipelines_;
+    run.shared = &shared_;
     run.timestamps = settings_.timestamps;
     run.imports = &imports;
     if (next.rebuilt.plan) {
@@ -142,6 +143,7 @@ Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own, F
     run.bindings.images.emplace("backbuffer", &*output);
     for (const char* list : kDrawLists)
         run.bindings.buffers.emplace(commands_of(list), scene_.commands(list));
+    for (const char* name : kSceneBuffers) run.bindings.buffers.emplace(name, scene_.buffer(name));
     for (const auto& [name, use] : files) {
         const ResourceDecl& resource = run.plan.graph.resources[find_resource(run.plan.graph, name)];
         if (resource.kind == ResourceKind::buffer) run.bindings.buffers.emplace(name, use.buffer().handle());

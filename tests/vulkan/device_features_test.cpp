@@ -80,13 +80,13 @@ TEST_F(MadeWith, BuffersThatNoIndexLeaves) {
 TEST_F(MadeWith, NothingThatNoGraphCanUse) {
     const VkPhysicalDeviceFeatures& v10 = enabled_.v10();
     for (const VkBool32 feature :
-         {v10.samplerAnisotropy, v10.dualSrcBlend, v10.logicOp, v10.multiDrawIndirect, v10.depthBounds,
+         {v10.dualSrcBlend, v10.logicOp, v10.multiDrawIndirect, v10.depthBounds,
           v10.wideLines, v10.largePoints, v10.alphaToOne, v10.sparseBinding, v10.inheritedQueries,
           v10.pipelineStatisticsQuery, v10.occlusionQueryPrecise, v10.fullDrawIndexUint32})
         EXPECT_EQ(feature, VK_FALSE);
     for (const VkBool32 feature :
-         {enabled_.v12().samplerFilterMinmax, enabled_.v12().drawIndirectCount,
-          enabled_.v12().samplerMirrorClampToEdge, enabled_.v12().imagelessFramebuffer})
+         {enabled_.v12().drawIndirectCount, enabled_.v12().samplerMirrorClampToEdge,
+          enabled_.v12().imagelessFramebuffer})
         EXPECT_EQ(feature, VK_FALSE);
 }
 
@@ -98,8 +98,10 @@ TEST_F(MadeWith, AllThatTheGateAlwaysAllows) {
     EXPECT_EQ(enabled_.v13().shaderTerminateInvocation, VK_TRUE);
 }
 
-TEST_F(MadeWith, WhatTheProfileSaysThatShadersMayUse) {
+TEST_F(MadeWith, WhatTheProfileSaysThatGraphsMayUse) {
     DeviceProfile profile;
+    profile.max_sampler_anisotropy = 16;
+    profile.formats[Format::r32f] = format_feature::kSampled | format_feature::kSampledMinMax;
     add_optional_features(optional_, profile);
     EXPECT_EQ(enabled_.v10().imageCubeArray, VK_TRUE);
     EXPECT_EQ(enabled_.v10().shaderImageGatherExtended, VK_TRUE);
@@ -107,10 +109,16 @@ TEST_F(MadeWith, WhatTheProfileSaysThatShadersMayUse) {
     EXPECT_EQ(profile.shader_capabilities,
               shader_capability::kImageCubeArray | shader_capability::kImageGatherExtended);
     EXPECT_TRUE(profile.storage_read_without_format);
+    EXPECT_EQ(enabled_.v10().samplerAnisotropy, VK_TRUE);
+    EXPECT_EQ(enabled_.v12().samplerFilterMinmax, VK_TRUE);
+    EXPECT_EQ(profile.max_sampler_anisotropy, 16.0F);
+    EXPECT_NE(profile.features(Format::r32f) & format_feature::kSampledMinMax, 0u);
     EXPECT_TRUE(profile.non_solid_fill && profile.depth_clamp && profile.depth_bias_clamp);
     add_optional_features({}, profile);
     EXPECT_EQ(profile.shader_capabilities, 0u) << "a device that was made without them";
     EXPECT_FALSE(profile.storage_read_without_format);
+    EXPECT_EQ(profile.max_sampler_anisotropy, 1.0F);
+    EXPECT_EQ(profile.features(Format::r32f), format_feature::kSampled);
     EXPECT_FALSE(profile.non_solid_fill || profile.depth_clamp || profile.depth_bias_clamp);
 }
 

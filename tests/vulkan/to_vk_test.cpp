@@ -50,6 +50,7 @@ TEST(ToVk, every_enumerator_has_a_value_of_its_own) {
     EXPECT_EQ(distinct(ShaderStage::compute), count(ShaderStage::compute));
     EXPECT_EQ(distinct(BindingKind::storage_buffer), count(BindingKind::storage_buffer));
     EXPECT_EQ(distinct(SamplerFilter::linear), count(SamplerFilter::linear));
+    EXPECT_EQ(distinct(SamplerReduction::max), count(SamplerReduction::max));
     EXPECT_EQ(distinct(SamplerWrap::border), count(SamplerWrap::border));
     EXPECT_EQ(distinct(CompareOp::always), count(CompareOp::always));
     EXPECT_EQ(distinct(FrontFace::clockwise), count(FrontFace::clockwise));

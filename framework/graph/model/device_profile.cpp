@@ -8,110 +8,17 @@
 #include <span>
 #include <string_view>
 
+#include "graph/model/profile_json.h"
+
 namespace weft {
 namespace {
 
 using Json = nlohmann::ordered_json;
-namespace ff = format_feature;
-
-struct FeatureName {
-    FormatFeatureMask bit;
-    const char* name;
-};
-constexpr std::array kFeatureNames{
-    FeatureName{ff::kSampled, "sampled"},     FeatureName{ff::kSampledLinear, "linear"},
-    FeatureName{ff::kStorage, "storage"},     FeatureName{ff::kColorAttachment, "color"},
-    FeatureName{ff::kColorBlend, "blend"},    FeatureName{ff::kDepthAttachment, "depth"},
-    FeatureName{ff::kTransferSrc, "copySrc"}, FeatureName{ff::kTransferDst, "copyDst"},
-    FeatureName{ff::kBlitSrc, "blitSrc"},     FeatureName{ff::kBlitDst, "blitDst"},
-};
-
-constexpr std::array<const char*, 3> kQueueNames{"graphics", "compute", "transfer"};
-
-struct Limit {
-    const char* name;
-    uint32_t DeviceProfile::*value;
-};
-constexpr std::array kLimits{
-    Limit{"maxImage2dPx", &DeviceProfile::max_image_2d_px},
-    Limit{"maxImageLayers", &DeviceProfile::max_image_layers},
-    Limit{"maxPushConstantsBytes", &DeviceProfile::max_push_constants_bytes},
-    Limit{"maxColorAttachments", &DeviceProfile::max_color_attachments},
-    Limit{"maxWorkgroupInvocations", &DeviceProfile::max_workgroup_invocations},
-    Limit{"maxSharedBytes", &DeviceProfile::max_shared_bytes},
-    Limit{"maxSampledImagesPerStage", &DeviceProfile::max_sampled_images_per_stage},
-    Limit{"maxStorageImagesPerStage", &DeviceProfile::max_storage_images_per_stage},
-};
-struct WideLimit {
-    const char* name;
-    uint64_t DeviceProfile::*value;
-};
-constexpr std::array kWideLimits{
-    WideLimit{"maxUniformBufferBytes", &DeviceProfile::max_uniform_buffer_bytes},
-    WideLimit{"maxStorageBufferBytes", &DeviceProfile::max_storage_buffer_bytes},
-    WideLimit{"bufferImageGranularityBytes", &DeviceProfile::buffer_image_granularity_bytes},
-};
-struct Switch {
-    const char* name;
-    bool DeviceProfile::*value;
-};
-constexpr std::array kSwitches{
-    Switch{"storageReadWithoutFormat", &DeviceProfile::storage_read_without_format},
-    Switch{"descriptorIndexing", &DeviceProfile::descriptor_indexing},
-    Switch{"nonSolidFill", &DeviceProfile::non_solid_fill},
-    Switch{"depthClamp", &DeviceProfile::depth_clamp},
-    Switch{"depthBiasClamp", &DeviceProfile::depth_bias_clamp},
-};
-
-struct CapabilityName {
-    ShaderCapabilityMask bit;
-    const char* name;
-};
-namespace sc = shader_capability;
-constexpr std::array kCapabilityNames{
-    CapabilityName{sc::kImageGatherExtended, "ImageGatherExtended"},
-    CapabilityName{sc::kImageCubeArray, "ImageCubeArray"},
-    CapabilityName{sc::kSubgroupVote, "GroupNonUniformVote"},
-    CapabilityName{sc::kSubgroupArithmetic, "GroupNonUniformArithmetic"},
-    CapabilityName{sc::kSubgroupBallot, "GroupNonUniformBallot"},
-    CapabilityName{sc::kSubgroupShuffle, "GroupNonUniformShuffle"},
-    CapabilityName{sc::kSubgroupShuffleRelative, "GroupNonUniformShuffleRelative"},
-    CapabilityName{sc::kSubgroupClustered, "GroupNonUniformClustered"},
-    CapabilityName{sc::kSubgroupQuad, "GroupNonUniformQuad"},
-};
-
-struct SampleCounts {
-    const char* name;
-    SampleCountMask DeviceProfile::*value;
-};
-constexpr std::array kSampleCounts{
-    SampleCounts{"colorSamples", &DeviceProfile::color_samples},
-    SampleCounts{"integerSamples", &DeviceProfile::integer_samples},
-    SampleCounts{"depthSamples", &DeviceProfile::depth_samples},
-};
-constexpr uint32_t kMostSamples = 64;
-
-// Alignments that a profile file may omit. DeviceProfile contains the default value of each omitted
-// alignment.
-constexpr std::array kMemoryLimits{
-    WideLimit{"imageAlignmentBytes", &DeviceProfile::image_alignment_bytes},
-    WideLimit{"bufferAlignmentBytes", &DeviceProfile::buffer_alignment_bytes},
-    WideLimit{"imageRowAlignmentBytes", &DeviceProfile::image_row_alignment_bytes},
-};
-
-constexpr WideLimit kExtraBytes{"imageExtraBytes", &DeviceProfile::image_extra_bytes};
-
-struct ContentName {
-    MemoryContentMask bit;
-    const char* name;
-};
-constexpr std::array kContentNames{ContentName{memory_content::kBuffers, "buffers"},
-                                   ContentName{memory_content::kColorImages, "colorImages"},
-                                   ContentName{memory_content::kDepthImages, "depthImages"}};
+namespace pj = profile_json;
 
 Json features_to_json(FormatFeatureMask mask) {
     Json names = Json::array();
-    for (const FeatureName& feature : kFeatureNames) {
+    for (const pj::FeatureName& feature : pj::kFeatureNames) {
         if (mask & feature.bit) names.push_back(feature.name);
     }
     return names;
@@ -143,11 +50,11 @@ struct ProfileReader {
             }
             FormatFeatureMask mask = 0;
             for (const Json& item : list) {
-                const auto it =
-                    std::find_if(kFeatureNames.begin(), kFeatureNames.end(), [&](const FeatureName& f) {
-                        return item.is_string() && item.get<std::string>() == f.name;
-                    });
-                if (it == kFeatureNames.end()) {
+                const auto it = std::find_if(pj::kFeatureNames.begin(), pj::kFeatureNames.end(),
+                                             [&](const pj::FeatureName& f) {
+                                                 return item.is_string() && item.get<std::string>() == f.name;
+                                             });
+                if (it == pj::kFeatureNames.end()) {
                     fault("/formats/" + name, "unknown format feature " + item.dump(),
                           "use sampled, linear, storage, color, blend, depth, copySrc, copyDst, "
                           "blitSrc, blitDst");
@@ -160,13 +67,13 @@ struct ProfileReader {
     }
 
     bool sample_counts(const std::string& key, const Json& list, DeviceProfile& profile) {
-        const auto it = std::find_if(kSampleCounts.begin(), kSampleCounts.end(),
-                                     [&](const SampleCounts& s) { return key == s.name; });
-        if (it == kSampleCounts.end() || !list.is_array()) return false;
+        const auto it = std::find_if(pj::kSampleCounts.begin(), pj::kSampleCounts.end(),
+                                     [&](const pj::SampleCounts& s) { return key == s.name; });
+        if (it == pj::kSampleCounts.end() || !list.is_array()) return false;
         SampleCountMask mask = 0;
         for (const Json& item : list) {
             const uint64_t count = item.is_number_unsigned() ? item.get<uint64_t>() : 0;
-            if (std::has_single_bit(count) && count <= kMostSamples)
+            if (std::has_single_bit(count) && count <= pj::kMostSamples)
                 mask |= static_cast<SampleCountMask>(count);
             else
                 fault("/" + key, item.dump() + " is not a sample count", "use 1, 2, 4, 8, 16, 32 and 64");
@@ -179,16 +86,16 @@ struct ProfileReader {
     void capabilities(const Json& list, DeviceProfile& profile) {
         profile.shader_capabilities = 0;
         for (const Json& item : list) {
-            const auto it =
-                std::find_if(kCapabilityNames.begin(), kCapabilityNames.end(), [&](const CapabilityName& c) {
-                    return item.is_string() && item.get<std::string>() == c.name;
-                });
-            if (it != kCapabilityNames.end()) {
+            const auto it = std::find_if(pj::kCapabilityNames.begin(), pj::kCapabilityNames.end(),
+                                         [&](const pj::CapabilityName& c) {
+                                             return item.is_string() && item.get<std::string>() == c.name;
+                                         });
+            if (it != pj::kCapabilityNames.end()) {
                 profile.shader_capabilities |= it->bit;
                 continue;
             }
             std::string known;
-            for (const CapabilityName& c : kCapabilityNames)
+            for (const pj::CapabilityName& c : pj::kCapabilityNames)
                 known += (known.empty() ? "" : ", ") + std::string(c.name);
             fault("/shaderCapabilities", "unknown shader capability " + item.dump(), "use one of " + known);
         }
@@ -198,14 +105,14 @@ struct ProfileReader {
         profile.queue_families.clear();
         for (const Json& item : list) {
             const std::string kind = item.value("kind", "");
-            const auto it = std::find(kQueueNames.begin(), kQueueNames.end(), kind);
-            if (it == kQueueNames.end()) {
+            const auto it = std::find(pj::kQueueNames.begin(), pj::kQueueNames.end(), kind);
+            if (it == pj::kQueueNames.end()) {
                 fault("/queueFamilies", "a queue family has the unknown kind \"" + kind + "\"",
                       "use graphics, compute or transfer");
                 continue;
             }
             profile.queue_families.push_back(
-                {static_cast<QueueKind>(it - kQueueNames.begin()), item.value("count", 1u)});
+                {static_cast<QueueKind>(it - pj::kQueueNames.begin()), item.value("count", 1u)});
         }
         if (profile.queue_families.empty())
             fault("/queueFamilies", "the list of queue families is empty", "add at least one queue family");
@@ -221,9 +128,9 @@ struct ProfileReader {
         if (!item.contains("holds")) return memory_content::kAll;
         MemoryContentMask mask = 0;
         for (const Json& word : item.at("holds")) {
-            const auto it = std::find_if(kContentNames.begin(), kContentNames.end(),
-                                         [&](const ContentName& c) { return word == c.name; });
-            if (it == kContentNames.end())
+            const auto it = std::find_if(pj::kContentNames.begin(), pj::kContentNames.end(),
+                                         [&](const pj::ContentName& c) { return word == c.name; });
+            if (it == pj::kContentNames.end())
                 fault("/memoryTypes", "unknown content of a memory type: " + word.dump(),
                       "use buffers, colorImages and depthImages");
             else
@@ -257,7 +164,7 @@ struct ProfileReader {
             fault("/memoryTypes", "the memory types do not cover all kinds of resources",
                   "list a memory type that is not lazily allocated for each of buffers, colorImages and "
                   "depthImages");
-        for (const WideLimit& l : kMemoryLimits)
+        for (const pj::WideLimit& l : pj::kMemoryLimits)
             if (!std::has_single_bit(profile.*l.value))
                 fault(std::string("/") + l.name, "the alignment must be a power of two",
                       "correct the value, which is " + std::to_string(profile.*l.value));
@@ -286,18 +193,22 @@ struct ProfileReader {
     }
 
     static bool limit(const std::string& key, const Json& value, DeviceProfile& profile) {
-        for (const Limit& l : kLimits) {
+        for (const pj::Limit& l : pj::kLimits) {
             if (key == l.name && value.is_number_unsigned())
                 return profile.*l.value = value.get<uint32_t>(), true;
         }
-        for (const std::span<const WideLimit> limits :
-             {std::span<const WideLimit>(kWideLimits), std::span<const WideLimit>(kMemoryLimits),
-              std::span<const WideLimit>(&kExtraBytes, 1)})
-            for (const WideLimit& l : limits) {
+        for (const std::span<const pj::WideLimit> limits :
+             {std::span<const pj::WideLimit>(pj::kWideLimits),
+              std::span<const pj::WideLimit>(pj::kMemoryLimits),
+              std::span<const pj::WideLimit>(&pj::kExtraBytes, 1)})
+            for (const pj::WideLimit& l : limits) {
                 if (key == l.name && value.is_number_unsigned())
                     return profile.*l.value = value.get<uint64_t>(), true;
             }
-        for (const Switch& s : kSwitches) {
+        for (const pj::RealLimit& l : pj::kRealLimits) {
+            if (key == l.name && value.is_number()) return profile.*l.value = value.get<float>(), true;
+        }
+        for (const pj::Switch& s : pj::kSwitches) {
             if (key == s.name && value.is_boolean()) return profile.*s.value = value.get<bool>(), true;
         }
         return false;
@@ -347,16 +258,16 @@ namespace {
 
 Json content_to_json(MemoryContentMask mask) {
     Json names = Json::array();
-    for (const ContentName& content : kContentNames)
+    for (const pj::ContentName& content : pj::kContentNames)
         if (mask & content.bit) names.push_back(content.name);
     return names;
 }
 
 void write_memory(const DeviceProfile& profile, Json& root) {
     const DeviceProfile standard;
-    for (const WideLimit& l : kMemoryLimits)
+    for (const pj::WideLimit& l : pj::kMemoryLimits)
         if (profile.*l.value != standard.*l.value) root[l.name] = profile.*l.value;
-    if (profile.image_extra_bytes != 0) root[kExtraBytes.name] = profile.image_extra_bytes;
+    if (profile.image_extra_bytes != 0) root[pj::kExtraBytes.name] = profile.image_extra_bytes;
     for (const MemoryHeapProfile& heap : profile.memory_heaps)
         root["memoryHeaps"].push_back({{"bytes", heap.size_bytes}, {"deviceLocal", heap.device_local}});
     for (const MemoryTypeProfile& type : profile.memory_types) {
@@ -376,16 +287,17 @@ std::string profile_to_json(const DeviceProfile& profile) {
     root["name"] = profile.name;
     for (const QueueFamilyProfile& family : profile.queue_families) {
         root["queueFamilies"].push_back(
-            {{"kind", kQueueNames.at(static_cast<size_t>(family.kind))}, {"count", family.count}});
+            {{"kind", pj::kQueueNames.at(static_cast<size_t>(family.kind))}, {"count", family.count}});
     }
-    for (const Limit& l : kLimits) root[l.name] = profile.*l.value;
-    for (const WideLimit& l : kWideLimits) root[l.name] = profile.*l.value;
-    for (const SampleCounts& s : kSampleCounts)
-        for (uint32_t count = 1; count <= kMostSamples; count <<= 1)
+    for (const pj::Limit& l : pj::kLimits) root[l.name] = profile.*l.value;
+    for (const pj::RealLimit& l : pj::kRealLimits) root[l.name] = profile.*l.value;
+    for (const pj::WideLimit& l : pj::kWideLimits) root[l.name] = profile.*l.value;
+    for (const pj::SampleCounts& s : pj::kSampleCounts)
+        for (uint32_t count = 1; count <= pj::kMostSamples; count <<= 1)
             if (profile.*s.value & count) root[s.name].push_back(count);
-    for (const Switch& s : kSwitches) root[s.name] = profile.*s.value;
+    for (const pj::Switch& s : pj::kSwitches) root[s.name] = profile.*s.value;
     root["shaderCapabilities"] = Json::array();
-    for (const CapabilityName& c : kCapabilityNames)
+    for (const pj::CapabilityName& c : pj::kCapabilityNames)
         if (profile.shader_capabilities & c.bit) root["shaderCapabilities"].push_back(c.name);
     write_memory(profile, root);
     for (const auto& [format, mask] : profile.formats) {

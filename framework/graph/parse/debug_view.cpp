@@ -135,7 +135,7 @@ ParamValueDesc number_param(const char* name, Expr value, SourceLoc loc) {
 
 PortDesc sampled_port(const char* name, RefDesc ref, SourceLoc loc) {
     PortDesc port{.port = name, .ref = std::move(ref), .sampler = {}, .loc = loc};
-    port.sampler = SamplerDecl{SamplerFilter::nearest, SamplerFilter::nearest, SamplerWrap::clamp, false};
+    port.sampler = SamplerDecl{.filter = SamplerFilter::nearest, .mip_filter = SamplerFilter::nearest};
     return port;
 }
 

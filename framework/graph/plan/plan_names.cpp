@@ -60,12 +60,20 @@ const char* enum_name(BarrierReason value) {
                                   "release_queue", "acquire_queue", "prologue"});
 }
 
+const char* enum_name(ViewSource value) {
+    return pick(value, std::array{"program", "mirror", "cube"});
+}
+
 const char* enum_name(OnResize value) {
     return pick(value, std::array{"clear", "resample", "refill"});
 }
 
 const char* enum_name(SamplerFilter value) {
     return pick(value, std::array{"nearest", "linear"});
+}
+
+const char* enum_name(SamplerReduction value) {
+    return pick(value, std::array{"average", "min", "max"});
 }
 
 const char* enum_name(SamplerWrap value) {

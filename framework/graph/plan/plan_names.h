@@ -17,7 +17,9 @@ namespace weft {
 [[nodiscard]] const char* enum_name(StoreOp value);
 [[nodiscard]] const char* enum_name(BarrierReason value);
 [[nodiscard]] const char* enum_name(OnResize value);
+[[nodiscard]] const char* enum_name(ViewSource value);
 [[nodiscard]] const char* enum_name(SamplerFilter value);
+[[nodiscard]] const char* enum_name(SamplerReduction value);
 [[nodiscard]] const char* enum_name(SamplerWrap value);
 [[nodiscard]] const char* enum_name(CompareOp value);
 [[nodiscard]] const char* enum_name(CullMode value);

@@ -1,5 +1,7 @@
 #include "graph/resolve/assemble.h"
 
+#include "graph/resolve/views/view_lists.h"
+
 namespace weft {
 namespace {
 
@@ -17,12 +19,24 @@ void add_attachments(const PassAttachments& attachments, PassDecl& pass) {
     pass.colors = attachments.colors;
     pass.depth = attachments.depth;
     pass.render_extent = attachments.render_extent;
+    if (attachments.rect) pass.state.viewport = pass.state.scissor = attachments.rect;
 }
 
 void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
     pass.groups = dispatch.groups;
     pass.indirect_use = dispatch.indirect_use;
     pass.draw_commands_use = dispatch.draw_commands_use;
+    pass.draw_count_use = dispatch.draw_count_use;
+    pass.most_draws = dispatch.most_draws;
+}
+
+// Returns true if a draw whose box is outside of the frustum cannot change the picture. Lines and points are
+// wider than their vertices, and indirect draws have their own commands.
+bool may_cull(const PassDecl& pass) {
+    const Topology topology = pass.state.topology;
+    return pass.kind == PassKind::raster && !pass.draw_lists.empty() && pass.draw_commands_use == kNoId &&
+           pass.state.fill == FillMode::fill &&
+           (topology == Topology::triangles || topology == Topology::triangle_strip);
 }
 
 void add_block(const PassBlock& block, PassDecl& pass) {
@@ -52,7 +66,9 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
         add_attachments(attachments.passes[id], pass);
         add_dispatch(dispatches.passes[id], pass);
         add_block(blocks.passes[id], pass);
+        pass.culls_draws = declared.expansion.passes[id].desc->frustum && may_cull(pass);
     }
+    resolved.views = used_view_lists(declared.values, resolved.passes);
     return resolved;
 }
 

@@ -15,6 +15,7 @@ namespace {
 struct Needs {
     bool blend = false;
     bool blit_from = false, blit_to = false;
+    bool min_max = false;  // True if a sampler has the reduction `min` or `max`.
     // True if a port states a sampler with linear filtering, so that the format must support it.
     bool linear_always = false;
     // True if a port uses the default sampler, or if the image is resampled when its size changes. Both
@@ -29,6 +30,7 @@ struct FeatureRow {
 constexpr std::array kFeatureRows{
     FeatureRow{format_feature::kSampled, "sampling"},
     FeatureRow{format_feature::kSampledLinear, "linear filtering"},
+    FeatureRow{format_feature::kSampledMinMax, "the sampler reductions min and max"},
     FeatureRow{format_feature::kStorage, "storage images"},
     FeatureRow{format_feature::kColorAttachment, "colour attachments"},
     FeatureRow{format_feature::kColorBlend, "blending"},
@@ -67,12 +69,20 @@ FormatFeatureMask features_needed(UsageMask usages, const Needs& needs, Format f
     if (needs.blend) mask |= format_feature::kColorBlend;
     if (needs.blit_from) mask |= format_feature::kBlitSrc;
     if (needs.blit_to) mask |= format_feature::kBlitDst;
+    if (needs.min_max) mask |= format_feature::kSampledMinMax;
     if (needs.linear_always || (needs.linear_if_float && is_float(format)))
         mask |= format_feature::kSampledLinear;
     return mask;
 }
 
+bool takes_average(const SamplerDecl& sampler) {
+    return sampler.reduction == SamplerReduction::average;
+}
+
+// Returns true if the format must support linear filtering. The reductions `min` and `max` need another
+// feature instead.
 bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
+    if (!takes_average(sampler)) return false;
     return sampler.filter == SamplerFilter::linear ||
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
@@ -125,6 +135,7 @@ std::vector<Needs> gather_needs(const Declared& declared, FormattedGraph& graph)
             if (!is_filtered(uses[i].access)) continue;
             const std::optional<SamplerDecl>& sampler = pass.ports[i].desc->sampler;
             if (sampler) need.linear_always |= filters_linearly(*sampler, uses[i].range.mips);
+            if (sampler && uses[i].access == Access::sampled_read) need.min_max |= !takes_average(*sampler);
             if (!sampler) need.linear_if_float = true;
         }
     }
@@ -210,9 +221,7 @@ bool choose_format(const ResolveInput& input, const ResourceDesc& desc, const Ne
 }
 
 void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& use) {
-    if (resource.kind == ResourceKind::buffer) {
-        use.range.aspects = aspect::kColor;
-    } else if (use.range.aspects == aspect::kNone) {
+    if (resource.kind == ResourceKind::image && use.range.aspects == aspect::kNone) {
         use.range.aspects = resource.aspects;
         // A sampled image view of a depth-stencil format can only show one aspect; the default is depth.
         if (use.access == Access::sampled_read && (resource.aspects & aspect::kDepth))
@@ -225,7 +234,7 @@ void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& 
     if (!port.binding) return;
     // With a single mip there are no neighbouring mips to filter between.
     if (use.range.mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
-    use.sampler.compare_greater_equal = port.binding->shadow;
+    if (port.binding->shadow && !use.sampler.compare) use.sampler.compare = CompareOp::greater_equal;
 }
 
 // Returns true if the resource has at most `limit_bytes` bytes. First compares the size of the first mip as
@@ -261,6 +270,8 @@ FormattedGraph choose_formats(const Declared& declared, BoundPasses bound, Repor
     FormattedGraph graph{.resources = declared.shapes.resources,
                          .passes = std::move(bound.passes),
                          .suspects = std::move(bound.suspects)};
+    for (ResourceId id(0); id < bound.cuts_bytes.size(); ++id)
+        graph.resources[id].cuts_bytes = std::move(bound.cuts_bytes[id]);
     need_transfers(graph.resources);
     std::vector<Needs> needs = gather_needs(declared, graph);
     need_resampling(graph.resources, needs);

@@ -73,6 +73,8 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.graph.mips; }},
     LimitRow{"graph.layers", "", "number of layers of an image; the device may allow less", kMostSide_px,
              [](Limits& l) -> uint64_t& { return l.graph.layers; }},
+    LimitRow{"graph.bufferPieces", "", "number of pieces into which the ranges of a buffer divide it",
+             kMostSide_px, [](Limits& l) -> uint64_t& { return l.graph.buffer_pieces; }},
     LimitRow{"graph.transientBytes", "bytes",
              "size of one resource, and of all memory for the resources of the frame", kMostBytes,
              [](Limits& l) -> uint64_t& { return l.graph.transient_bytes; }},

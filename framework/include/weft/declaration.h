@@ -15,8 +15,11 @@
 #include "weft/format.h"
 #include "weft/id.h"
 #include "weft/raster_state.h"
+#include "weft/resource_usage.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
+#include "weft/subresource.h"
+#include "weft/view_list.h"
 
 namespace weft {
 
@@ -32,38 +35,6 @@ struct Extent3D {
 
 enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
-
-// A part of a resource: `mips` mip levels from `mip` on, `layers` layers from `layer` on, and the given
-// aspects. A buffer has one subresource: mip 0, layer 0, aspect kColor.
-struct SubresourceRange {
-    uint32_t mip = 0;
-    uint32_t mips = 1;
-    uint32_t layer = 0;
-    uint32_t layers = 1;
-    AspectMask aspects = aspect::kColor;
-    bool operator==(const SubresourceRange&) const = default;
-    auto operator<=>(const SubresourceRange&) const = default;
-};
-[[nodiscard]] bool overlaps(const SubresourceRange& a, const SubresourceRange& b);
-[[nodiscard]] bool contains(const SubresourceRange& outer, const SubresourceRange& inner);
-[[nodiscard]] std::string range_text(const SubresourceRange& range);
-
-using UsageMask = uint32_t;
-namespace usage {
-inline constexpr UsageMask kSampled = 1u << 0;
-inline constexpr UsageMask kStorage = 1u << 1;
-inline constexpr UsageMask kColorAttachment = 1u << 2;
-inline constexpr UsageMask kDepthAttachment = 1u << 3;
-inline constexpr UsageMask kTransferSrc = 1u << 4;
-inline constexpr UsageMask kTransferDst = 1u << 5;
-inline constexpr UsageMask kUniform = 1u << 6;
-inline constexpr UsageMask kVertex = 1u << 7;
-inline constexpr UsageMask kIndex = 1u << 8;
-inline constexpr UsageMask kIndirect = 1u << 9;
-}  // namespace usage
-
-// Returns the usage flag that a resource needs for an access. Example: kSampled for Access::sampled_read.
-[[nodiscard]] UsageMask usage_of(Access a);
 
 enum class ResourceLifetime : uint8_t {
     // The content lives within one frame. The memory may be shared with other transient resources.
@@ -106,9 +77,12 @@ struct ResourceDecl {
     uint32_t layers = 1;
     uint32_t samples = 1;
     AspectMask aspects = aspect::kColor;
-    // The members size_bytes and stride_bytes describe a buffer. Images do not use them.
+    // The members from size_bytes to cuts_bytes describe a buffer. Images do not use them.
     uint64_t size_bytes = 0;
     uint32_t stride_bytes = 0;
+    // The offsets that divide the buffer into pieces, in ascending order, without 0 and the size. Each part
+    // that a pass uses consists of whole pieces. Empty: the buffer is one piece.
+    std::vector<uint64_t> cuts_bytes;
     // Union of the usage flags of all passes that use the resource, including culled passes.
     UsageMask usage = 0;
     // A resource with `history` n is a ring of n + 1 ResourceDecls. In a ring of 3, "color" (age 0) is the
@@ -123,6 +97,9 @@ struct ResourceDecl {
     // Initial value (r, g, b, a) of every copy in the ring, before the first write.
     std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
+    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of
+    // all tiers. Only for resources with `keep` and without `history`.
+    bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
     // Name of the file with the content, as in the graph; empty: none. Such a resource is imported: Weft
@@ -137,6 +114,11 @@ struct ResourceDecl {
     [[nodiscard]] SubresourceRange whole() const;
 };
 
+// Returns the text of a part of a resource, such as ".mip(0).layer(1..2)", or ".range(0..63)" for elements 0
+// to 63 of a buffer. Empty for the whole of a buffer that has only one piece.
+[[nodiscard]] std::string range_text(const ResourceDecl& resource, const SubresourceRange& range);
+// Returns the bytes of the pieces in `range`.
+[[nodiscard]] ByteRange piece_bytes(const ResourceDecl& buffer, const SubresourceRange& range);
 // Returns the bytes of all texels in all mips and layers, without padding; for a buffer, its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
@@ -153,12 +135,23 @@ struct VersionSource {
 
 enum class SamplerFilter : uint8_t { nearest, linear };
 enum class SamplerWrap : uint8_t { clamp, repeat, mirror, border };
+// The result of a lookup that touches several texels: their weighted average, or the least or greatest of
+// them.
+enum class SamplerReduction : uint8_t { average, min, max };
+// The value of SamplerDecl::max_lod that does not limit the mips.
+inline constexpr float kNoMaxLod = 1000;
 struct SamplerDecl {
     SamplerFilter filter = SamplerFilter::linear;
     SamplerFilter mip_filter = SamplerFilter::linear;
     SamplerWrap wrap = SamplerWrap::clamp;
-    // True for a sampler2DShadow: the sampler compares with "greater or equal".
-    bool compare_greater_equal = false;
+    // The comparison of a sampler2DShadow. Absent: the sampler does not compare.
+    std::optional<CompareOp> compare;
+    SamplerReduction reduction = SamplerReduction::average;
+    // Greatest number of samples along the longer axis of a pixel's footprint, 1 to 16. 1: isotropic.
+    float anisotropy = 1;
+    // Level of detail: 0 is the first mip of the port, 1 the second. A lookup adds lod_bias to the level, and
+    // then clamps it to min_lod..max_lod.
+    float lod_bias = 0, min_lod = 0, max_lod = kNoMaxLod;
     bool operator==(const SamplerDecl&) const = default;
 };
 
@@ -167,6 +160,9 @@ struct UseDecl {
     std::string port;
     ResourceId resource = kNoId;
     SubresourceRange range;
+    // The bytes that the pass uses, if the port names elements of a buffer. Absent: the whole resource or,
+    // for an image, `range`.
+    std::optional<ByteRange> bytes;
     Access access = Access::none;
     // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
     // `access`.
@@ -188,6 +184,8 @@ struct UseDecl {
     bool latest = false;
     SourceLoc loc;
 };
+// Returns the bytes of a buffer that a use names: UseDecl::bytes, or the whole buffer.
+[[nodiscard]] ByteRange used_bytes(const ResourceDecl& buffer, const UseDecl& use);
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
 
@@ -300,12 +298,19 @@ struct PassDecl {
     // For indirect draws: the index, in `uses`, of the buffer that contains one draw command for each draw.
     // kNoId: the draws are direct.
     uint32_t draw_commands_use = kNoId;
+    // The index, in `uses`, of the buffer whose first word is the number of draws; kNoId: all are drawn.
+    uint32_t draw_count_use = kNoId;
+    // For indirect draws without a list or with a number in a buffer: number of commands in the buffer.
+    uint32_t most_draws = 0;
     // For a raster pass without draw lists: number of vertices. The shader computes their positions from
     // gl_VertexIndex.
     uint32_t vertices = 0;
     // For a raster pass without draw lists: how many instances of its vertices are drawn.
     uint32_t instances = 0;
-    std::string view = "camera";  // The view from which the pass looks at the scene, such as a camera.
+    // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
+    std::string view = "camera";
+    // True: the draw source may leave out direct draws that are outside of the frustum of the view.
+    bool culls_draws = false;
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
     // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
@@ -317,10 +322,18 @@ struct PassDecl {
     // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
     // In each frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
+    // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
+    // last frame to the copy of this frame, before all other passes that use this copy.
+    bool carries = false;
     // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;
     SourceLoc loc;
+
+    // Returns true for a raster pass that draws vertices without a draw list.
+    [[nodiscard]] bool draws_without_list() const {
+        return vertices > 0 || (draw_commands_use != kNoId && draw_lists.empty());
+    }
 };
 
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
@@ -347,9 +360,7 @@ struct GroupDecl {
         return unit >= first_unit && unit - first_unit < rounds;
     }
     // Returns true if a frame may be unable to run all rounds.
-    [[nodiscard]] bool is_limited() const {
-        return per_frame < rounds || warm_up < rounds || !turns.empty();
-    }
+    [[nodiscard]] bool is_limited() const { return per_frame < rounds || warm_up < rounds || !turns.empty(); }
 };
 
 struct ResolvedGraph {
@@ -363,6 +374,8 @@ struct ResolvedGraph {
     std::vector<GraphParam> params;  // The graph's parameters with their values.
     uint32_t rest_unit_count = 0;    // Number of units; see PassDecl::rest_unit.
     std::vector<GroupDecl> groups;   // Sorted by name. Their units have the highest numbers.
+    // The lists of views that passes use, and the lists that these show in mirrors, sorted by name.
+    std::vector<ViewListDecl> views;
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };

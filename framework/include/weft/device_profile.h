@@ -27,6 +27,8 @@ inline constexpr FormatFeatureMask kTransferSrc = 1u << 6;
 inline constexpr FormatFeatureMask kTransferDst = 1u << 7;
 inline constexpr FormatFeatureMask kBlitSrc = 1u << 8;
 inline constexpr FormatFeatureMask kBlitDst = 1u << 9;
+// Sampling with the reduction `min` or `max`.
+inline constexpr FormatFeatureMask kSampledMinMax = 1u << 10;
 }  // namespace format_feature
 
 struct QueueFamilyProfile {
@@ -100,9 +102,17 @@ struct DeviceProfile {
     uint32_t max_shared_bytes = 32768;
     uint32_t max_sampled_images_per_stage = 128;
     uint32_t max_storage_images_per_stage = 128;
+    float max_sampler_anisotropy = 1;  // 1: the device has no anisotropic filtering.
+    float max_sampler_lod_bias = 2;    // Limit on the magnitude of the bias; 2 is the least that Vulkan allows.
     uint64_t max_uniform_buffer_bytes = 65536;
     uint64_t max_storage_buffer_bytes = 134217728;
     uint64_t buffer_image_granularity_bytes = 64;
+    // A range of a buffer that a shader uses must begin at a multiple of these sizes.
+    uint64_t storage_offset_alignment_bytes = 256;
+    uint64_t uniform_offset_alignment_bytes = 256;
+    // Whether the GPU can read a number of draws from a buffer, and the largest such number.
+    bool draw_indirect_count = false;
+    uint32_t max_draw_indirect_count = 65535;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
     // The next members tell whether the device supports optional pipeline state: "fill" with the value "line"

@@ -50,11 +50,17 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::depthBiasClamp, &OptionalFeatures::depth_bias_clamp},
     OptionalFeature<F10>{&F10::imageCubeArray, &OptionalFeatures::cube_arrays},
     OptionalFeature<F10>{&F10::drawIndirectFirstInstance, &OptionalFeatures::draw_indirect_first_instance},
+    OptionalFeature<F10>{&F10::multiDrawIndirect, &OptionalFeatures::multi_draw_indirect},
+    OptionalFeature<F10>{&F10::samplerAnisotropy, &OptionalFeatures::sampler_anisotropy},
     OptionalFeature<F10>{&F10::shaderImageGatherExtended, &OptionalFeatures::image_gather_extended},
     OptionalFeature<F10>{&F10::shaderUniformBufferArrayDynamicIndexing,
                          &OptionalFeatures::uniform_array_indexing},
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
+};
+constexpr std::array kOptional12{
+    OptionalFeature<F12>{&F12::drawIndirectCount, &OptionalFeatures::draw_indirect_count},
+    OptionalFeature<F12>{&F12::samplerFilterMinmax, &OptionalFeatures::sampler_min_max},
 };
 
 // robustBufferAccess keeps out-of-range accesses to storage and uniform buffers inside the memory of the
@@ -103,6 +109,7 @@ void required_features(FeatureChain& chain) {
 OptionalFeatures enable_optional_features(const FeatureChain& supported, FeatureChain& chain) {
     OptionalFeatures flags;
     enable_present(kOptional10, supported.v10(), chain.v10(), flags);
+    enable_present(kOptional12, supported.v12(), chain.v12(), flags);
     if (supported.v10().*kRobustBuffers == VK_TRUE) chain.v10().*kRobustBuffers = VK_TRUE;
     return flags;
 }

@@ -11,9 +11,10 @@ namespace {
 
 namespace ff = format_feature;
 
-constexpr std::array<std::pair<VkFormatFeatureFlagBits, FormatFeatureMask>, 10> kFeatureBits{{
+constexpr std::array<std::pair<VkFormatFeatureFlagBits, FormatFeatureMask>, 11> kFeatureBits{{
     {VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT, ff::kSampled},
     {VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT, ff::kSampledLinear},
+    {VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_MINMAX_BIT, ff::kSampledMinMax},
     {VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT, ff::kStorage},
     {VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT, ff::kColorAttachment},
     {VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT, ff::kColorBlend},
@@ -54,9 +55,14 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_shared_bytes = limits.maxComputeSharedMemorySize;
     profile.max_sampled_images_per_stage = limits.maxPerStageDescriptorSampledImages;
     profile.max_storage_images_per_stage = limits.maxPerStageDescriptorStorageImages;
+    profile.max_sampler_anisotropy = limits.maxSamplerAnisotropy;
+    profile.max_sampler_lod_bias = limits.maxSamplerLodBias;
     profile.max_uniform_buffer_bytes = limits.maxUniformBufferRange;
     profile.max_storage_buffer_bytes = limits.maxStorageBufferRange;
     profile.buffer_image_granularity_bytes = limits.bufferImageGranularity;
+    profile.max_draw_indirect_count = limits.maxDrawIndirectCount;
+    profile.storage_offset_alignment_bytes = limits.minStorageBufferOffsetAlignment;
+    profile.uniform_offset_alignment_bytes = limits.minUniformBufferOffsetAlignment;
 }
 
 namespace sc = shader_capability;
@@ -107,6 +113,10 @@ void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profi
     profile.non_solid_fill = enabled.fill_mode_non_solid;
     profile.depth_clamp = enabled.depth_clamp;
     profile.depth_bias_clamp = enabled.depth_bias_clamp;
+    profile.draw_indirect_count = enabled.draw_indirect_count;
+    if (!enabled.sampler_anisotropy) profile.max_sampler_anisotropy = 1;
+    if (!enabled.sampler_min_max)
+        for (auto& [format, features] : profile.formats) features &= ~ff::kSampledMinMax;
     const auto set = [&](ShaderCapabilityMask bit, bool has) {
         profile.shader_capabilities =
             has ? profile.shader_capabilities | bit : profile.shader_capabilities & ~bit;

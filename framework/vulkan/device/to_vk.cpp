@@ -288,6 +288,18 @@ VkFilter to_vk(SamplerFilter filter) {
     return filter == SamplerFilter::linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
 }
 
+VkSamplerReductionMode to_vk(SamplerReduction reduction) {
+    switch (reduction) {
+        case SamplerReduction::average:
+            break;
+        case SamplerReduction::min:
+            return VK_SAMPLER_REDUCTION_MODE_MIN;
+        case SamplerReduction::max:
+            return VK_SAMPLER_REDUCTION_MODE_MAX;
+    }
+    return VK_SAMPLER_REDUCTION_MODE_WEIGHTED_AVERAGE;
+}
+
 VkSamplerMipmapMode mip_filter_to_vk(SamplerFilter filter) {
     return filter == SamplerFilter::linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
 }

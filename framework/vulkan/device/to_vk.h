@@ -40,6 +40,7 @@ namespace weft::vk {
 [[nodiscard]] VkDescriptorType to_vk(BindingKind kind);
 
 [[nodiscard]] VkFilter to_vk(SamplerFilter filter);
+[[nodiscard]] VkSamplerReductionMode to_vk(SamplerReduction reduction);
 [[nodiscard]] VkSamplerMipmapMode mip_filter_to_vk(SamplerFilter filter);
 [[nodiscard]] VkSamplerAddressMode to_vk(SamplerWrap wrap);
 

@@ -42,7 +42,7 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
     SamplerDecl decl = use != nullptr ? use->sampler : SamplerDecl{};
     if (use == nullptr) {
         decl.filter = decl.mip_filter = SamplerFilter::nearest;
-        decl.compare_greater_equal = binding.shadow;
+        if (binding.shadow) decl.compare = CompareOp::greater_equal;
     }
     Result<VkSampler> sampler = sources.samplers.get(decl, integer);
     if (!sampler) return sampler.take_errors();
@@ -52,9 +52,11 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
 
 Result<VkDescriptorBufferInfo> buffer_info(DescriptorSources& sources, const UseDecl* use,
                                            const ShaderBinding& binding) {
-    if (use != nullptr)
-        return VkDescriptorBufferInfo{sources.resources.buffer(use->resource), 0,
-                                      sources.plan.graph.resources[use->resource].size_bytes};
+    if (use != nullptr) {
+        const ByteRange bytes = used_bytes(sources.plan.graph.resources[use->resource], *use);
+        return VkDescriptorBufferInfo{sources.resources.buffer(use->resource), bytes.offset_bytes,
+                                      bytes.size_bytes};
+    }
     Result<VkBuffer> dummy = sources.dummies.buffer(binding.block_bytes);
     if (!dummy) return dummy.take_errors();
     return VkDescriptorBufferInfo{*dummy, 0, VK_WHOLE_SIZE};

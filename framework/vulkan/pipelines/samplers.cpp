@@ -6,18 +6,29 @@
 
 namespace weft::vk {
 
+static_assert(kNoMaxLod == VK_LOD_CLAMP_NONE);
+
 Result<VkSampler> SamplerCache::get(const SamplerDecl& decl, bool integer_border) {
-    const Key key{decl.filter, decl.mip_filter, decl.wrap, decl.compare_greater_equal, integer_border};
+    const Key key{decl.filter,     decl.mip_filter, decl.wrap,    decl.compare, decl.reduction,
+                  decl.anisotropy, decl.lod_bias,   decl.min_lod, decl.max_lod, integer_border};
     if (const auto it = samplers_.find(key); it != samplers_.end()) return it->second.get();
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.magFilter = info.minFilter = to_vk(decl.filter);
     info.mipmapMode = mip_filter_to_vk(decl.mip_filter);
     info.addressModeU = info.addressModeV = info.addressModeW = to_vk(decl.wrap);
-    info.maxLod = VK_LOD_CLAMP_NONE;
-    info.compareEnable = decl.compare_greater_equal ? VK_TRUE : VK_FALSE;
-    info.compareOp = decl.compare_greater_equal ? VK_COMPARE_OP_GREATER_OR_EQUAL : VK_COMPARE_OP_NEVER;
+    info.mipLodBias = decl.lod_bias;
+    info.minLod = decl.min_lod;
+    info.maxLod = decl.max_lod;
+    info.anisotropyEnable = decl.anisotropy > 1 ? VK_TRUE : VK_FALSE;
+    info.maxAnisotropy = decl.anisotropy;
+    info.compareEnable = decl.compare ? VK_TRUE : VK_FALSE;
+    info.compareOp = to_vk(decl.compare.value_or(CompareOp::never));
     info.borderColor =
         integer_border ? VK_BORDER_COLOR_INT_TRANSPARENT_BLACK : VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK;
+    VkSamplerReductionModeCreateInfo reduction{VK_STRUCTURE_TYPE_SAMPLER_REDUCTION_MODE_CREATE_INFO};
+    reduction.reductionMode = to_vk(decl.reduction);
+    // Without samplerFilterMinmax, a sampler must not name a reduction.
+    if (decl.reduction != SamplerReduction::average) info.pNext = &reduction;
     VkSampler sampler = VK_NULL_HANDLE;
     const VkResult result = device_->fn().vkCreateSampler(device_->handle(), &info, nullptr, &sampler);
     if (result != VK_SUCCESS) return failed_call("V413", "creating a sampler", result);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "vulkan/device/handle.h"
@@ -19,7 +20,8 @@ class SamplerCache {
     [[nodiscard]] Result<VkSampler> get(const SamplerDecl& decl, bool integer_border);
 
  private:
-    using Key = std::tuple<SamplerFilter, SamplerFilter, SamplerWrap, bool, bool>;
+    using Key = std::tuple<SamplerFilter, SamplerFilter, SamplerWrap, std::optional<CompareOp>,
+                           SamplerReduction, float, float, float, float, bool>;
     Device* device_;
     std::map<Key, SamplerHandle> samplers_;
 };

@@ -67,7 +67,7 @@ TEST(Parse, ComputeAndCustomPasses) {
     EXPECT_EQ(light.queue, QueueKind::compute);
     EXPECT_EQ(light.groups.size(), 3u);
     EXPECT_EQ(light.in.at(0).ref.pass, "gbuffer");
-    EXPECT_TRUE(light.in.at(0).sampler->compare_greater_equal);
+    EXPECT_EQ(light.in.at(0).sampler->compare, CompareOp::greater_equal);
     EXPECT_EQ(light.in.at(0).sampler->filter, SamplerFilter::nearest);
     EXPECT_EQ(light.out.at(0).ref.layer_last->text, "5");
     EXPECT_EQ(light.params.at(1).components.size(), 3u);

@@ -10,7 +10,8 @@ class ResolveView : public ResolveTest {
  protected:
     ResolveView() {
         shaders["mesh"] = fragment({});
-        imports.views = {"camera", "sun(0)", "sun(1)", "sun(2)"};
+        imports.views = {"camera", "sun"};
+        imports.imports["sun"] = {.name = "sun", .kind = ImportKind::views, .views = 3};
         imports.numbers = {{"suns", 2}};
     }
     static std::string graph(const std::string& view, const std::string& keys = "",
@@ -55,6 +56,17 @@ TEST_F(ResolveView, ThatIsNotThere) {
 
 TEST_F(ResolveView, OfTooFewRoundsIsReportedOnce) {
     EXPECT_EQ(bad(graph("sun(i)", R"j(, "repeat": {"i": "0..5"}, "partial": true)j")).code, "W109");
+}
+
+TEST_F(ResolveView, LeavesOutDrawsUnlessTheyMayReachIntoThePicture) {
+    const auto culls = [&](const std::string& keys) {
+        return pass_in(good(graph("camera", keys)), "a").culls_draws;
+    };
+    EXPECT_TRUE(culls(""));
+    EXPECT_TRUE(culls(R"j(, "state": {"topology": "triangle_strip", "depthClamp": true})j"));
+    EXPECT_FALSE(culls(R"j(, "frustum": false)j"));
+    EXPECT_FALSE(culls(R"j(, "state": {"fill": "line"})j"));
+    EXPECT_FALSE(culls(R"j(, "state": {"topology": "lines"})j"));
 }
 
 TEST_F(ResolveView, NumberCostsAGraph) {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "load/files/picture_file.h"
-#include "load/files/texel_encode.h"
+#include "load/picture_file.h"
+#include "load/texel_encode.h"
 #include "tests/render/files/picture_bytes.h"
 #include "weft/render/texels.h"
 

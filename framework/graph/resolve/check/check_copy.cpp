@@ -10,7 +10,8 @@ namespace {
 
 std::string shape_text(const std::vector<ResourceDecl>& resources, const UseDecl& use) {
     const ResourceDecl& resource = resources[use.resource];
-    if (resource.kind == ResourceKind::buffer) return std::to_string(resource.size_bytes) + " bytes";
+    if (resource.kind == ResourceKind::buffer)
+        return std::to_string(used_bytes(resource, use).size_bytes) + " bytes";
     return extent_text(use_extent(resources, use)) + ", " + std::to_string(use.range.mips) + " mips, " +
            std::to_string(use.range.layers) + " layers, " + std::string(format_info(resource.format).name);
 }
@@ -19,7 +20,8 @@ bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, co
     const ResourceDecl& from = resources[a.resource];
     const ResourceDecl& to = resources[b.resource];
     if (from.kind != to.kind) return false;
-    if (from.kind == ResourceKind::buffer) return from.size_bytes == to.size_bytes;
+    if (from.kind == ResourceKind::buffer)
+        return used_bytes(from, a).size_bytes == used_bytes(to, b).size_bytes;
     const FormatInfo& f = format_info(from.format);
     const FormatInfo& t = format_info(to.format);
     const bool formats =
@@ -27,6 +29,14 @@ bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, co
     return formats && use_extent(resources, a) == use_extent(resources, b) && a.range.mips == b.range.mips &&
            a.range.layers == b.range.layers && a.range.aspects == b.range.aspects &&
            from.samples == to.samples;
+}
+
+// Returns true if the sampler has a setting that a blit cannot use: only its filter matters.
+bool only_shaders_can_use(const SamplerDecl& sampler) {
+    SamplerDecl plain = sampler;
+    plain.filter = plain.mip_filter = SamplerFilter::linear;
+    plain.wrap = SamplerWrap::clamp;
+    return plain != SamplerDecl{};
 }
 
 struct BlitFault {
@@ -55,6 +65,9 @@ std::optional<BlitFault> blit_fault(const std::vector<ResourceDecl>& resources, 
     if (linear && numeric != NumericClass::float_like)
         return BlitFault{"linear filtering needs a format of floats",
                          "set \"sampler\": { \"filter\": \"nearest\" } for the input"};
+    if (only_shaders_can_use(from.sampler))
+        return BlitFault{"the sampler has a setting that only shaders can use",
+                         "give the sampler only a \"filter\", or use a fullscreen pass"};
     if (from.range.mips != 1 || to.range.mips != 1)
         return BlitFault{
             "a blit copies only one mip to one mip",

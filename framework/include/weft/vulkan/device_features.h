@@ -22,6 +22,11 @@ struct OptionalFeatures {
     bool image_gather_extended = false;
     bool storage_read_without_format = false;
     bool draw_indirect_first_instance = false;
+    bool draw_indirect_count = false;
+    bool multi_draw_indirect = false;
+    bool sampler_anisotropy = false;
+    // Samplers that return the least or the greatest texel of a lookup.
+    bool sampler_min_max = false;
     // Dynamic indices into arrays of uniform buffers. On llvmpipe, rewritten shaders use them; see
     // opaque_uniforms.h.
     bool uniform_array_indexing = false;

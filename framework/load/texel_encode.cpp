@@ -1,4 +1,4 @@
-#include "load/files/texel_encode.h"
+#include "load/texel_encode.h"
 
 #include <algorithm>
 #include <cmath>

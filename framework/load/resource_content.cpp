@@ -3,9 +3,9 @@
 #include <new>
 #include <utility>
 
-#include "load/files/data_file.h"
-#include "load/files/picture_file.h"
-#include "load/files/texel_encode.h"
+#include "load/data_file.h"
+#include "load/picture_file.h"
+#include "load/texel_encode.h"
 #include "scene/pictures/mip_chain.h"
 #include "shader/compile/content_hash.h"
 

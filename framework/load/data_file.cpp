@@ -1,4 +1,4 @@
-#include "load/files/data_file.h"
+#include "load/data_file.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "load/files/picture_file.h"
+#include "load/picture_file.h"
 
 #include <optional>
 #include <span>

@@ -1,8 +1,8 @@
-#include "load/files/measure_files.h"
+#include "load/measure_files.h"
 
 #include "graph/diagnostics/quantity_text.h"
-#include "load/files/data_file.h"
-#include "load/files/picture_file.h"
+#include "load/data_file.h"
+#include "load/picture_file.h"
 
 namespace weft {
 namespace {
