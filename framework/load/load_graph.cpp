@@ -80,9 +80,10 @@ Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings&
     };
     Result<JsonDoc> document =
         read_graph(request.path, reader, {settings.graph_root.string(), settings.limits.graph});
+    Result<GraphDesc> desc = Diagnostics{};
+    if (document) desc = parse_tier(*document, request.tier, settings, &places);
     if (files != nullptr) files->insert(places.begin(), places.end());
     if (!document) return document.take_errors();
-    Result<GraphDesc> desc = parse_tier(*document, request.tier, settings.limits.graph);
     if (!desc) return with_places(*document, request.tier, desc.take_errors());
     return ParsedGraph{std::move(*document), std::move(*desc), std::move(places)};
 }
@@ -104,7 +105,7 @@ Result<LoadedGraph> load_graph(const ParsedGraph& parsed, const LoadInput& input
 }
 
 Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input, Diagnostics& warnings) {
-    Result<GraphDesc> desc = parse_tier(document, input.request.tier, input.settings.limits.graph);
+    Result<GraphDesc> desc = parse_tier(document, input.request.tier, input.settings, input.searched);
     if (!desc) return with_places(document, input.request.tier, desc.take_errors());
     return load_desc(document, std::move(*desc), input, warnings);
 }

@@ -8,6 +8,7 @@
 
 #include "graph/parse/parse.h"
 #include "graph/syntax/merge.h"
+#include "load/measure_files.h"
 #include "shader/compile/glsl_compile.h"
 
 namespace weft {
@@ -54,11 +55,16 @@ void append(Diagnostics& to, Diagnostics from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier, const GraphLimits& limits) {
+Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier, const LoadSettings& settings,
+                             std::set<std::filesystem::path>* searched) {
     Result<JsonDoc> merged = merge(document, tier);
     if (!merged) return merged.take_errors();
-    Result<GraphDesc> desc = parse(*merged, limits);
-    if (desc) desc->tier = tier;
+    Result<GraphDesc> desc = parse(*merged, settings.limits.graph);
+    if (!desc) return desc;
+    desc->tier = tier;
+    Diagnostics faults;
+    measure_files(*desc, settings, searched, faults);
+    if (!faults.empty()) return faults;
     return desc;
 }
 

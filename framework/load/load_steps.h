@@ -11,9 +11,11 @@
 namespace weft {
 
 void append(Diagnostics& to, Diagnostics from);
-// Merges the document for one tier and parses the result.
+// Merges the document for one tier, parses the result, and reads the sizes of the files that its resources
+// name. Adds the searched files to `searched`, if it is not null.
 [[nodiscard]] Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier,
-                                           const GraphLimits& limits);
+                                           const LoadSettings& settings,
+                                           std::set<std::filesystem::path>* searched = nullptr);
 // Compiles all shaders that passes of the graph name. If passes of different types name the same shader, the
 // shader is compiled once for each type. A shader fits only one type, so compiling it for any other type adds
 // an error to `faults`.

@@ -53,7 +53,7 @@ std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<s
     std::vector<TierVariant> variants;
     for (const std::string& tier : tiers) {
         input.request.tier = tier;
-        Result<GraphDesc> desc = parse_tier(document, tier, input.settings.limits.graph);
+        Result<GraphDesc> desc = parse_tier(document, tier, input.settings);
         if (!desc) continue;
         Diagnostics faults;
         ShaderCatalog shaders = compile_shaders(*desc, input, faults);

@@ -38,6 +38,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     if (Status given = views_.check(input.views); !given) return given;
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
+    std::erase_if(retired_, [&](const RetiredFiles& files) { return files.until <= frame_index_; });
     vk::FrameInput frame;
     frame.frame_index = frame_index_;
     frame.time_s = input.time_s;
@@ -64,6 +65,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     frame.host = &host;
     frame.turns = input.turns;
     scene.gpu().add_versions(frame.import_versions);
+    for (const auto& [name, file] : stage_.files) frame.import_versions.emplace(name, file.hash());
     return stage_.executor->run(frame);
 }
 
@@ -86,6 +88,9 @@ Status FrameLoop::take_over(RenderStage stage, bool check) {
         Diagnostics faults = check_transition(old_plan, new_plan, between);
         if (!faults.empty()) return faults;
     }
+    if (Status uploaded = upload_files(stage.files); !uploaded) return uploaded;
+    // The slots of all frames in flight have been reused once kFramesInFlight further frames have begun.
+    retired_.push_back({std::move(stage_.files), frame_index_ + vk::kFramesInFlight});
     vk::Predecessor predecessor;
     predecessor.images.push_back(std::move(stage_.output));
     predecessor.transition = std::move(between);

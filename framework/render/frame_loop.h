@@ -54,6 +54,13 @@ class FrameLoop {
     shared::ViewConstants view_{};
     SunCascades sun_;
     float pre_exposure_ = 1;
+    // Contents of files that replaced stages used. Frames in flight may still read them until the frame with
+    // the number `until` begins.
+    struct RetiredFiles {
+        FileUses files;
+        uint64_t until = 0;
+    };
+    std::vector<RetiredFiles> retired_;
     // Declared last, so that it is destroyed first: its executor waits for the frames in flight.
     RenderStage stage_;
 };

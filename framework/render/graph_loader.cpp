@@ -15,13 +15,15 @@ Result<LoadedGraph> GraphLoader::resolve(const GraphRequest& request, const Pars
                                          Diagnostics& warnings) {
     ++work_.resolved;
     memory_.begin();
+    searched_.clear();
     const ImportCatalog imports = imports_at(request.size);
     const LoadInput input{.request = request,
                           .settings = settings_,
                           .passes = passes_,
                           .imports = imports,
                           .profile = profile_,
-                          .memory = &memory_};
+                          .memory = &memory_,
+                          .searched = &searched_};
     Result<LoadedGraph> loaded = parsed != nullptr ? load_graph(*parsed, input, warnings)
                                                    : load_graph(last_->document, input, warnings);
     if (loaded) memory_.forget_unused();
@@ -56,6 +58,7 @@ Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const Parse
     Result<LoadedGraph> loaded = resolve(request, parsed, found);
     warnings.insert(warnings.end(), found.begin(), found.end());
     files.insert(memory_.files().begin(), memory_.files().end());
+    files.insert(searched_.begin(), searched_.end());
     if (!loaded) return loaded.take_errors();
     if (own) {
         last_.emplace();
@@ -95,6 +98,7 @@ void GraphLoader::remember(const GraphRequest& request, Diagnostics warnings, co
     last_->warnings = std::move(warnings);
     last_->files = last_->graph_files;
     last_->files.insert(memory_.files().begin(), memory_.files().end());
+    last_->files.insert(searched_.begin(), searched_.end());
     last_->stamps.take(last_->files);
 }
 

@@ -92,6 +92,8 @@ class GraphLoader {
     const PassCatalog passes_;
     const ImportCatalog imports_;
     ShaderMemory memory_;
+    // The files of resources that the last call of resolve() searched.
+    std::set<std::filesystem::path> searched_;
     std::optional<Last> last_;
     LoadWork work_;
 };

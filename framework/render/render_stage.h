@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/files/file_store.h"
 #include "weft/plan.h"
 #include "weft/shader_interface.h"
 #include "weft/vulkan/executor.h"
@@ -25,7 +26,8 @@ inline constexpr bool kAlwaysCheck = true;
 
 struct RenderStage {
     vk::Image output;
-    // Declared last, so that the executor is destroyed before the image that it writes.
+    FileUses files;  // The buffers and images of the plan whose content comes from files.
+    // Declared last, so that the executor is destroyed before the objects that it uses.
     std::unique_ptr<vk::Executor> executor;
 };
 
@@ -38,6 +40,7 @@ struct StageFingerprint {
     std::string structure_hash, values_hash;
     // The shader programs of the graph, by the name under which the graph refers to them.
     std::map<std::string, Program, std::less<>> programs;
+    std::map<std::string, uint64_t> files;  // Hashes of the contents of files, by the name of the resource.
     VkImage output = VK_NULL_HANDLE;
     uint32_t pipelines = 0;  // Number of pipelines of the stage.
     // LoadedVersion::number of the load that made the graph; 0 if the graph was resolved again later, for

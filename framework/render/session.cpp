@@ -65,6 +65,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     if (!drawn) return drawn.take_errors();
     Result<PendingSwap> first = graph->start(device, drawn->gpu(), StageSettings(input));
     if (!first) return first.take_errors();
+    if (Status uploaded = upload_files(first->parts().stage->files); !uploaded) return uploaded.take_errors();
     FrameLoop frames(std::move(*first->parts().stage), input.request.size, graph->loaded().desc.jitter);
     graph->adopt(first->parts());
     std::unique_ptr<Session> session(new Session(std::make_unique<SessionParts>(

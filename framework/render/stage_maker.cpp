@@ -73,14 +73,18 @@ Result<std::unique_ptr<SwapParts>> StageMaker::make(const Selection& selection, 
                                                     const StageFingerprint& running) {
     Result<FramePlan> plan = make_plan(graph, selection.request.path);
     if (!plan) return plan.take_errors();
+    Result<FileUses> files = files_.acquire(plan->graph, loader_.settings());
+    if (!files) return files.take_errors();
     auto next = std::make_unique<SwapParts>();
     next->selection = selection;
     next->follows = running.generation;
     next->fingerprint = take_fingerprint(*plan, shaders, selection.output);
+    for (const auto& [name, use] : *files) next->fingerprint.files.emplace(name, use.hash());
     next->rebuilt = compare(running, next->fingerprint);
     next->fingerprint.pipelines = running.pipelines;
     if (next->rebuilt.nothing()) return next;
-    if (Status made = make_objects(*next, std::move(*plan), shaders); !made) return made.take_errors();
+    if (Status made = make_objects(*next, std::move(*plan), shaders, std::move(*files)); !made)
+        return made.take_errors();
     const vk::PipelineCounts counts =
         next->stage ? next->stage->executor->pipelines() : next->amendment->pipelines();
     next->rebuilt.pipelines = next->fingerprint.pipelines = counts.all;
@@ -106,7 +110,8 @@ std::unique_ptr<SwapParts> StageMaker::make_values(const Selection& selection, R
     return next;
 }
 
-Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders) {
+Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders,
+                                FileUses files) {
     const ImportCatalog imports = loader_.imports_at(next.selection.request.size);
     vk::ExecutorInput run;
     run.hooks.drop_barriers_of_position = position_of(plan, settings_.drop_barriers_before);
@@ -119,7 +124,7 @@ Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCat
     run.timestamps = settings_.timestamps;
     run.imports = &imports;
     if (next.rebuilt.plan) {
-        Result<RenderStage> stage = make_stage(std::move(run), next.selection.output);
+        Result<RenderStage> stage = make_stage(std::move(run), next.selection.output, std::move(files));
         if (!stage) return stage.take_errors();
         next.stage = std::move(*stage);
         return Unit{};
@@ -130,16 +135,21 @@ Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCat
     return Unit{};
 }
 
-Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own) const {
+Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own, FileUses files) const {
     const ResourceDecl& decl = run.imports->imports.at("backbuffer").resource;
     Result<vk::Image> output =
         own != VK_NULL_HANDLE ? vk::Image::adopt(device_, own, decl) : vk::Image::create(device_, decl);
     if (!output) return output.take_errors();
     run.bindings.images.emplace("backbuffer", &*output);
     scene_.bind(run.bindings);
+    for (const auto& [name, use] : files) {
+        const ResourceDecl& resource = run.plan.graph.resources[find_resource(run.plan.graph, name)];
+        if (resource.kind == ResourceKind::buffer) run.bindings.buffers.emplace(name, use.buffer().handle());
+        if (resource.kind == ResourceKind::image) run.bindings.images.emplace(name, &use.image());
+    }
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
     if (!executor) return executor.take_errors();
-    return RenderStage{std::move(*output), std::move(*executor)};
+    return RenderStage{std::move(*output), std::move(files), std::move(*executor)};
 }
 
 }  // namespace weft::render

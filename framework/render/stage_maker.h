@@ -35,7 +35,7 @@ class StageMaker {
     // The three referenced objects must outlive the StageMaker. The calling thread becomes the drawing
     // thread: pipelines_made_between_frames() counts the pipelines made on it.
     StageMaker(vk::Device& device, const GpuScene& scene, const GraphLoader& loader, StageSettings settings)
-        : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)) {}
+        : device_(device), scene_(scene), loader_(loader), settings_(std::move(settings)), files_(device) {}
 
     // Makes the parts for a resolved graph. `running` is the fingerprint of the stage that they replace; its
     // generation is 0 if no stage runs yet.
@@ -55,8 +55,9 @@ class StageMaker {
 
  private:
     [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const std::string& path) const;
-    [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders);
-    [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, VkImage output) const;
+    [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders,
+                                      FileUses files);
+    [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, VkImage output, FileUses files) const;
 
     vk::Device& device_;
     const GpuScene& scene_;
@@ -66,6 +67,7 @@ class StageMaker {
     std::atomic<uint64_t> made_between_frames_ = 0;
     vk::PipelineStore pipelines_;
     vk::SharedStore shared_;
+    FileStore files_;
 };
 
 }  // namespace weft::render

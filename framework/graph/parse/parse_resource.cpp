@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 
 #include "graph/diagnostics/located_text.h"
 #include "graph/parse/parse_context.h"
@@ -93,6 +94,20 @@ void read_element(ParseContext& context, const JsonNode& node, ResourceDesc& res
         check_identifier(context, "an element type", resource.element, node.loc);
 }
 
+// A path with ".." or an absolute path could lead to any file of the machine.
+void read_file_name(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    std::string name;
+    if (!read_string(context, node, name)) return;
+    const std::filesystem::path path(name);
+    if (name.empty() || path.is_absolute() || std::ranges::find(path, "..") != path.end())
+        return context.error(node.loc, "W145",
+                             "\"" + name + "\" is not a path inside the folder of the graph",
+                             "write a path without \"..\", relative to the folder of this file or to the "
+                             "shipped folders graphs/ and shaders/");
+    resource.file.name = std::move(name);
+    resource.file.loc = node.loc;
+}
+
 constexpr std::array kResourceKeys{
     KeyRule<ResourceDesc>{"format", read_formats},
     KeyRule<ResourceDesc>{
@@ -116,6 +131,7 @@ constexpr std::array kResourceKeys{
                                            ResourceDesc& r) { read_color(c, n, r.first_frame); }},
     KeyRule<ResourceDesc>{"onResize", [](ParseContext& c, const JsonNode& n,
                                          ResourceDesc& r) { read_choice(c, n, kOnResizes, r.on_resize); }},
+    KeyRule<ResourceDesc>{"file", read_file_name},
 };
 
 void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
@@ -147,7 +163,7 @@ void check_kind(ParseContext& context, const JsonMember& member) {
     const JsonNode& node = member.value;
     if (node.find("buffer") != nullptr) {
         refuse(context, node, "a buffer", kImageKeys);
-        if (node.find("count") == nullptr)
+        if (node.find("count") == nullptr && node.find("file") == nullptr)
             missing_key(context, member.key_loc, "a buffer", "count",
                         "add the number of elements: \"count\": 64");
         return;
@@ -214,13 +230,26 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
         complain("onResize", "a buffer can't be resampled", "choose \"clear\" or \"refill\"");
 }
 
+// The content of a file is complete and never changes, so keys for other contents have no effect.
+void check_file_keys(ParseContext& context, const JsonNode& node) {
+    if (node.find("file") == nullptr) return;
+    for (const std::string_view key :
+         {"clear", "preExposed", "samples", "history", "keep", "firstFrame", "onResize"}) {
+        if (node.find(key) == nullptr) continue;
+        const PointerScope scope(context, key);
+        context.error(node.find(key)->loc, "W109",
+                      "\"" + std::string(key) + "\" has no effect, because the content comes from a file",
+                      "remove this key, or remove \"file\"");
+    }
+}
+
 }  // namespace
 
 void list_resource_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "resource", kResourceKeys);
     static constexpr std::array<std::string_view, 2> kNotOfImages{"buffer", "count"};
     lists.push_back({"imageResource", true, keys_but(kNotOfImages), {"format"}, "resource"});
-    lists.push_back({"bufferResource", true, keys_but(kImageKeys), {"buffer", "count"}, "resource"});
+    lists.push_back({"bufferResource", true, keys_but(kImageKeys), {"buffer"}, "resource"});
     list_choices(lists, "imageKind", kKinds);
     list_choices(lists, "onResize", kOnResizes);
 }
@@ -235,6 +264,7 @@ void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& gra
         if (!read_object(context, member.value, "a resource", kResourceKeys, resource)) return;
         check_kind(context, member);
         settle_kind(context, member.value, resource);
+        check_file_keys(context, member.value);
         // parse_groups() refuses the keys for persistence in a group.
         if (context.group() == nullptr) check_persistence(context, member.value, resource);
         graph.resources.emplace(name, std::move(resource));

@@ -39,6 +39,7 @@ void visit_fields(V& v, const ResourceDecl& x) {
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
     v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import),
         v("clear", x.clear);
+    v("file", x.file);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {

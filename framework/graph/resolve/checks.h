@@ -18,6 +18,9 @@ namespace weft {
 // frames. Errors: W124.
 [[nodiscard]] Suspects check_frame_slices(const Declared& declared, const FormattedGraph& graph,
                                           Suspects suspects, Reporter& reporter);
+// Checks the resources whose content comes from a file: no pass writes them, and the file has the bytes that
+// they need. Errors: W146.
+void check_files(const Declared& declared, const FormattedGraph& graph, Reporter& reporter);
 // Checks that the clear values of resources and passes fit the formats of the cleared resources. Errors:
 // W109.
 void check_clear_values(const Declared& declared, const VersionedGraph& graph, const Suspects& suspects,

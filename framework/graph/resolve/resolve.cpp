@@ -15,6 +15,7 @@ ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
     if (expansion.too_large) return {};
     const Declared declared{input, values, shapes, expansion};
     FormattedGraph formatted = choose_formats(declared, bind(declared, reporter), reporter);
+    check_files(declared, formatted, reporter);
     Suspects suspects = check_interfaces(declared, formatted, reporter);
     suspects = check_frame_slices(declared, formatted, std::move(suspects), reporter);
     const VersionedGraph graph = version(declared, std::move(formatted), std::move(suspects), reporter);

@@ -78,6 +78,9 @@ constexpr std::array kTable{
     LimitRow{"graph.transientBytes", "bytes",
              "size of one resource, and of all memory for the resources of the frame", kMostBytes,
              [](Limits& l) -> uint64_t& { return l.graph.transient_bytes; }},
+    LimitRow{"graph.fileBytes", "bytes",
+             "size of all files that resources read, together; a picture counts with 16 bytes per pixel",
+             kMostBytes, [](Limits& l) -> uint64_t& { return l.graph.file_bytes; }},
     LimitRow{"shader.fileBytes", "bytes", "size of a shader file", 1ull << 28,
              [](Limits& l) -> uint64_t& { return l.shader.file_bytes; }},
     LimitRow{"shader.textBytes", "bytes", "size of all files of a shader together", 1ull << 30,
@@ -124,11 +127,11 @@ constexpr std::array kTable{
              kMostItems, [](Limits& l) -> uint64_t& { return l.scene.materials; }},
     LimitRow{"scene.nodeDepth", "", "depth of nested nodes of a scene", kMostItems,
              [](Limits& l) -> uint64_t& { return l.scene.node_depth; }},
-    LimitRow{"scene.instances", "",
-             "number of meshes in the scene; a mesh counts once for each node that uses it, and once for each "
-             "instance of `EXT_mesh_gpu_instancing`",
-             1ull << 28,
-             [](Limits& l) -> uint64_t& { return l.scene.instances; }},
+    LimitRow{
+        "scene.instances", "",
+        "number of meshes in the scene; a mesh counts once for each node that uses it, and once for each "
+        "instance of `EXT_mesh_gpu_instancing`",
+        1ull << 28, [](Limits& l) -> uint64_t& { return l.scene.instances; }},
     LimitRow{"scene.vertices", "", "number of vertices of all meshes, and of values of all sparse accessors",
              1ull << 31, [](Limits& l) -> uint64_t& { return l.scene.vertices; }},
     LimitRow{"scene.triangles", "", "number of triangles of all meshes", 1ull << 31,

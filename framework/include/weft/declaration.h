@@ -102,6 +102,10 @@ struct ResourceDecl {
     bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
+    // Name of the file with the content, as in the graph; empty: none. Such a resource is imported: Weft
+    // itself provides it, and passes only read it.
+    std::string file;
+    std::string file_path;  // Path of this file. The plan's hash does not include it.
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
     // its own; absent: 0.
     std::optional<std::array<float, 4>> clear;

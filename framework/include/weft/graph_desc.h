@@ -147,9 +147,21 @@ inline constexpr const char* kViewIndex = "view";
 // same memory, if the shape is the same.
 enum class KeepMode : uint8_t { none, frames, shared };
 
+// The file with the content of a resource, the key "file".
+struct FileDesc {
+    std::string name;  // As in the graph file; empty: the resource has no file.
+    SourceLoc loc;
+    // The members below describe the file that was found. load_graph() sets them.
+    std::string path;  // Empty: the file was not searched, or not found.
+    uint64_t size_bytes = 0;
+    // Size of the picture in the file in pixels; 0: the file contains raw bytes.
+    uint32_t width_px = 0, height_px = 0;
+};
+
 struct ResourceDesc {
     std::string name;
     bool is_buffer = false;
+    FileDesc file;
     // Alternatives such as "rg16_snorm|rg16f". Weft uses the first format that the device supports for all
     // uses of the image, in every tier.
     std::vector<std::string> formats;

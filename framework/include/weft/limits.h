@@ -39,6 +39,7 @@ struct GraphLimits {
     uint64_t layers = 2048;
     uint64_t buffer_pieces = 2048;
     uint64_t transient_bytes = 4ull << 30;
+    uint64_t file_bytes = 512ull << 20;
 };
 
 struct ShaderLimits {

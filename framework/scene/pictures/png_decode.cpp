@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
@@ -71,6 +72,7 @@ struct PngReader {
     png_structp png = nullptr;
     png_infop info = nullptr;
     uint8_t* rgba = nullptr;
+    bool wide = false;  // True: channels have 16 bits, in the byte order of the machine.
 
     PngReader() = default;
     ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
@@ -101,11 +103,12 @@ void limit(png_structp png) {
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
 }
 
-void ask_for_rgba8(png_structp png) {
+void ask_for_rgba(png_structp png, bool wide) {
     png_set_expand(png);
-    png_set_strip_16(png);
+    if (wide && std::endian::native == std::endian::little) png_set_swap(png);
+    if (!wide) png_set_strip_16(png);
     png_set_gray_to_rgb(png);
-    png_set_add_alpha(png, 0xFF, PNG_FILLER_AFTER);
+    png_set_add_alpha(png, wide ? 0xFFFF : 0xFF, PNG_FILLER_AFTER);
 }
 
 // Decodes all rows into `reader.rgba`. The caller has allocated `reader.rgba` for `width` and `height`, the
@@ -115,10 +118,10 @@ bool decode_png_rows(PngReader& reader, uint32_t width, uint32_t height) {
     limit(reader.png);
     png_set_read_fn(reader.png, &reader, read_bytes);
     png_read_info(reader.png, reader.info);
-    ask_for_rgba8(reader.png);
+    ask_for_rgba(reader.png, reader.wide);
     const int passes = png_set_interlace_handling(reader.png);
     png_read_update_info(reader.png, reader.info);
-    const size_t row_bytes = size_t{width} * 4;
+    const size_t row_bytes = size_t{width} * (reader.wide ? 8 : 4);
     if (png_get_rowbytes(reader.png, reader.info) != row_bytes ||
         png_get_image_width(reader.png, reader.info) != width ||
         png_get_image_height(reader.png, reader.info) != height)
@@ -150,8 +153,12 @@ std::optional<ImageSize> read_png_size(std::span<const uint8_t> encoded) {
     return size;
 }
 
-DecodedImage decode_png(std::span<const uint8_t> encoded) {
-    DecodedImage result;
+namespace {
+
+// Decodes the picture to four channels of the type Channel. `Decoded` is DecodedImage or DecodedPng16.
+template <class Channel, class Decoded>
+Decoded decode_to(std::span<const uint8_t> encoded) {
+    Decoded result;
     const std::optional<ImageSize> size = read_png_size(encoded);
     if (!size) {
         result.error = "the header is truncated or invalid";
@@ -161,10 +168,11 @@ DecodedImage decode_png(std::span<const uint8_t> encoded) {
         result.error = "the file has more data than a picture of its size can need";
         return result;
     }
-    std::vector<uint8_t> rgba(size->texels() * 4);
+    std::vector<Channel> rgba(size->texels() * 4);
     PngReader reader;
     reader.encoded = encoded;
-    reader.rgba = rgba.data();
+    reader.rgba = reinterpret_cast<uint8_t*>(rgba.data());
+    reader.wide = sizeof(Channel) == 2;
     reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, fail, pass_over_warning);
     if (reader.png != nullptr) reader.info = png_create_info_struct(reader.png);
     if (reader.info == nullptr) {
@@ -176,6 +184,20 @@ DecodedImage decode_png(std::span<const uint8_t> encoded) {
         result.error = reader.error.data();
     }
     return result;
+}
+
+}  // namespace
+
+DecodedImage decode_png(std::span<const uint8_t> encoded) {
+    return decode_to<uint8_t, DecodedImage>(encoded);
+}
+
+bool is_png_16(std::span<const uint8_t> encoded) {
+    return read_png_size(encoded) && encoded[kDepthAt] == 16;
+}
+
+DecodedPng16 decode_png_16(std::span<const uint8_t> encoded) {
+    return decode_to<uint16_t, DecodedPng16>(encoded);
 }
 
 }  // namespace weft::scene

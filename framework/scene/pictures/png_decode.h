@@ -12,4 +12,15 @@ namespace weft::scene {
 [[nodiscard]] std::optional<ImageSize> read_png_size(std::span<const uint8_t> encoded);
 [[nodiscard]] DecodedImage decode_png(std::span<const uint8_t> encoded);
 
+// A picture with four channels of 16 bits.
+struct DecodedPng16 {
+    ImageSize size;
+    std::vector<uint16_t> rgba;
+    std::string error;
+};
+// Returns true if the channels of the picture have 16 bits.
+[[nodiscard]] bool is_png_16(std::span<const uint8_t> encoded);
+// Decodes a picture for which is_png_16() is true without loss.
+[[nodiscard]] DecodedPng16 decode_png_16(std::span<const uint8_t> encoded);
+
 }  // namespace weft::scene

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace weft::test {
 namespace {
@@ -223,6 +224,18 @@ void transient_bytes(const ScratchFolder& folder, uint64_t count) {
                             "], \"layers\": " + std::to_string(layers));
 }
 
+void file_bytes(const ScratchFolder& folder, uint64_t count) {
+    folder.write("texels.bin", "");
+    std::filesystem::resize_file(folder / "texels.bin", count);
+    const uint64_t width = std::min<uint64_t>(count, 16'384);
+    const uint64_t height = std::min<uint64_t>((count + width - 1) / width, 16'384);
+    const uint64_t layers = (count + width * height - 1) / (width * height);
+    write_graph(folder, "",
+                "\"x\": { \"file\": \"texels.bin\", \"format\": \"r8\", \"size\": [" + std::to_string(width) +
+                    ", " + std::to_string(height) + "], \"layers\": " + std::to_string(layers) + " }",
+                "\"p\": { \"type\": \"readback\", \"in\": [\"x.layer(0)\"] }");
+}
+
 // Writes a graph that needs about `count` steps. Each pair of an iteration of "p" and an iteration of "q"
 // costs about four steps.
 void steps(const ScratchFolder& folder, uint64_t count) {
@@ -261,6 +274,7 @@ constexpr std::array kEdges{
     LimitEdge{"graph.layers", 16, true, layers},
     LimitEdge{"graph.bufferPieces", 16, true, buffer_pieces},
     LimitEdge{"graph.transientBytes", 4096, true, transient_bytes},
+    LimitEdge{"graph.fileBytes", 4096, true, file_bytes},
 };
 
 }  // namespace

@@ -37,6 +37,7 @@ std::string shape_text(const ResourceDecl& r) {
 std::string lasts_text(const FramePlan& plan, ResourceId id) {
     const ResourceDecl& r = plan.graph.resources[id];
     if (!plan.live.live_resources[id]) return "unused: no running pass uses it";
+    if (!r.file.empty()) return "content of the file " + r.file;
     if (r.lifetime == ResourceLifetime::imported)
         return r.import ? std::string("imported: before the frame in layout ") +
                               layout_text(r.import->entry.layout) + ", after the frame in layout " +

@@ -57,6 +57,7 @@ class ResourceShaper {
     void run() {
         decl_.pre_exposed = desc_.pre_exposed;
         if (desc_.clear) decl_.clear = evaluator_.color(*desc_.clear);
+        if (!desc_.file.name.empty() && !import_file()) return;
         if (desc_.is_buffer) {
             shape_buffer();
         } else {
@@ -99,6 +100,95 @@ class ResourceShaper {
                  "make the value greater than zero, for example with max(…, 1)");
     }
 
+    bool has_file() const { return !desc_.file.name.empty(); }
+    bool has_picture() const { return desc_.file.width_px > 0; }
+
+    void report_misfit(const SourceLoc& loc, const std::string& message, const std::string& help) {
+        is_suspect_ = 1;
+        add_help(reporter_.error(loc, "W146", message), help);
+    }
+
+    // Makes the resource an import that is never written: the program uploads the content of the file before
+    // the first frame. Returns false if the file was not found; the error was reported.
+    bool import_file() {
+        decl_.file = desc_.file.name;
+        decl_.file_path = desc_.file.path;
+        decl_.lifetime = ResourceLifetime::imported;
+        const StageMask shaders = stage::kVertexShader | stage::kFragmentShader | stage::kComputeShader;
+        const AccessState read = desc_.is_buffer
+                                     ? AccessState{shaders, access::kStorageRead, Layout::undefined}
+                                     : AccessState{shaders, access::kSampledRead, Layout::shader_read_only};
+        decl_.import = ImportState{read, read, 0, true};
+        // The layout shader_read_only between frames is only allowed for images that may be sampled.
+        decl_.usage = usage::kTransferDst | (desc_.is_buffer ? 0 : usage::kSampled);
+        if (!desc_.file.path.empty()) return true;
+        report_missing();
+        return false;
+    }
+
+    void report_missing() {
+        is_suspect_ = 1;
+        add_help(reporter_.error(
+                     desc_.file.loc, "W145",
+                     "the file " + quote(desc_.file.name) + " of " + quote(desc_.name) + " was not read"),
+                 "load the graph with load_graph(), which reads the files of resources");
+    }
+
+    // Returns the size of an image: that of its picture, or else the key "size".
+    std::optional<ExprValue> image_size() {
+        if (!has_file()) return value(desc_.size, default_size(values_));
+        if (!has_picture() && desc_.size.empty()) {
+            report_misfit(desc_.file.loc,
+                          "the file " + quote(desc_.file.name) +
+                              " is no picture that Weft can read, so its bytes are texels of unknown size",
+                          "add \"size\": [width, height] for a file of raw texels, or save the picture as "
+                          "PNG, JPEG, Radiance HDR, EXR or PFM");
+            return std::nullopt;
+        }
+        if (!has_picture()) return value(desc_.size, number_value(1));
+        const ExprValue found{static_cast<double>(desc_.file.width_px),
+                              static_cast<double>(desc_.file.height_px), true};
+        if (desc_.size.empty()) return found;
+        const std::optional<ExprValue> stated = value(desc_.size, found);
+        if (!stated || (std::floor(stated->x) == found.x && std::floor(stated->y) == found.y)) return stated;
+        report_misfit(desc_.size.loc,
+                      "the size of " + quote(desc_.name) + " is " + number_text(stated->x) + " x " +
+                          number_text(stated->y) + ", but its picture has " + number_text(found.x) + " x " +
+                          number_text(found.y) + " pixels",
+                      "remove \"size\": the size comes from the file");
+        return std::nullopt;
+    }
+
+    // A picture has one layer.
+    bool fits_picture() {
+        if (!has_picture() || (decl_.layers == 1 && desc_.image_kind == ImageKind::d2)) return true;
+        report_misfit(desc_.loc,
+                      quote(desc_.name) + " is no plain 2D image, so the picture " + quote(desc_.file.name) +
+                          " cannot fill it",
+                      "remove \"kind\", \"cube\" and \"layers\", or use a file of raw texels");
+        return false;
+    }
+
+    // Returns the number of elements of a buffer with a file.
+    std::optional<double> count_in_file(uint32_t stride) {
+        const double whole = std::floor(static_cast<double>(desc_.file.size_bytes) / stride);
+        if (whole < 1 || desc_.file.size_bytes % stride != 0) {
+            report_misfit(desc_.file.loc,
+                          "the file " + quote(desc_.file.name) + " has " +
+                              std::to_string(desc_.file.size_bytes) + " bytes, which is no multiple of " +
+                              std::to_string(stride) + ", the size of " + quote(desc_.element),
+                          "choose another type, or correct the file");
+            return std::nullopt;
+        }
+        const std::optional<double> count = number(desc_.count, whole, "the element count");
+        if (!count || std::floor(*count) <= whole) return count;
+        report_misfit(desc_.count.loc,
+                      quote(desc_.name) + " has " + number_text(*count) + " elements, but the file " +
+                          quote(desc_.file.name) + " has only " + number_text(whole),
+                      "remove \"count\": the number comes from the file");
+        return std::nullopt;
+    }
+
     bool check_size(const ExprValue& size) {
         if (size.x > 0 && size.y > 0) return true;
         report_nothing(desc_.size, "the size of " + quote(desc_.name) + " is " + number_text(size.x) + " x " +
@@ -110,15 +200,16 @@ class ResourceShaper {
         decl_.kind = ResourceKind::image;
         decl_.image_kind = desc_.image_kind;
         if (!count_samples()) return;
-        if (desc_.size.empty() && default_size_is_faulty(values_)) {
+        if (desc_.size.empty() && !has_file() && default_size_is_faulty(values_)) {
             is_suspect_ = 1;
             return;
         }
-        const std::optional<ExprValue> size = value(desc_.size, default_size(values_));
+        const std::optional<ExprValue> size = image_size();
         const std::optional<double> layers = number(desc_.layers, 1, "the layer count");
         if (!size || !layers || !check_size(*size)) return;
         decl_.extent = {at_least_one(size->x), at_least_one(size->y), 1};
         set_layers(at_least_one(*layers));
+        if (!fits_picture()) return;
         check_cube();
         const uint32_t largest = std::max({decl_.extent.width, decl_.extent.height, decl_.extent.depth});
         const uint32_t full = static_cast<uint32_t>(std::bit_width(largest));
@@ -220,8 +311,10 @@ class ResourceShaper {
         decl_.kind = ResourceKind::buffer;
         decl_.aspects = aspect::kColor;
         const std::optional<uint32_t> stride = element_bytes();
-        const std::optional<double> count = number(desc_.count, 1, "the element count");
-        if (!stride || !count) return;
+        if (!stride) return;
+        const std::optional<double> count =
+            has_file() ? count_in_file(*stride) : number(desc_.count, 1, "the element count");
+        if (!count) return;
         const uint64_t limit = input_.profile.max_storage_buffer_bytes;
         const double elements = std::max(1.0, std::floor(*count));
         decl_.stride_bytes = *stride;

@@ -51,7 +51,8 @@ struct LoadSettings {
 struct ParsedGraph {
     JsonDoc document;
     GraphDesc desc;  // The parsed graph, without the debug view of the request.
-    // Absolute paths of all graph files that were searched, including files that do not exist.
+    // Absolute paths of all graph files and files of resources that were searched, including files that do
+    // not exist.
     std::set<std::filesystem::path> files;
 };
 
@@ -67,6 +68,9 @@ struct LoadInput {
     // because common_formats() ignores them. Null: load_graph() finds the formats itself, and loads all other
     // tiers for this.
     const SkippedFormats* common_formats = nullptr;
+    // Receives the paths of the files that load_graph(document) searched for resources, even after an error;
+    // null: not needed. parse_graph() lists them in ParsedGraph::files.
+    std::set<std::filesystem::path>* searched = nullptr;
 };
 
 struct LoadedGraph {

@@ -1,0 +1,127 @@
+#include "render/files/file_store.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "vulkan/device/to_vk.h"
+
+namespace weft::render {
+namespace {
+
+// True if the same object can serve for both resources.
+bool same_object(const ResourceDecl& a, const ResourceDecl& b) {
+    return a.kind == b.kind && a.image_kind == b.image_kind && a.format == b.format && a.extent == b.extent &&
+           a.mips == b.mips && a.layers == b.layers && a.size_bytes == b.size_bytes && a.usage == b.usage;
+}
+
+Status upload(vk::Device& device, FileObject& object) {
+    const std::vector<std::vector<std::byte>>& levels = object.content.levels;
+    if (object.decl.kind == ResourceKind::buffer) return vk::upload_buffer(device, object.buffer, levels[0]);
+    const std::vector<std::span<const std::byte>> mips(levels.begin(), levels.end());
+    return vk::upload_image(device, object.image, mips);
+}
+
+}  // namespace
+
+FileUse::~FileUse() {
+    if (object_ != nullptr) store_->release(object_);
+}
+
+FileUse& FileUse::operator=(FileUse&& other) noexcept {
+    std::swap(store_, other.store_);
+    std::swap(object_, other.object_);
+    return *this;
+}
+
+Status upload_files(const FileUses& uses) {
+    for (const auto& [name, use] : uses) {
+        FileObject& object = *use.object_;
+        if (object.uploaded) continue;
+        if (Status done = upload(use.store_->device_, object); !done) return done;
+        object.uploaded = true;
+        object.content = {};
+    }
+    return Unit{};
+}
+
+Result<FileUses> FileStore::acquire(const ResolvedGraph& graph, const LoadSettings& settings) {
+    std::set<ResourceId> used;
+    for (const PassDecl& pass : graph.passes)
+        for (const UseDecl& use : pass.uses) used.insert(use.resource);
+    FileUses uses;
+    Diagnostics faults;
+    for (const ResourceId id : used) {
+        const ResourceDecl& decl = graph.resources[id];
+        if (decl.file.empty()) continue;
+        Result<FileObject*> object = find_or_make(graph, decl, settings);
+        if (!object) {
+            for (Diagnostic& fault : object.take_errors()) faults.push_back(std::move(fault));
+            continue;
+        }
+        uses.emplace(decl.name, FileUse(*this, **object));
+    }
+    if (!faults.empty()) return faults;
+    return uses;
+}
+
+FileObject* FileStore::find(const ResourceDecl& decl, uint64_t hash) {
+    const auto found = std::ranges::find_if(objects_, [&](const FileObject& object) {
+        return object.hash == hash && same_object(object.decl, decl);
+    });
+    if (found == objects_.end()) return nullptr;
+    ++found->uses;
+    return &*found;
+}
+
+// The returned object already counts the use of the caller.
+Result<FileObject*> FileStore::find_or_make(const ResolvedGraph& graph, const ResourceDecl& decl,
+                                            const LoadSettings& settings) {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto known = known_.find(decl.file_path);
+        if (settings.reads_disk && known != known_.end() && known->second.stamps.hold())
+            if (FileObject* object = find(decl, known->second.hash)) return object;
+    }
+    FileStamps stamps;  // Created before the file is read, so that it reveals a change during the reading.
+    Result<ResourceContent> content = read_resource_content(graph, decl, settings);
+    if (!content) return content.take_errors();
+    stamps.take({decl.file_path});
+    const uint64_t hash = content->hash;
+    {
+        const std::lock_guard lock(mutex_);
+        known_.insert_or_assign(decl.file_path, KnownFile{std::move(stamps), hash});
+        if (FileObject* object = find(decl, hash)) return object;
+    }
+    return make(decl, std::move(*content));
+}
+
+Result<FileObject*> FileStore::make(const ResourceDecl& decl, ResourceContent content) {
+    FileObject object;
+    object.decl = decl;
+    object.hash = content.hash;
+    object.content = std::move(content);
+    if (decl.kind == ResourceKind::buffer) {
+        Result<vk::Buffer> buffer =
+            vk::Buffer::create(device_, decl.size_bytes, vk::buffer_usage_to_vk(decl.usage),
+                               vk::Buffer::Memory::device, decl.name);
+        if (!buffer) return buffer.take_errors();
+        object.buffer = std::move(*buffer);
+    } else {
+        Result<vk::Image> image = vk::Image::create(device_, decl);
+        if (!image) return image.take_errors();
+        object.image = std::move(*image);
+    }
+    const std::lock_guard lock(mutex_);
+    objects_.push_back(std::move(object));
+    objects_.back().uses = 1;
+    return &objects_.back();
+}
+
+void FileStore::release(FileObject* object) {
+    const std::lock_guard lock(mutex_);
+    if (--object->uses > 0) return;
+    objects_.remove_if([&](const FileObject& o) { return &o == object; });
+}
+
+}  // namespace weft::render
