@@ -32,7 +32,7 @@ class FrameLoop {
     // Sets the output size and the jitter for the running plan, and finds the views that the plan uses.
     void set_graph(Extent3D size, uint32_t jitter_length);
 
-    [[nodiscard]] vk::Executor& executor() { return *stage_.executor; }
+    [[nodiscard]] vk::Executor& executor() const { return *stage_.executor; }
     [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
     // Returns the view constants of the last frame.

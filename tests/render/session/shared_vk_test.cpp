@@ -33,7 +33,8 @@ class SharedVk : public SessionTest {
     render::Selection with_tier(const std::string& tier) {
         render::Selection selection = session_->selection();
         selection.request.tier = tier;
-        if (tier == "bare") std::erase(selection.request.observed, "marks");
+        selection.request.observed = {"words", "own", "wide"};
+        if (tier != "bare") selection.request.observed.emplace_back("marks");
         return selection;
     }
     // Changes the tier while frames are in flight. Returns what happens to the resources.
