@@ -213,6 +213,10 @@ uint32_t GpuScene::record(const vk::DrawContext& context) const {
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    &instances, 0, nullptr);
+    if (context.draw_count != VK_NULL_HANDLE) {
+        record_counted(context);
+        return 0;
+    }
     const bool mirrored = is_mirrored(context.view);
     const Frustum* frustum = find_frustum(context);
     uint32_t left_out = 0;
@@ -231,8 +235,9 @@ uint32_t GpuScene::record(const vk::DrawContext& context) const {
         i += same;
         set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
-            fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
-                                        1, kCommandBytes);
+            fn.vkCmdDrawIndexedIndirect(
+                commands, context.draw_commands,
+                context.draw_commands_offset_bytes + VkDeviceSize{place} * kCommandBytes, 1, kCommandBytes);
         else
             fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, same, draw.mesh.first_index,
                                 draw.mesh.vertex_offset, draw.instance);
@@ -251,6 +256,17 @@ const Frustum* GpuScene::find_frustum(const vk::DrawContext& context) const {
     const auto view = views_.find(context.view);
     return culls_ && context.culls_draws && reads_matrix && view != views_.end() ? &view->second.frustum
                                                                                  : nullptr;
+}
+
+// Records one command that draws as many commands of the buffer as the GPU has counted. resolve() ensures
+// that the pass culls no faces and reads no materials, so all draws have the same state.
+void GpuScene::record_counted(const vk::DrawContext& context) const {
+    context.fn->vkCmdSetFrontFace(context.commands, is_mirrored(context.view)
+                                                        ? VK_FRONT_FACE_CLOCKWISE
+                                                        : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    context.fn->vkCmdDrawIndexedIndirectCount(
+        context.commands, context.draw_commands, context.draw_commands_offset_bytes, context.draw_count,
+        context.draw_count_offset_bytes, context.most_draws, kCommandBytes);
 }
 
 // Returns how many draws one instanced command can draw, starting with the i-th draw. These draws have the

@@ -58,6 +58,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] VkBuffer buffer(std::string_view name) const;
 
  private:
+    void record_counted(const vk::DrawContext& context) const;
+
     struct Draw {
         MeshRange mesh;
         uint32_t instance = 0;

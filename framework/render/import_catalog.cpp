@@ -8,6 +8,7 @@
 #include "render/views/frame_views.h"
 #include "render/views/sun_cascades.h"
 #include "shared/draw_command.glsl"
+#include "shared/draw_vertices_command.glsl"
 #include "shared/light.glsl"
 
 namespace weft::render {
@@ -156,7 +157,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.imports.emplace(kLampViews, view_list(kLampViews, count_all_lamp_views(scene)));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
-    catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
+    catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)},
+                       {"DrawVerticesCommand", sizeof(shared::DrawVerticesCommand)},
+                       {"Light", sizeof(shared::Light)}};
     add_scene_buffers(catalog, scene);
     catalog.bindings = scene_bindings();
     return catalog;

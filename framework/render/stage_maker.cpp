@@ -35,7 +35,7 @@ Diagnostics find_missing_features(const vk::Device& device, const FramePlan& pla
     if (device.optional().draw_indirect_first_instance) return missing;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
-        if (pass.draw_commands_use == kNoId) continue;
+        if (pass.draw_commands_use == kNoId || pass.draws_without_list()) continue;
         missing.push_back(plan.graph.sources.error(
             pass.loc, "V417",
             "pass \"" + pass.name + "\" draws indirectly, but the device lacks drawIndirectFirstInstance"));
@@ -115,6 +115,7 @@ Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCat
     run.passes = &loader_.passes();
     run.draws = &scene_;
     run.pipelines = &pipelines_;
+    run.shared = &shared_;
     run.timestamps = settings_.timestamps;
     run.imports = &imports;
     if (next.rebuilt.plan) {

@@ -40,6 +40,7 @@ inline constexpr std::array kLimits{
     Limit{"maxSharedBytes", &DeviceProfile::max_shared_bytes},
     Limit{"maxSampledImagesPerStage", &DeviceProfile::max_sampled_images_per_stage},
     Limit{"maxStorageImagesPerStage", &DeviceProfile::max_storage_images_per_stage},
+    Limit{"maxDrawIndirectCount", &DeviceProfile::max_draw_indirect_count},
 };
 struct WideLimit {
     const char* name;
@@ -68,6 +69,7 @@ inline constexpr std::array kSwitches{
     Switch{"nonSolidFill", &DeviceProfile::non_solid_fill},
     Switch{"depthClamp", &DeviceProfile::depth_clamp},
     Switch{"depthBiasClamp", &DeviceProfile::depth_bias_clamp},
+    Switch{"drawIndirectCount", &DeviceProfile::draw_indirect_count},
 };
 
 struct CapabilityName {

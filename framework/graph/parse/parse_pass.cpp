@@ -301,7 +301,7 @@ void complete_depth(ParseContext& context, const JsonMember& member, PassDesc& p
 }
 
 void check_procedural(ParseContext& context, const JsonNode& node, const PassDesc& pass) {
-    if (pass.vertices.empty() || pass.state.cull != CullMode::material) return;
+    if (!pass.draws_without_list() || pass.state.cull != CullMode::material) return;
     const JsonNode* cull = node.find("state")->find("cull");
     const PointerScope scope(context, "state"), key(context, "cull");
     context.error(cull->loc, "W109", "the pass draws no draw list, so no material can determine culling",
@@ -310,9 +310,9 @@ void check_procedural(ParseContext& context, const JsonNode& node, const PassDes
 
 void check_port_names(ParseContext& context, const PassDesc& pass) {
     for (const PortDesc& port : pass.in)
-        if (pass.indirect && port.port == "indirect")
+        if ((pass.indirect && port.port == "indirect") || (pass.draw_count && port.port == "count"))
             context.error(port.loc, "W109",
-                          "the port name \"indirect\" is reserved for the indirect commands",
+                          "the port name \"" + port.port + "\" is reserved for the indirect commands",
                           "give the input another name: { \"name\": \"" + port.ref.text + "\" }");
     for (const PortDesc& port : pass.out)
         if (pass.depth && port.port == "depth")

@@ -49,6 +49,7 @@ constexpr std::array kGroupsKeys{KeyRule<PortDraft>{"indirect", read_ref}};
 
 struct DrawsDraft {
     PortDraft commands;
+    PortDraft count;
     std::string list;
     SourceLoc list_loc;
 };
@@ -59,7 +60,9 @@ constexpr std::array kDrawsKeys{
                             read_string(c, n, d.list);
                         }},
     KeyRule<DrawsDraft>{
-        "indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.commands); }}};
+        "indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.commands); }},
+    KeyRule<DrawsDraft>{"count",
+                        [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.count); }}};
 
 constexpr std::array kVerticesKeys{
     KeyRule<PassDesc>{"vertices", [](ParseContext& c, const JsonNode& n,
@@ -201,25 +204,29 @@ void parse_indirect(ParseContext& context, const JsonNode& node, PassDesc& pass)
     pass.indirect = std::move(draft.port);
 }
 
-// Parses indirect draws of a draw list, for example {"list": "opaque", "indirect": "commands"}: the buffer
-// "commands" contains the draw commands.
+// Parses indirect draws, for example {"list": "opaque", "indirect": "commands", "count": "counts"}: the
+// buffer "commands" contains the draw commands, and the buffer "counts" the number of draws. "list" and
+// "count" are optional.
 void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    constexpr std::string_view kWhat = "indirect draws";
     DrawsDraft draft;
+    for (PortDraft* port : {&draft.commands, &draft.count}) port->port.loc = node.loc;
     draft.commands.port.port = "indirect";
-    draft.commands.port.loc = node.loc;
-    if (!read_object(context, node, "a list drawn indirectly", kDrawsKeys, draft)) return;
-    for (const auto& [key, help] :
-         {std::pair{"list", "name the draw list: { \"list\": \"opaque\", \"indirect\": \"commands\" }"},
-          std::pair{"indirect", "name the buffer of draw commands, or write \"draws\": [\"opaque\"]"}})
-        // If the object has two members but not `key`, as in {"list": "opaque", "indirct": "commands"},
-        // read_object() has already reported the other member as unknown.
-        if (node.find(key) == nullptr && node.members.size() < 2)
-            missing_key(context, node.loc, "a list drawn indirectly", key, help);
+    draft.count.port.port = "count";
+    if (!read_object(context, node, kWhat, kDrawsKeys, draft)) return;
+    // An unknown key, as in {"list": "opaque", "indirct": "commands"}, was already reported.
+    const auto is_optional = [](const JsonMember& member) {
+        return member.key == "list" || member.key == "count";
+    };
+    if (std::ranges::all_of(node.members, is_optional))
+        missing_key(context, node.loc, kWhat, "indirect",
+                    "name the buffer of draw commands, or write \"draws\": [\"opaque\"]");
     if (!draft.list.empty()) {
         pass.draws.push_back(std::move(draft.list));
         pass.draw_locs.push_back(draft.list_loc);
     }
     if (draft.commands.has_ref) pass.indirect = std::move(draft.commands.port);
+    if (draft.count.has_ref) pass.draw_count = std::move(draft.count.port);
 }
 
 // Parses draws without a draw list, for example {"vertices": 36, "instances": "maxLights"}. The shader

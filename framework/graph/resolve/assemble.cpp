@@ -26,6 +26,8 @@ void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
     pass.groups = dispatch.groups;
     pass.indirect_use = dispatch.indirect_use;
     pass.draw_commands_use = dispatch.draw_commands_use;
+    pass.draw_count_use = dispatch.draw_count_use;
+    pass.most_draws = dispatch.most_draws;
 }
 
 // Returns true if a draw whose box is outside of the frustum cannot change the picture. Lines and points are

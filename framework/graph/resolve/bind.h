@@ -46,6 +46,8 @@ struct PortDraft {
     // True if the port is the buffer with the group counts of an indirect dispatch or with indirect draw
     // commands.
     bool is_indirect = false;
+    // True if the port is the buffer with the number of indirect draws.
+    bool is_draw_count = false;
     // True if "in" and "out" both name this port. The two are then one binding, which is read and written in
     // place.
     bool reads_own_port = false;

@@ -7,6 +7,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/resolve/check/check_copy.h"
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/fill/find_draw_commands.h"
 #include "graph/resolve/pass_ports.h"
 #include "graph/resolve/pass_stage.h"
 
@@ -16,14 +17,6 @@ namespace {
 // The largest number of workgroups in one dimension that every Vulkan device supports: the required minimum
 // of maxComputeWorkGroupCount.
 constexpr double kMaxGroups = 65535;
-
-// Returns true if the elements of a buffer are floats. Such a buffer cannot contain workgroup counts or draw
-// commands.
-bool holds_floats(const Shapes& shapes, ResourceId resource) {
-    const ResourceDesc* desc = shapes.origins[resource].desc;
-    if (desc == nullptr || !desc->is_buffer) return false;
-    return desc->element == "f32" || desc->element == "mat4" || desc->element.starts_with("vec");
-}
 
 class DispatchSizer : PassStage<Dispatches> {
  public:
@@ -65,11 +58,11 @@ class DispatchSizer : PassStage<Dispatches> {
         const ResourceDecl& resource = graph_.resources[use.resource];
         const bool buffer = resource.kind == ResourceKind::buffer;
         const bool floats = holds_floats(declared_.shapes, use.resource);
-        if (suspects_.shapes[use.resource] || (buffer && !floats && resource.size_bytes >= kCountsBytes))
-            return;
+        const bool fits = used_bytes(resource, use).size_bytes >= kCountsBytes;
+        if (suspects_.shapes[use.resource] || (buffer && !floats && fits)) return;
         error(use.loc,
               "pass " + quote(draft_.decl.name) + " reads its numbers of workgroups from " +
-                  quote(resource.name) +
+                  quote(range_of(resource, use.range)) +
                   (!buffer  ? ", which is an image"
                    : floats ? ", whose elements are floats"
                             : ", which is too small"),
@@ -160,36 +153,6 @@ class DispatchSizer : PassStage<Dispatches> {
         }
     }
 };
-
-// Finds the buffer with the draw commands of a raster pass, and checks that it has room for one command per
-// draw of the draw list.
-void find_draw_commands(const Declared& declared, const VersionedGraph& graph, PassId pass,
-                        Dispatches& dispatches, PassReporter& report) {
-    constexpr uint64_t kCommandBytes = 20;  // Five 32-bit words of an indexed draw command.
-    const BoundPass& bound = graph.passes[pass];
-    PassDispatch& dispatch = dispatches.passes[pass];
-    const auto port = std::ranges::find_if(bound.ports, &PortDraft::is_indirect);
-    if (port == bound.ports.end()) return;
-    dispatch.draw_commands_use = static_cast<uint32_t>(port - bound.ports.begin());
-    const UseDecl& use = bound.uses[dispatch.draw_commands_use];
-    const ResourceDecl& resource = graph.resources[use.resource];
-    if (dispatches.suspects.shapes[use.resource] || bound.draw_lists.empty()) return;
-    const std::string& list = bound.draw_lists.front();
-    const uint64_t draws = declared.input.imports.imports.at(list).draws;
-    const bool buffer = resource.kind == ResourceKind::buffer;
-    const bool floats = holds_floats(declared.shapes, use.resource);
-    if (buffer && !floats && resource.size_bytes >= draws * kCommandBytes) return;
-    Diagnostic& d = report.error(
-        pass, use.loc, "W114",
-        "pass " + quote(declared.pass_name(pass)) + " reads its draw commands from " + quote(resource.name) +
-            (floats   ? std::string(", whose elements are floats")
-             : buffer ? ", which has " + std::to_string(resource.size_bytes) + " bytes, but the " +
-                            std::to_string(draws) + " draws of " + quote(list) + " need " +
-                            std::to_string(draws * kCommandBytes)
-                      : ", which is an image"));
-    add_help(d, "use a buffer with one command for each draw: { \"buffer\": \"DrawCommand\", \"count\": \"" +
-                    list + "Draws\" }");
-}
 
 }  // namespace
 

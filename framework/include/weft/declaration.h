@@ -15,8 +15,10 @@
 #include "weft/format.h"
 #include "weft/id.h"
 #include "weft/raster_state.h"
+#include "weft/resource_usage.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
+#include "weft/subresource.h"
 #include "weft/view_list.h"
 
 namespace weft {
@@ -33,45 +35,6 @@ struct Extent3D {
 
 enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
-
-// A part of a resource: `mips` mip levels from `mip` on, `layers` layers from `layer` on, and the given
-// aspects. The layers of a buffer are its pieces (ResourceDecl::cuts_bytes); it has mip 0 and aspect kColor.
-struct SubresourceRange {
-    uint32_t mip = 0;
-    uint32_t mips = 1;
-    uint32_t layer = 0;
-    uint32_t layers = 1;
-    AspectMask aspects = aspect::kColor;
-    bool operator==(const SubresourceRange&) const = default;
-    auto operator<=>(const SubresourceRange&) const = default;
-};
-[[nodiscard]] bool overlaps(const SubresourceRange& a, const SubresourceRange& b);
-[[nodiscard]] bool contains(const SubresourceRange& outer, const SubresourceRange& inner);
-
-// A part of a buffer.
-struct ByteRange {
-    uint64_t offset_bytes = 0;
-    uint64_t size_bytes = 0;
-    [[nodiscard]] uint64_t end_bytes() const { return offset_bytes + size_bytes; }
-    bool operator==(const ByteRange&) const = default;
-};
-
-using UsageMask = uint32_t;
-namespace usage {
-inline constexpr UsageMask kSampled = 1u << 0;
-inline constexpr UsageMask kStorage = 1u << 1;
-inline constexpr UsageMask kColorAttachment = 1u << 2;
-inline constexpr UsageMask kDepthAttachment = 1u << 3;
-inline constexpr UsageMask kTransferSrc = 1u << 4;
-inline constexpr UsageMask kTransferDst = 1u << 5;
-inline constexpr UsageMask kUniform = 1u << 6;
-inline constexpr UsageMask kVertex = 1u << 7;
-inline constexpr UsageMask kIndex = 1u << 8;
-inline constexpr UsageMask kIndirect = 1u << 9;
-}  // namespace usage
-
-// Returns the usage flag that a resource needs for an access. Example: kSampled for Access::sampled_read.
-[[nodiscard]] UsageMask usage_of(Access a);
 
 enum class ResourceLifetime : uint8_t {
     // The content lives within one frame. The memory may be shared with other transient resources.
@@ -134,6 +97,9 @@ struct ResourceDecl {
     // Initial value (r, g, b, a) of every copy in the ring, before the first write.
     std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
+    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of
+    // all tiers. Only for resources with `keep` and without `history`.
+    bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
@@ -328,6 +294,10 @@ struct PassDecl {
     // For indirect draws: the index, in `uses`, of the buffer that contains one draw command for each draw.
     // kNoId: the draws are direct.
     uint32_t draw_commands_use = kNoId;
+    // The index, in `uses`, of the buffer whose first word is the number of draws; kNoId: all are drawn.
+    uint32_t draw_count_use = kNoId;
+    // For indirect draws without a list or with a number in a buffer: number of commands in the buffer.
+    uint32_t most_draws = 0;
     // For a raster pass without draw lists: number of vertices. The shader computes their positions from
     // gl_VertexIndex.
     uint32_t vertices = 0;
@@ -355,6 +325,11 @@ struct PassDecl {
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;
     SourceLoc loc;
+
+    // Returns true for a raster pass that draws vertices without a draw list.
+    [[nodiscard]] bool draws_without_list() const {
+        return vertices > 0 || (draw_commands_use != kNoId && draw_lists.empty());
+    }
 };
 
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of

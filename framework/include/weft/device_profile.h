@@ -110,6 +110,9 @@ struct DeviceProfile {
     // A range of a buffer that a shader uses must begin at a multiple of these sizes.
     uint64_t storage_offset_alignment_bytes = 256;
     uint64_t uniform_offset_alignment_bytes = 256;
+    // Whether the GPU can read a number of draws from a buffer, and the largest such number.
+    bool draw_indirect_count = false;
+    uint32_t max_draw_indirect_count = 65535;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
     // The next members tell whether the device supports optional pipeline state: "fill" with the value "line"

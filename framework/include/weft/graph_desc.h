@@ -143,8 +143,8 @@ enum class ViewTarget : uint8_t { one, layers, rects };
 inline constexpr const char* kViewIndex = "view";
 
 // Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames and
-// shared: from frame to frame, and into a new plan as transition() decides. The compiler treats `frames` and
-// `shared` alike.
+// shared: from frame to frame, and into a new plan as transition() decides. shared: the new plan uses the
+// same memory, if the shape is the same.
 enum class KeepMode : uint8_t { none, frames, shared };
 
 struct ResourceDesc {
@@ -254,9 +254,11 @@ struct PassDesc {
     // The key "rest": the pass runs only in frames in which something has changed that its result depends on.
     bool rests = false;
     SourceLoc rest_loc;
-    // A port that reads a buffer with the numbers of workgroups of an indirect dispatch, or, with `draws`,
-    // with the draw commands of an indirect draw.
+    // A port that reads a buffer with the numbers of workgroups of an indirect dispatch, or, for a raster
+    // pass, with the draw commands of an indirect draw.
     std::optional<PortDesc> indirect;
+    // For an indirect draw: a port that reads a buffer with the number of draws; absent: all are drawn.
+    std::optional<PortDesc> draw_count;
     // Numbers of workgroups in x, y and z: one to three expressions. If there is only one expression and its
     // value is a size, it gives x and y.
     std::vector<Expr> groups;
@@ -278,6 +280,11 @@ struct PassDesc {
     // Passes without dependencies on each other are ordered by this key, then by name. Graph files do not set
     // it.
     uint32_t order_key = 0;
+
+    // Returns true for a raster pass that draws vertices without a draw list.
+    [[nodiscard]] bool draws_without_list() const {
+        return type == "raster" && (!vertices.empty() || (indirect && draws.empty()));
+    }
 };
 
 // A group of passes. Each value of the group's repeat makes a round: one copy of all passes of the group. The

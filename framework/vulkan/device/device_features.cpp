@@ -50,6 +50,7 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::depthBiasClamp, &OptionalFeatures::depth_bias_clamp},
     OptionalFeature<F10>{&F10::imageCubeArray, &OptionalFeatures::cube_arrays},
     OptionalFeature<F10>{&F10::drawIndirectFirstInstance, &OptionalFeatures::draw_indirect_first_instance},
+    OptionalFeature<F10>{&F10::multiDrawIndirect, &OptionalFeatures::multi_draw_indirect},
     OptionalFeature<F10>{&F10::samplerAnisotropy, &OptionalFeatures::sampler_anisotropy},
     OptionalFeature<F10>{&F10::shaderImageGatherExtended, &OptionalFeatures::image_gather_extended},
     OptionalFeature<F10>{&F10::shaderUniformBufferArrayDynamicIndexing,
@@ -58,6 +59,7 @@ constexpr std::array kOptional10{
                          &OptionalFeatures::storage_read_without_format},
 };
 constexpr std::array kOptional12{
+    OptionalFeature<F12>{&F12::drawIndirectCount, &OptionalFeatures::draw_indirect_count},
     OptionalFeature<F12>{&F12::samplerFilterMinmax, &OptionalFeatures::sampler_min_max},
 };
 

@@ -60,6 +60,7 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_uniform_buffer_bytes = limits.maxUniformBufferRange;
     profile.max_storage_buffer_bytes = limits.maxStorageBufferRange;
     profile.buffer_image_granularity_bytes = limits.bufferImageGranularity;
+    profile.max_draw_indirect_count = limits.maxDrawIndirectCount;
     profile.storage_offset_alignment_bytes = limits.minStorageBufferOffsetAlignment;
     profile.uniform_offset_alignment_bytes = limits.minUniformBufferOffsetAlignment;
 }
@@ -112,6 +113,7 @@ void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profi
     profile.non_solid_fill = enabled.fill_mode_non_solid;
     profile.depth_clamp = enabled.depth_clamp;
     profile.depth_bias_clamp = enabled.depth_bias_clamp;
+    profile.draw_indirect_count = enabled.draw_indirect_count;
     if (!enabled.sampler_anisotropy) profile.max_sampler_anisotropy = 1;
     if (!enabled.sampler_min_max)
         for (auto& [format, features] : profile.formats) features &= ~ff::kSampledMinMax;

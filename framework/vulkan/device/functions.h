@@ -69,6 +69,9 @@ struct InstanceFunctions {
     X(vkCmdDraw)                           \
     X(vkCmdDrawIndexed)                    \
     X(vkCmdDrawIndexedIndirect)            \
+    X(vkCmdDrawIndexedIndirectCount)       \
+    X(vkCmdDrawIndirect)                   \
+    X(vkCmdDrawIndirectCount)              \
     X(vkCmdEndRendering)                   \
     X(vkCmdFillBuffer)                     \
     X(vkCmdPipelineBarrier2)               \

@@ -291,6 +291,14 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     return submitted;
 }
 
+NativeResource ReplayExecutor::native(ResourceId resource) const {
+    for (const Placement& placement : plan().memory.placements)
+        if (placement.resource == resource)
+            return {objects_->heap.image(resource), objects_->heap.buffer(resource),
+                    objects_->heap.memory(placement), placement.offset_bytes};
+    return {};
+}
+
 Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput input) {
     const ExecutorHooks hooks = input.hooks;
     Result<std::unique_ptr<PlanObjects>> objects = make_plan_objects(device, std::move(input));

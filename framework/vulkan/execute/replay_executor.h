@@ -38,6 +38,7 @@ class ReplayExecutor final : public Executor {
     PipelineCounts pipelines() const override { return objects_->pipeline_counts; }
     void amend(std::unique_ptr<Amendment> amendment) override;
     uint64_t transient_bytes() const override { return objects_->heap.bytes(); }
+    NativeResource native(ResourceId resource) const override;
 
  private:
     struct InFlight {

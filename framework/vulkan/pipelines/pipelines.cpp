@@ -104,7 +104,7 @@ Status add_list(Device& device, const PipelineRequest& request, const std::strin
 
 Result<std::vector<DrawPipeline>> make_pipelines(Device& device, const PipelineRequest& request) {
     std::vector<DrawPipeline> pipelines;
-    if (request.pass.kind == PassKind::raster && request.pass.vertices == 0) {
+    if (request.pass.kind == PassKind::raster && !request.pass.draws_without_list()) {
         Diagnostics errors;
         for (const std::string& list : request.pass.draw_lists)
             if (Status added = add_list(device, request, list, pipelines); !added)

@@ -1,5 +1,7 @@
 #include "vulkan/record/record.h"
 
+#include <algorithm>
+
 #include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 
@@ -33,13 +35,25 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
                           bytes.data());
 }
 
+// A buffer from which the GPU reads numbers, and the offset at which they begin.
+struct IndirectPlace {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceSize offset_bytes = 0;
+};
+
+IndirectPlace place_of(const RecordContext& context, const PassDecl& pass, uint32_t use_index) {
+    if (use_index == kNoId) return {};
+    const UseDecl& use = pass.uses[use_index];
+    const ResourceDecl& buffer = context.objects.plan.graph.resources[use.resource];
+    return {context.resources.buffer(use.resource), used_bytes(buffer, use).offset_bytes};
+}
+
 FrontFace opposite(FrontFace face) {
     return face == FrontFace::clockwise ? FrontFace::counter_clockwise : FrontFace::clockwise;
 }
 
-// Draws a number of vertices without vertex buffers. The shader gets only the vertex and instance indices.
-void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
-                   uint32_t vertices, uint32_t instances) {
+// Prepares draws without vertex buffers. The shader gets only the vertex and instance indices.
+void bind_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                          prepared.pipelines[0].pipeline.get());
@@ -48,7 +62,32 @@ void draw_vertices(const RecordContext& context, const PassDecl& pass, const Pre
     const DrawSource* draws = context.objects.draws;
     if (pass.kind == PassKind::raster && draws != nullptr && draws->is_mirrored(pass.view))
         fn.vkCmdSetFrontFace(context.commands, to_vk(opposite(pass.state.front_face)));
-    fn.vkCmdDraw(context.commands, vertices, instances, 0, 0);
+}
+
+void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+                   uint32_t vertices, uint32_t instances) {
+    bind_vertices(context, pass, prepared);
+    context.device.fn().vkCmdDraw(context.commands, vertices, instances, 0, 0);
+}
+
+// Draws what the commands in a buffer say. A device without multiDrawIndirect executes only one command at a
+// time.
+void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass,
+                              const PreparedPass& prepared) {
+    constexpr uint32_t kCommandBytes = sizeof(VkDrawIndirectCommand);
+    const DeviceFunctions& fn = context.device.fn();
+    const IndirectPlace from = place_of(context, pass, pass.draw_commands_use);
+    const IndirectPlace count = place_of(context, pass, pass.draw_count_use);
+    bind_vertices(context, pass, prepared);
+    if (count.buffer != VK_NULL_HANDLE)
+        return fn.vkCmdDrawIndirectCount(context.commands, from.buffer, from.offset_bytes, count.buffer,
+                                         count.offset_bytes, pass.most_draws, kCommandBytes);
+    const bool several = context.device.optional().multi_draw_indirect;
+    const uint32_t step = several ? context.device.profile().max_draw_indirect_count : 1;
+    for (uint64_t done = 0; done < pass.most_draws; done += step)
+        fn.vkCmdDrawIndirect(context.commands, from.buffer, from.offset_bytes + done * kCommandBytes,
+                             static_cast<uint32_t>(std::min<uint64_t>(step, pass.most_draws - done)),
+                             kCommandBytes);
 }
 
 // Returns the number of draws that were left out.
@@ -68,8 +107,13 @@ uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const Pre
     draws.variant = draw.variant;
     draws.cull = pass.state.cull;
     draws.frame_slot = context.slot;
-    if (pass.draw_commands_use != kNoId)
-        draws.draw_commands = context.resources.buffer(pass.uses[pass.draw_commands_use].resource);
+    const IndirectPlace commands = place_of(context, pass, pass.draw_commands_use);
+    const IndirectPlace count = place_of(context, pass, pass.draw_count_use);
+    draws.draw_commands = commands.buffer;
+    draws.draw_commands_offset_bytes = commands.offset_bytes;
+    draws.draw_count = count.buffer;
+    draws.draw_count_offset_bytes = count.offset_bytes;
+    draws.most_draws = pass.most_draws;
     draws.uses_materials = prepared.layout.declares[kMaterialSet];
     draws.uses_instances = prepared.layout.declares[kInstanceSet];
     draws.culls_draws = pass.culls_draws;
@@ -85,9 +129,9 @@ void record_compute(const RecordContext& context, const PassDecl& pass, const Pr
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                          prepared.pipelines[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_COMPUTE);
-    if (pass.indirect_use != kNoId)
-        fn.vkCmdDispatchIndirect(context.commands,
-                                 context.resources.buffer(pass.uses[pass.indirect_use].resource), 0);
+    const IndirectPlace sizes = place_of(context, pass, pass.indirect_use);
+    if (sizes.buffer != VK_NULL_HANDLE)
+        fn.vkCmdDispatchIndirect(context.commands, sizes.buffer, sizes.offset_bytes);
     else
         fn.vkCmdDispatch(context.commands, pass.groups[0], pass.groups[1], pass.groups[2]);
 }
@@ -101,7 +145,9 @@ void record_fullscreen(const RecordContext& context, const PassDecl& pass, const
 void record_raster(const RecordContext& context, Position position, const PassDecl& pass,
                    const PreparedPass& prepared) {
     begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
-    if (pass.vertices > 0)
+    if (pass.draws_without_list() && pass.draw_commands_use != kNoId)
+        draw_vertices_indirectly(context, pass, prepared);
+    else if (pass.vertices > 0)
         draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
     else
         for (const DrawPipeline& draw : prepared.pipelines)

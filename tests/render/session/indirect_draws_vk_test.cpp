@@ -1,5 +1,6 @@
 // Tests indirect draws: a shipped graph draws its opaque list with a copy of the scene's draw commands. The
 // picture must be the same as with direct draws. A device without the needed feature must give an error.
+// Another graph draws as many commands as a compute pass has counted.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -69,6 +70,76 @@ TEST_F(IndirectDraws, ByTheScenesOwnCommandsGiveTheSamePicture) {
     ASSERT_EQ(direct->size(), 2u);
     EXPECT_EQ(*direct, *indirect);
     EXPECT_NE((*direct)[0], std::vector<std::byte>((*direct)[0].size())) << "a black picture proves nothing";
+}
+
+// The pass "surfaces" draws every object that is not in slot 0, 3, 6 and so on of the list: either with one
+// command and a number of draws, or with commands whose number of instances is 0. A compute pass collects the
+// commands in any order, so the pass writes only depth, which does not depend on the order.
+std::string counted_graph(bool counted) {
+    return std::string(R"j({"version": 1, "name": "counted",
+"imports": {"opaque": "drawlist", "opaqueCommands": "buffer", "backbuffer": "output"},
+"resources": {"kept": {"buffer": "DrawCommand", "count": "opaqueDraws"}, "number": {"buffer": "u32", "count": 1},
+              "albedo": "d32f"},
+"passes": {
+  "zero": {"type": "clear", "out": ["number"]},
+  "collect": {"type": "compute", "shader": ")j") +
+           (counted ? "collect.comp" : "blank.comp") +
+           R"j(", "threads": "opaqueDraws", "in": ["opaqueCommands"],
+              "out": ["kept", "number"]},
+  "surfaces": {"type": "raster", "shader": "flat", "depth": "albedo", "state": {"cull": "none"},
+               "draws": {"list": "opaque", "indirect": "kept")j" +
+           (counted ? R"j(, "count": "number")j" : "") + R"j(}},
+  "wipe": {"type": "clear", "out": ["backbuffer"]}}})j";
+}
+
+std::string collect_shader(bool counted) {
+    return std::string(R"j(#version 460
+#include "shared/draw_command.glsl"
+layout(local_size_x = 64) in;
+readonly buffer Commands { DrawCommand items[]; } opaqueCommands;
+writeonly buffer Kept { DrawCommand items[]; } kept;
+buffer Number { uint draws; } number;
+layout(push_constant) uniform Params { uint opaqueDraws; } params;
+void main() {
+    const uint i = gl_GlobalInvocationID.x;
+    if (i >= params.opaqueDraws) return;
+    DrawCommand command = opaqueCommands.items[i];
+)j") + (counted ? "    if (i % 3 != 0) kept.items[atomicAdd(number.draws, 1)] = command;\n}\n"
+                : "    if (i % 3 == 0) command.instance_count = 0;\n    kept.items[i] = command;\n"
+                  "    atomicAdd(number.draws, 1);\n}\n");
+}
+
+std::optional<std::string> counted_file(const std::string& path, bool counted) {
+    const std::string name = std::filesystem::path(path).filename();
+    if (name == "graph.json") return counted_graph(counted);
+    if (name == "collect.comp" || name == "blank.comp") return collect_shader(name == "collect.comp");
+    if (name == "flat.vert")
+        return R"j(#version 460
+#include "frame_set.glsl"
+#include "shared/instance.glsl"
+layout(location = 0) in vec4 position;
+layout(set = 3, binding = 0, std430) readonly buffer Instances { Instance instances[]; };
+void main() {
+    gl_Position = view.view_projection * (instances[gl_InstanceIndex].object_to_world * vec4(position.xyz, 1.0));
+})j";
+    if (name == "flat.frag") return "#version 460\nvoid main() {}\n";
+    return std::nullopt;
+}
+
+TEST_F(IndirectDraws, AsManyAsABufferSaysGiveTheSameDepth) {
+    if (!device_->optional().draw_indirect_count) GTEST_SKIP() << "the device lacks drawIndirectCount";
+    const auto reader = [](bool counted) {
+        return [counted](const std::string& path) {
+            const std::optional<std::string> own = counted_file(path, counted);
+            return own ? own : read_included(path);
+        };
+    };
+    const auto blanked = albedo(*device_, reader(false)), counted = albedo(*device_, reader(true));
+    ASSERT_TRUE(blanked) << to_text(blanked.errors());
+    ASSERT_TRUE(counted) << to_text(counted.errors());
+    EXPECT_EQ(*blanked, *counted);
+    EXPECT_NE((*counted)[0], std::vector<std::byte>((*counted)[0].size()))
+        << "a black picture proves nothing";
 }
 
 TEST_F(IndirectDraws, AreRefusedWithoutTheFeatureThatTellsInstancesApart) {

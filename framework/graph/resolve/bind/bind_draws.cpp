@@ -98,6 +98,8 @@ void bind_draws(PassBinding& pass) {
     const PassDesc& desc = *pass.draft.desc;
     if (!desc.vertices.empty()) {
         count_vertices(pass);
+    } else if (desc.draws_without_list()) {
+        check_procedural_shader(pass);
     } else if (desc.draws.empty()) {
         Diagnostic& d = pass.error(desc.loc, "W118", "raster pass " + quote(desc.name) + " draws nothing");
         add_help(d, "name the draw lists: \"draws\": [\"opaque\"]");

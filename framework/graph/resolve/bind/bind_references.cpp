@@ -269,10 +269,14 @@ class ReferenceBinder {
         std::vector<BoundPort> ports;
         const PassDesc& desc = *declared_.expansion.passes[id].desc;
         for (const PortDesc& port : desc.in) add_input(id, port, presence, ports);
-        if (!desc.indirect) return ports;
-        const size_t before = ports.size();
-        add_input(id, *desc.indirect, presence, ports);
-        if (ports.size() > before) ports.back().draft.is_indirect = true;
+        const auto add = [&](const std::optional<PortDesc>& port, bool PortDraft::*role) {
+            if (!port) return;
+            const size_t before = ports.size();
+            add_input(id, *port, presence, ports);
+            if (ports.size() > before) ports.back().draft.*role = true;
+        };
+        add(desc.indirect, &PortDraft::is_indirect);
+        add(desc.draw_count, &PortDraft::is_draw_count);
         return ports;
     }
 

@@ -37,7 +37,7 @@ class ShaderBinder {
     const PassDesc& desc() const { return *at_.draft.desc; }
 
     static bool is_bound(const PortDraft& port) {
-        return !port.is_depth_port && !port.is_resolve && !port.is_indirect;
+        return !port.is_depth_port && !port.is_resolve && !port.is_indirect && !port.is_draw_count;
     }
 
     // Returns the index of the output with the same name as the input `in`, or the number of uses if there is
@@ -84,7 +84,7 @@ class ShaderBinder {
 
     void bind(UseDecl& use, PortDraft& port) {
         if (port.is_depth_port) return bind_depth(use, port);
-        if (port.is_resolve || port.is_indirect) {
+        if (!is_bound(port)) {
             use.access = port.is_resolve ? Access::color_write : Access::indirect_read;
             return;
         }

@@ -30,7 +30,7 @@ class ShaderFit {
     }
 
     bool draws_lists() const {
-        return at_.draft.decl.kind == PassKind::raster && at_.draft.desc->vertices.empty();
+        return at_.draft.decl.kind == PassKind::raster && !at_.draft.desc->draws_without_list();
     }
 
     void check_binding(const ShaderBinding& binding) {

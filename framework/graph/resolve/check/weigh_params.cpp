@@ -103,6 +103,7 @@ class ParamCosts {
         for (const PortDesc& port : pass.in) add_port(port);
         for (const PortDesc* port : written_ports(pass)) add_port(*port);
         if (pass.indirect) add_port(*pass.indirect);
+        if (pass.draw_count) add_port(*pass.draw_count);
         for (const Expr* expression : {&pass.condition, &pass.per_frame, &pass.vertices, &pass.instances})
             add(*expression, ParamCost::graph);
         add(pass.view_number, ParamCost::graph);
@@ -179,6 +180,7 @@ class ParamCosts {
             for (const PortDesc& port : pass.in) add_named(port);
             for (const PortDesc* port : written_ports(pass)) add_named(*port);
             if (pass.indirect) add_named(*pass.indirect);
+            if (pass.draw_count) add_named(*pass.draw_count);
             named.insert(pass.draws.begin(), pass.draws.end());
             named.insert(pass.view);
         }

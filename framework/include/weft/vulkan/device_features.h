@@ -22,6 +22,8 @@ struct OptionalFeatures {
     bool image_gather_extended = false;
     bool storage_read_without_format = false;
     bool draw_indirect_first_instance = false;
+    bool draw_indirect_count = false;
+    bool multi_draw_indirect = false;
     bool sampler_anisotropy = false;
     // Samplers that return the least or the greatest texel of a lookup.
     bool sampler_min_max = false;

@@ -30,8 +30,16 @@ struct DrawContext {
     CullMode cull = CullMode::material;
     uint32_t frame_slot = 0;  // Less than kFramesInFlight.
     // A buffer with one packed VkDrawIndexedIndirectCommand for each draw of the list, in the order of the
-    // list. It replaces the list's own draw commands. Null: the list's own commands are used.
+    // list, from the offset on. It replaces the list's own draw commands. Null: the list's own commands are
+    // used.
     VkBuffer draw_commands = VK_NULL_HANDLE;
+    VkDeviceSize draw_commands_offset_bytes = 0;
+    // A buffer with the number of draws, as a 32-bit word at the offset. Then `draw_commands` contains
+    // `most_draws` commands in any order, and the source records all draws with one command
+    // (vkCmdDrawIndexedIndirectCount). Null: every command is drawn.
+    VkBuffer draw_count = VK_NULL_HANDLE;
+    VkDeviceSize draw_count_offset_bytes = 0;
+    uint32_t most_draws = 0;
     // True: the source may leave out draws that are outside of the frustum of the view, if the shader places
     // vertices with the matrix of the view.
     bool culls_draws = false;
