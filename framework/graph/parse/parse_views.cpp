@@ -39,7 +39,7 @@ constexpr std::array kCubeKeys{
                               read_expression(c, n, list.near_m);
                           }}};
 
-void read_cube(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
+void read_view_cube(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
     if (!read_object(context, node, "a cube of views", kCubeKeys, list)) return;
     if (node.find("at") == nullptr)
         missing_key(context, node.loc, "a cube of views", "at", "write the centre: \"at\": [x, y, z]");
@@ -56,7 +56,7 @@ constexpr std::array kViewListKeys{
                               read_expressions(c, n, "[a, b, c, d] for the plane a x + b y + c z + d = 0",
                                                list.plane);
                           }},
-    KeyRule<ViewListDesc>{"cube", read_cube},
+    KeyRule<ViewListDesc>{"cube", read_view_cube},
     KeyRule<ViewListDesc>{"rect", [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
                               read_expressions(c, n, "[x, y, width, height] in pixels", list.rect);
                           }}};

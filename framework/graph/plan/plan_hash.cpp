@@ -19,6 +19,7 @@ std::string structure_hash(FramePlan plan) {
         for (AttachmentDecl& color : pass.colors) color.blend = {};
         if (pass.depth) pass.depth->blend = {};
         pass.state = {};
+        pass.culls_draws = false;
         pass.flops = 0;
     }
     for (GraphParam& param : plan.graph.params) param = {param.name};
@@ -33,7 +34,7 @@ std::string values_hash(const ResolvedGraph& graph) {
             for (const NamedValue& value : pass.custom_params) v("value", value.value);
             for (const AttachmentDecl& color : pass.colors) v("blend", color.blend);
             if (pass.depth) v("blend", pass.depth->blend);
-            v("state", pass.state), v("flops", pass.flops);
+            v("state", pass.state), v("cullsDraws", pass.culls_draws), v("flops", pass.flops);
         }
         for (const GraphParam& param : graph.params) v("value", param.value);
     });

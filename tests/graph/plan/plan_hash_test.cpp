@@ -60,6 +60,7 @@ TEST(PlanHash, AMemberBelongsToTheStructureOrToTheValues) {
     EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.colors[0].blend.write_mask ^= 1; }));
     EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.depth->blend.write_mask ^= 1; }));
     EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.state.stencil_back.reference += 5; }));
+    EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.culls_draws = !pass.culls_draws; }));
     EXPECT_TRUE(is_value([](PassDecl& pass, FramePlan&) { pass.flops += 5; }));
     EXPECT_TRUE(is_value([](PassDecl&, FramePlan& other) { other.graph.params[0].value += 5; }));
     EXPECT_FALSE(is_value([](PassDecl& pass, FramePlan&) { pass.params[0].offset_bytes += 8; }));

@@ -7,7 +7,7 @@
 namespace weft::test {
 namespace {
 
-constexpr Extent3D kSize{40, 30, 1};
+constexpr Extent3D kPictureSize{40, 30, 1};
 
 struct Pictures {
     std::vector<std::byte> output;
@@ -27,7 +27,7 @@ class Culling : public SessionTest {
     Pictures draw(const std::string& graph, const std::vector<scene::Camera>& cameras, bool culls,
                   std::vector<std::string> observed = {}, const FileReader& reader = read_text) {
         const std::unique_ptr<render::Session> session =
-            start(scene_, cameras.front(), graph, kSize, std::move(observed), 0, reader);
+            start(scene_, cameras.front(), graph, kPictureSize, std::move(observed), 0, reader);
         if (!session) return {};
         const_cast<render::SessionParts&>(session->parts()).scene.gpu().set_culling(culls);
         for (const scene::Camera& camera : cameras) {
@@ -120,12 +120,12 @@ FileReader reader_of(const std::string& graph) {
     };
 }
 
-constexpr const char* kLook = R"json("shader": "look", "out": { "color": "color", "past": "past" })json";
+constexpr const char* kLookKeys = R"json("shader": "look", "out": { "color": "color", "past": "past" })json";
 
 TEST_F(Culling, ChangesNoPictureOfAnyView) {
     const std::string path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
     const std::vector<scene::Camera> walk = cameras(18, 3);
-    const std::string look = kLook;
+    const std::string look = kLookKeys;
     const std::vector<std::string> graphs{
         graph_of(look), graph_of(look + R"json(, "view": "mirror", "state": { "cull": "material" })json"),
         graph_of(look + R"json(, "views": "probe")json", true),
@@ -144,7 +144,7 @@ TEST_F(Culling, LeavesOutNothingThatTheShaderMayMove) {
     const std::string path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
     const std::vector<scene::Camera> walk = cameras(18, 1);
     for (const std::string& keys : {std::string(R"json("shader": "fixed", "out": ["color"])json"),
-                                    std::string(kLook) + R"json(, "frustum": false)json"})
+                                    std::string(kLookKeys) + R"json(, "frustum": false)json"})
         EXPECT_EQ(draw(path, walk, true, {"color"}, reader_of(graph_of(keys))).left_out, 0u) << keys;
 }
 
