@@ -100,6 +100,26 @@ std::string users(const FramePlan& plan, FaultList& faults, ResourceId resource)
            faults.pass_name(plan.schedule.order[span.last]);
 }
 
+// A resource with `"keep": "shared"` has a heap of its own, because other plans use the same memory.
+void check_shared_heaps(const FramePlan& plan, FaultList& faults) {
+    std::vector<uint32_t> tenants(plan.memory.heaps.size(), 0);
+    for (const Placement& p : plan.memory.placements)
+        if (p.heap < tenants.size()) ++tenants[p.heap];
+    for (const Placement& p : plan.memory.placements) {
+        if (p.heap >= tenants.size()) continue;
+        const ResourceDecl& decl = plan.graph.resources[p.resource];
+        const bool right = decl.shared ? tenants[p.heap] == 1 && p.offset_bytes == 0 && decl.history == 0 &&
+                                             decl.lifetime == ResourceLifetime::persistent
+                                       : true;
+        if (!right || decl.shared != plan.memory.heaps[p.heap].shared)
+            faults.add("C338", decl.loc,
+                       faults.resource_name(p.resource) +
+                           (decl.shared ? " is shared by all tiers, but has no heap of its own"
+                                        : " is placed in the memory of a resource that all tiers share"),
+                       kCompilerFault);
+    }
+}
+
 void check_placements(const FramePlan& plan, FaultList& faults) {
     std::vector<uint8_t> placed(plan.graph.resources.size(), 0);
     const std::vector<Placement>& all = plan.memory.placements;
@@ -268,6 +288,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);
+    check_shared_heaps(plan, faults);
     check_alias_transitions(plan, faults);
     check_boundary(plan, faults);
     check_submissions(plan, faults);

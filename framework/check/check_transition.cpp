@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "check/fault_list.h"
+#include "weft/format.h"
 
 namespace weft {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 using check::FaultList;
 
 constexpr StageMask kEveryStage = stage::kAll & ~stage::kHost;
+constexpr AccessMask kEveryWrite = access::kAll & ~(access::kHostRead | access::kHostWrite);
 
 // Returns true if each mip and layer of `range` has a barrier on `resource` for which `right` returns true.
 template <class Right>
@@ -57,6 +59,7 @@ class TransitionCheck {
             add("C370", id,
                 "gets its content " + std::to_string(times) + " times in the transition, not once",
                 "the transition must either copy each old content or clear the resource, once");
+        if (is_shared(id)) return;
         const bool image = new_.graph.resources[id].kind == ResourceKind::image;
         const AccessState writing = writing_state(id);
         const auto opens = [&](const BarrierDecl& b) {
@@ -81,6 +84,58 @@ class TransitionCheck {
         }
     }
 
+    [[nodiscard]] bool is_shared(ResourceId id) const {
+        return std::ranges::any_of(transition_.carried,
+                                   [&](const ContentCopy& c) { return c.to == id && c.shared; });
+    }
+
+    // Shared memory must fit both plans, and a barrier must bring each part of it from the state between two
+    // frames of the old plan to the state that the first new frame expects.
+    void check_shared(const ContentCopy& carry) {
+        const ResourceDecl &from = old_.graph.resources[carry.from], &to = new_.graph.resources[carry.to];
+        const bool same = from.name == to.name && from.kind == to.kind && from.format == to.format &&
+                          from.image_kind == to.image_kind && from.extent == to.extent &&
+                          from.mips == to.mips && from.layers == to.layers && from.samples == to.samples &&
+                          from.size_bytes == to.size_bytes && from.usage == to.usage;
+        if (!same || !from.shared || !to.shared || carry.resample || to.history != 0)
+            add("C338", carry.to, "shares memory with a resource of the old plan that has another shape",
+                "share the memory only if both plans declare the resource alike; otherwise copy the content");
+        for (const BoundaryState& left : old_.boundary) {
+            if (left.resource != carry.from) continue;
+            for (const BoundaryState& wanted : new_.boundary)
+                if (wanted.resource == carry.to) check_passed_on(carry.to, left, wanted);
+        }
+    }
+
+    void check_passed_on(ResourceId id, const BoundaryState& left, const BoundaryState& wanted) {
+        // The pieces of a buffer may differ in the two plans, and a buffer has no layouts.
+        if (new_.graph.resources[id].kind == ResourceKind::buffer)
+            return check_passed_on(id, left.state.layout, wanted, wanted.range);
+        const uint32_t mips =
+            std::min(left.range.mip + left.range.mips, wanted.range.mip + wanted.range.mips);
+        const uint32_t layers =
+            std::min(left.range.layer + left.range.layers, wanted.range.layer + wanted.range.layers);
+        SubresourceRange part{std::max(left.range.mip, wanted.range.mip), 0,
+                              std::max(left.range.layer, wanted.range.layer), 0,
+                              left.range.aspects & wanted.range.aspects};
+        if (mips <= part.mip || layers <= part.layer || part.aspects == 0) return;
+        part.mips = mips - part.mip;
+        part.layers = layers - part.layer;
+        check_passed_on(id, left.state.layout, wanted, part);
+    }
+
+    void check_passed_on(ResourceId id, Layout left, const BoundaryState& wanted,
+                         const SubresourceRange& part) {
+        const auto passes_on = [&](const BarrierDecl& b) {
+            return b.src.layout == left && (kEveryStage & ~b.src.stages) == 0 &&
+                   (kEveryWrite & ~b.src.access) == 0 && b.dst.layout == wanted.state.layout &&
+                   (kEveryStage & ~b.dst.stages) == 0;
+        };
+        if (!covered_by(transition_.after, id, part, passes_on))
+            add("C371", id, "keeps its memory, but the old frames may still use it",
+                "record a barrier from all stages of the old plan to all stages of the new plan");
+    }
+
     [[nodiscard]] AccessState writing_state(ResourceId id) const {
         const ResourceDecl& decl = new_.graph.resources[id];
         Access access = Access::clear_write;
@@ -96,6 +151,13 @@ class TransitionCheck {
     // copy has the content of the last frame, like age 1 of a ring.
     static uint32_t frames_ago(const ResourceDecl& decl) { return decl.history == 0 ? 1 : decl.age; }
 
+    // Returns true if the formats are equal, or if a blit converts one to the other.
+    static bool formats_fit(const ResourceDecl& from, const ResourceDecl& to, const ContentCopy& carry) {
+        const bool floats = format_info(from.format).numeric == NumericClass::float_like &&
+                            format_info(to.format).numeric == NumericClass::float_like;
+        return from.format == to.format || (carry.resample && floats && from.on_resize == OnResize::resample);
+    }
+
     void check_carried(const ContentCopy& carry) {
         const ResourceDecl& decl = new_.graph.resources[carry.to];
         if (carry.from >= old_.graph.resources.size() || !old_.live.live_resources[carry.from]) {
@@ -103,11 +165,13 @@ class TransitionCheck {
                 "clear the resource, or copy the old resource of the same name");
             return;
         }
+        if (carry.shared) return check_shared(carry);
         const ResourceDecl& from = old_.graph.resources[carry.from];
-        if (from.lifetime != ResourceLifetime::persistent || ring_name(old_.graph, from) != ring_name(new_.graph, decl) ||
-            frames_ago(from) != frames_ago(decl) || from.format != decl.format)
+        if (from.lifetime != ResourceLifetime::persistent ||
+            ring_name(old_.graph, from) != ring_name(new_.graph, decl) ||
+            frames_ago(from) != frames_ago(decl) || !formats_fit(from, decl, carry))
             add("C370", carry.to, "gets its content from \"" + from.name + "\"",
-                "copy only a resource of the same name, format and age");
+                "copy only a resource of the same name, format and age; convert only floats");
         const bool same = from.extent == decl.extent && from.mips == decl.mips &&
                           from.layers == decl.layers && from.size_bytes == decl.size_bytes;
         if (carry.resample ? decl.on_resize != OnResize::resample : !same)

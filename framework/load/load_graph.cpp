@@ -7,6 +7,7 @@
 #include "graph/resolve/change_values.h"
 #include "graph/syntax/read_graph.h"
 #include "load/load_steps.h"
+#include "load/shared_resources.h"
 #include "load/tier_formats.h"
 
 namespace weft {
@@ -53,10 +54,15 @@ Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const Loa
         skipped = formats_with_others(document, own, input);
     Result<ResolvedGraph> graph = resolve_formats(own.desc, own.shaders, input, skipped, warnings);
     if (!graph) append(faults, graph.take_errors());
+    Result<SharedUsages> shared = SharedUsages{};
+    if (faults.empty()) shared = agree_on_shared(document, own, input, skipped);
+    if (!shared) append(faults, shared.take_errors());
     complete(document, request.tier, faults);
     complete(document, request.tier, warnings);
     if (!faults.empty()) return faults;
-    return LoadedGraph{std::move(own.desc), std::move(own.shaders), std::move(*graph), std::move(skipped)};
+    set_usages(*shared, *graph);
+    return LoadedGraph{std::move(own.desc), std::move(own.shaders), std::move(*graph), std::move(skipped),
+                       std::move(*shared)};
 }
 
 }  // namespace
@@ -105,7 +111,10 @@ Result<LoadedGraph> load_graph(const JsonDoc& document, const LoadInput& input, 
 
 Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const LoadInput& input,
                                     Diagnostics& warnings) {
-    return resolve_formats(loaded.desc, loaded.shaders, input, loaded.skipped_formats, warnings);
+    Result<ResolvedGraph> graph =
+        resolve_formats(loaded.desc, loaded.shaders, input, loaded.skipped_formats, warnings);
+    if (graph) set_usages(loaded.shared_usages, *graph);
+    return graph;
 }
 
 std::optional<ResolvedGraph> change_values(const LoadedGraph& loaded, const GraphRequest& from,

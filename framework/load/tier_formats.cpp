@@ -14,22 +14,6 @@ bool has_alternatives(const GraphDesc& desc) {
     return std::ranges::any_of(desc.resources, [](const auto& r) { return r.second.formats.size() > 1; });
 }
 
-// Parses each tier and compiles its shaders. A tier with faults is left out, because loading this tier will
-// report the faults. The tier "" is the graph without a tier.
-std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<std::string>& tiers,
-                                    LoadInput input) {
-    std::vector<TierVariant> variants;
-    for (const std::string& tier : tiers) {
-        input.request.tier = tier;
-        Result<GraphDesc> desc = parse_tier(document, tier, input.settings.limits.graph);
-        if (!desc) continue;
-        Diagnostics faults;
-        ShaderCatalog shaders = compile_shaders(*desc, input, faults);
-        if (faults.empty()) variants.push_back({std::move(*desc), std::move(shaders)});
-    }
-    return variants;
-}
-
 std::vector<std::string> all_tiers(const JsonDoc& document) {
     std::vector<std::string> tiers = tier_names(document);
     tiers.emplace_back();
@@ -62,14 +46,28 @@ bool raise_for(const TierVariant& variant, const LoadInput& input, SkippedFormat
     return graph && raise(variant.desc, *graph, skipped);
 }
 
+}  // namespace
+
+std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<std::string>& tiers,
+                                    LoadInput input) {
+    std::vector<TierVariant> variants;
+    for (const std::string& tier : tiers) {
+        input.request.tier = tier;
+        Result<GraphDesc> desc = parse_tier(document, tier, input.settings.limits.graph);
+        if (!desc) continue;
+        Diagnostics faults;
+        ShaderCatalog shaders = compile_shaders(*desc, input, faults);
+        if (faults.empty()) variants.push_back({std::move(*desc), std::move(shaders)});
+    }
+    return variants;
+}
+
 LoadInput as_written(LoadInput input) {
     input.request.observed.clear();
     input.request.params.clear();
     input.request.debug.clear();
     return input;
 }
-
-}  // namespace
 
 SkippedFormats common_formats(const JsonDoc& document, const LoadInput& input) {
     SkippedFormats skipped;

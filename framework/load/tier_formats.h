@@ -3,6 +3,9 @@
 // its content when the tier changes. common_formats() in load_graph.h makes the choice once for all tiers.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "weft/load/load_graph.h"
 
 namespace weft {
@@ -12,6 +15,13 @@ struct TierVariant {
     GraphDesc desc;
     ShaderCatalog shaders;
 };
+
+// Parses each tier and compiles its shaders. A tier with faults is left out, because loading this tier will
+// report the faults. The tier "" is the graph without a tier.
+[[nodiscard]] std::vector<TierVariant> load_tiers(const JsonDoc& document,
+                                                  const std::vector<std::string>& tiers, LoadInput input);
+// Returns the input without the observed resources, the parameters and the debug view of the request.
+[[nodiscard]] LoadInput as_written(LoadInput input);
 
 // Returns the formats to skip for the tier of `input`; `own` is this tier. It is resolved with the parameters
 // and observed resources of the request; the other tiers are resolved without them.

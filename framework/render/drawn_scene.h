@@ -18,8 +18,8 @@ class DrawnScene {
     [[nodiscard]] static Result<DrawnScene> create(vk::Device& device, const scene::Scene& scene,
                                                    scene::Scene* owned);
 
-    // Begins a frame: moves the objects and the lights to their places at `time_s`. The frame slot must not be
-    // in flight: Executor::begin_frame() returns a free one.
+    // Begins a frame: moves the objects and the lights to their places at `time_s`. The frame slot must not
+    // be in flight: Executor::begin_frame() returns a free one.
     void set_time(uint32_t slot, double time_s);
     // Returns the camera at its place at the time of the last set_time().
     [[nodiscard]] scene::Camera placed(const scene::Camera& camera) const;
@@ -28,9 +28,9 @@ class DrawnScene {
     // Returns constants for shaders: the sky, the environment and the counts of lights. The caller adds the
     // frame index, the time and the exposure.
     [[nodiscard]] shared::FrameConstants frame_constants() const;
-    // Returns the cascades of the sun's shadow: for each shadow map in `maps`, the view from which it is drawn.
-    // Empty if the scene has no directional light with an intensity above 0, or if the graph draws no shadow
-    // map of the sun. `aspect` is width / height of the picture.
+    // Returns the cascades of the sun's shadow: for each shadow map in `maps`, the view from which it is
+    // drawn. Empty if the scene has no directional light with an intensity above 0, or if the graph draws no
+    // shadow map of the sun. `aspect` is width / height of the picture.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const;
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
 

@@ -54,7 +54,8 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
     if (Status made = views_.update({view_, sun_, scene.lights(), input.views}); !made) return made;
-    if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views()); !set) return set;
+    if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views()); !set)
+        return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};
     HostInputs host;
     host.set("lights", lights);

@@ -8,9 +8,9 @@
 namespace weft::render {
 namespace {
 
-// The memory of a frame slot contains the frame constants, then the sun's constants. The memory of the views is
-// separate. Each part starts at a multiple of 256 bytes, the largest minUniformBufferOffsetAlignment that Vulkan
-// allows.
+// The memory of a frame slot contains the frame constants, then the sun's constants. The memory of the views
+// is separate. Each part starts at a multiple of 256 bytes, the largest minUniformBufferOffsetAlignment that
+// Vulkan allows.
 constexpr uint64_t kAlignmentBytes = 256;
 constexpr uint64_t kSunOffsetBytes = 256;
 constexpr uint64_t kSlotBytes = 768;
@@ -31,8 +31,7 @@ Result<vk::Buffer> make_constants(vk::Device& device, uint64_t bytes) {
 Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Scene& scene) {
     GpuFrame frame;
     frame.device_ = &device;
-    Result<DescriptorSets> layout =
-        DescriptorSets::create(device, layout_bindings(0), 0, "frame constants");
+    Result<DescriptorSets> layout = DescriptorSets::create(device, layout_bindings(0), 0, "frame constants");
     if (!layout) return layout.take_errors();
     Result<vk::Buffer> constants = make_constants(device, kSlotBytes * vk::kFramesInFlight);
     if (!constants) return constants.take_errors();

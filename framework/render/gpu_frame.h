@@ -1,6 +1,6 @@
-// Purpose: the descriptor sets that are bound as set 0: one for each pair of a frame slot and a view that passes
-// use. Each set refers to the frame constants, the sun's shadow cascades and its view. The host writes these
-// for each frame slot. All sets also refer to the same environment and light functions.
+// Purpose: the descriptor sets that are bound as set 0: one for each pair of a frame slot and a view that
+// passes use. Each set refers to the frame constants, the sun's shadow cascades and its view. The host writes
+// these for each frame slot. All sets also refer to the same environment and light functions.
 #pragma once
 
 #include "render/descriptor_sets.h"
@@ -16,21 +16,21 @@ class GpuFrame {
  public:
     [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Scene& scene);
 
-    // Writes the constants of a frame slot, and makes descriptor sets for views that have none. The slot must not
-    // be in flight: Executor::begin_frame() returns a free one. The first view is the camera.
+    // Writes the constants of a frame slot, and makes descriptor sets for views that have none. The slot must
+    // not be in flight: Executor::begin_frame() returns a free one. The first view is the camera.
     [[nodiscard]] Status write(uint32_t slot, const shared::FrameConstants& frame,
                                const shared::SunConstants& sun, std::span<const FrameView> views);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_.layout.get(); }
     // Appends parts of the uniform blocks of a set; see DrawSource::add_frame_bytes().
     void add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
                    std::vector<std::byte>& bytes) const;
-    // Returns descriptor set 0 for a view of the last write(), such as "camera" or "sun(1)". For other names it
-    // returns that of the camera.
+    // Returns descriptor set 0 for a view of the last write(), such as "camera" or "sun(1)". For other names
+    // it returns that of the camera.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
 
  private:
-    // Memory and descriptor sets for a number of views. Frames in flight may use them, so a block stays when the
-    // number of views changes.
+    // Memory and descriptor sets for a number of views. Frames in flight may use them, so a block stays when
+    // the number of views changes.
     struct ViewBlock {
         DescriptorSets sets;  // Index: slot * kBlockViews + index of the view in the block.
         vk::Buffer constants;

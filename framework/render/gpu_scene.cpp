@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <functional>
 #include <numeric>
@@ -71,7 +72,7 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
             if (is_in_draw_list(material, list))
                 lists_[list].draws.push_back({geometry_.meshes[instance.mesh], i, instance.material,
                                               draw_variant(material, list), material.double_sided, mirrored,
-                                              center});
+                                              center, box_in_world(mesh.bounds, instance.transform)});
     }
     // Draws are sorted by material for few state changes. The sort is stable: draws with the same material
     // keep the scene's order, so the picture is always the same.
@@ -111,6 +112,7 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
             draw.mirrored = glm::determinant(glm::mat3(object.transform)) < 0;
             draw.center =
                 object.transform * glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
+            draw.box = box_in_world(object.mesh_bounds, object.transform);
             changed |= object.changed;
         }
         if (changed) ++list.version;
@@ -120,9 +122,9 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
 Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
                            const shared::SunConstants& sun, std::span<const FrameView> views) {
     if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
-    mirrored_views_.clear();
+    views_.clear();
     for (const FrameView& view : views)
-        if (view.mirrored) mirrored_views_.insert(view.name);
+        views_.emplace(view.name, ViewShape{view.mirrored, frustum_of(view.constants)});
     const glm::vec3 eye = views.front().constants.eye;
     const std::vector<Draw>& draws = lists_[std::string(kSortedList)].draws;
     far_to_near_.resize(draws.size());
@@ -197,9 +199,9 @@ std::optional<uint64_t> GpuScene::list_version(std::string_view list) const {
     return found == lists_.end() ? 0 : found->second.version;
 }
 
-void GpuScene::record(const vk::DrawContext& context) const {
+uint32_t GpuScene::record(const vk::DrawContext& context) const {
     const auto found = lists_.find(context.list);
-    if (found == lists_.end()) return;
+    if (found == lists_.end()) return 0;
     const vk::DeviceFunctions& fn = *context.fn;
     const VkCommandBuffer commands = context.commands;
     const std::array streams{geometry_.positions.handle(), geometry_.attributes.handle()};
@@ -211,16 +213,26 @@ void GpuScene::record(const vk::DrawContext& context) const {
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
                                    &instances, 0, nullptr);
-    if (context.draw_count != VK_NULL_HANDLE) return record_counted(context);
+    if (context.draw_count != VK_NULL_HANDLE) {
+        record_counted(context);
+        return 0;
+    }
     const bool mirrored = is_mirrored(context.view);
+    const Frustum* frustum = find_frustum(context);
+    uint32_t left_out = 0;
     DrawState state;
     const std::vector<Draw>& draws = found->second.draws;
     for (uint32_t i = 0; i < draws.size();) {
         const uint32_t place = place_of(context.list, i);
         const Draw& draw = draws[place];
-        const uint32_t same = count_alike(context, draws, i);
+        const bool outside = frustum != nullptr && is_outside(*frustum, draw.box, context.depth_clamp);
+        if (draw.variant != context.variant || outside) {
+            left_out += draw.variant == context.variant ? 1 : 0;
+            ++i;
+            continue;
+        }
+        const uint32_t same = count_alike(context, draws, i, frustum);
         i += same;
-        if (draw.variant != context.variant) continue;
         set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
             fn.vkCmdDrawIndexedIndirect(
@@ -230,6 +242,20 @@ void GpuScene::record(const vk::DrawContext& context) const {
             fn.vkCmdDrawIndexed(commands, draw.mesh.index_count, same, draw.mesh.first_index,
                                 draw.mesh.vertex_offset, draw.instance);
     }
+    return left_out;
+}
+
+// A shader that does not read the matrix of the view may place vertices anywhere.
+const Frustum* GpuScene::find_frustum(const vk::DrawContext& context) const {
+    constexpr uint32_t kViewBinding = 1;
+    constexpr uint32_t kMatrix = offsetof(shared::ViewConstants, view_projection);
+    const bool reads_matrix = std::ranges::any_of(context.frame_ranges, [](const FrameRange& range) {
+        return range.binding == kViewBinding && range.offset_bytes <= kMatrix &&
+               kMatrix < range.offset_bytes + range.size_bytes;
+    });
+    const auto view = views_.find(context.view);
+    return culls_ && context.culls_draws && reads_matrix && view != views_.end() ? &view->second.frustum
+                                                                                 : nullptr;
 }
 
 // Records one command that draws as many commands of the buffer as the GPU has counted. resolve() ensures
@@ -244,10 +270,10 @@ void GpuScene::record_counted(const vk::DrawContext& context) const {
 }
 
 // Returns how many draws one instanced command can draw, starting with the i-th draw. These draws have the
-// same mesh and state, and their instances have consecutive indices. With indirect drawing the result is 1,
-// because each draw has its own command in the buffer.
-uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
-                               uint32_t i) const {
+// same mesh and state, their instances have consecutive indices, and none of them is outside of the frustum.
+// With indirect drawing the result is 1, because each draw has its own command in the buffer.
+uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws, uint32_t i,
+                               const Frustum* frustum) const {
     if (context.draw_commands != VK_NULL_HANDLE) return 1;
     const Draw& first = draws[place_of(context.list, i)];
     uint32_t count = 1;
@@ -255,7 +281,8 @@ uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector
         const Draw& next = draws[place_of(context.list, i + count)];
         const bool alike = next.mesh == first.mesh && next.instance == first.instance + count &&
                            next.material == first.material && next.variant == first.variant &&
-                           next.double_sided == first.double_sided && next.mirrored == first.mirrored;
+                           next.double_sided == first.double_sided && next.mirrored == first.mirrored &&
+                           (frustum == nullptr || !is_outside(*frustum, next.box, context.depth_clamp));
         if (!alike) break;
     }
     return count;
@@ -283,7 +310,8 @@ void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, bool 
 }
 
 bool GpuScene::is_mirrored(std::string_view view) const {
-    return mirrored_views_.contains(view);
+    const auto found = views_.find(view);
+    return found != views_.end() && found->second.mirrored;
 }
 
 uint64_t GpuScene::draw_count(std::string_view list) const {

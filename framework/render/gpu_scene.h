@@ -7,7 +7,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "render/gpu_materials.h"
 #include "render/imports/scene_buffers.h"
 #include "render/motion/moving_objects.h"
+#include "render/views/frustum.h"
 #include "weft/vulkan/draw_source.h"
 
 namespace weft::render {
@@ -46,7 +46,9 @@ class GpuScene final : public vk::DrawSource {
     // The order of the transparent objects may change in every frame. The version of any other list changes
     // when one of its objects moves.
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
-    void record(const vk::DrawContext& context) const override;
+    uint32_t record(const vk::DrawContext& context) const override;
+    // Hook for tests: if `culls` is false, draws outside of the frustum are recorded too.
+    void set_culling(bool culls) { culls_ = culls; }
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
     [[nodiscard]] bool is_mirrored(std::string_view view) const override;
     // Returns the buffer with the draw commands of `list`, one of kDrawLists in import_catalog.h. Graphs
@@ -69,6 +71,7 @@ class GpuScene final : public vk::DrawSource {
         bool mirrored = false;
         // Centre of the bounds in world space.
         glm::vec3 center{0};
+        scene::Bounds box;  // In world space.
     };
     // A draw of an object that moves: an index into DrawList::draws, and one into MovingObjects::all().
     struct MovingDraw {
@@ -86,7 +89,9 @@ class GpuScene final : public vk::DrawSource {
         std::optional<bool> clockwise, double_sided;
     };
     [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
-                                       uint32_t i) const;
+                                       uint32_t i, const Frustum* frustum) const;
+    // Returns the frustum outside of which draws are left out; null if all draws are recorded.
+    [[nodiscard]] const Frustum* find_frustum(const vk::DrawContext& context) const;
     void set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise, DrawState& state) const;
     // Returns the index in `list` of the draw that is recorded as number i, counted from 0. The index differs
     // from i only in the transparent list, which is recorded from far to near.
@@ -108,8 +113,13 @@ class GpuScene final : public vk::DrawSource {
     std::map<std::string, DrawList, std::less<>> lists_;
     // Indices into the transparent list, sorted from far to near as seen from the camera.
     std::vector<uint32_t> far_to_near_;
-    // The views of the frame whose picture is a mirror image.
-    std::set<std::string, std::less<>> mirrored_views_;
+    struct ViewShape {
+        bool mirrored = false;  // True if the picture is a mirror image.
+        Frustum frustum;
+    };
+    // The views of the frame, by name.
+    std::map<std::string, ViewShape, std::less<>> views_;
+    bool culls_ = true;
     // The buffer of draw commands of each draw list, by the name of the list.
     std::map<std::string, vk::Buffer, std::less<>> commands_;
 };

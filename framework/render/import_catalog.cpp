@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "render/frame_data.h"
 #include "render/imports/scene_buffers.h"
 #include "render/scene_bindings.h"
-#include "render/frame_data.h"
-#include "render/views/sun_cascades.h"
 #include "render/views/frame_views.h"
+#include "render/views/sun_cascades.h"
 #include "shared/draw_command.glsl"
 #include "shared/draw_vertices_command.glsl"
 #include "shared/light.glsl"

@@ -115,6 +115,7 @@ Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCat
     run.passes = &loader_.passes();
     run.draws = &scene_;
     run.pipelines = &pipelines_;
+    run.shared = &shared_;
     run.timestamps = settings_.timestamps;
     run.imports = &imports;
     if (next.rebuilt.plan) {

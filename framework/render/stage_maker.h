@@ -9,6 +9,7 @@
 
 #include "render/graph_loader.h"
 #include "render/swap_parts.h"
+#include "vulkan/memory/shared_store.h"
 #include "vulkan/pipelines/pipeline_store.h"
 #include "weft/render/session.h"
 
@@ -64,6 +65,7 @@ class StageMaker {
     const std::thread::id drawing_thread_ = std::this_thread::get_id();
     std::atomic<uint64_t> made_between_frames_ = 0;
     vk::PipelineStore pipelines_;
+    vk::SharedStore shared_;
 };
 
 }  // namespace weft::render

@@ -83,7 +83,7 @@ VkDescriptorSet TriangleSource::frame_set(uint32_t /*frame_slot*/, std::string_v
     return view == "camera" ? sets_[0] : sets_[1];
 }
 
-void TriangleSource::record(const DrawContext& context) const {
+uint32_t TriangleSource::record(const DrawContext& context) const {
     drawn.push_back(std::string(context.list) + "/" + std::to_string(context.variant));
     const std::array buffers{positions_.handle(), weights_.handle()};
     const std::array<VkDeviceSize, 2> offsets{0, 0};
@@ -95,7 +95,10 @@ void TriangleSource::record(const DrawContext& context) const {
         context.fn->vkCmdSetCullMode(context.commands, VK_CULL_MODE_BACK_BIT);
         context.fn->vkCmdSetFrontFace(context.commands, to_vk(front_face));
     }
-    if (context.draw_commands == VK_NULL_HANDLE) return context.fn->vkCmdDraw(context.commands, 3, 1, 0, 0);
+    if (context.draw_commands == VK_NULL_HANDLE) {
+        context.fn->vkCmdDraw(context.commands, 3, 1, 0, 0);
+        return 0;
+    }
     constexpr uint32_t kCommandBytes = sizeof(VkDrawIndexedIndirectCommand);
     context.fn->vkCmdBindIndexBuffer(context.commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
     if (context.draw_count != VK_NULL_HANDLE)
@@ -106,6 +109,7 @@ void TriangleSource::record(const DrawContext& context) const {
         context.fn->vkCmdDrawIndexedIndirect(context.commands, context.draw_commands,
                                              context.draw_commands_offset_bytes + draw * kCommandBytes, 1,
                                              kCommandBytes);
+    return 0;
 }
 
 ImportDecl TriangleSource::draw_list(const std::string& name) {

@@ -23,7 +23,7 @@ class TriangleSource final : public DrawSource {
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
     // Records the draws of one variant of a list. With indirect draws, a list has two draws: the triangle and
     // its mirror image.
-    void record(const DrawContext& context) const override;
+    uint32_t record(const DrawContext& context) const override;
 
     // Returns a draw list with two vertex streams: stream 0 has "position" (two floats), stream 1 has
     // "weight" (one float). The list has the variants "plain" and "tinted". In "tinted", the specialisation

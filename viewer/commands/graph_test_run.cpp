@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <future>
+#include <map>
 #include <set>
 
 #include "graph/diagnostics/quantity_text.h"
@@ -26,7 +27,7 @@ struct Measured {
     std::map<std::string, vk::ReadbackData> resources;
     size_t black_frames = 0;
     // Names of persistent resources whose contents a change of tier did not keep.
-    std::set<std::string> lost;
+    std::map<std::string, std::string> lost;
 };
 
 bool is_black(const vk::ReadbackData& output) {
@@ -171,8 +172,15 @@ class TestRun {
             // So a resource counts as lost only if none of its copies is kept.
             const bool carried = std::ranges::any_of(
                 between.carried, [&](const ContentCopy& c) { return to.graph.resources[c.to].ring == id; });
-            if (!carried) measured_.lost.insert(resource.name);
+            if (!carried)
+                measured_.lost.emplace(resource.name, content_text(from, to, between, last_content(to, id)));
         }
+    }
+
+    // Returns the copy of a ring that has the content of the last frame between two frames.
+    static ResourceId last_content(const FramePlan& plan, ResourceId ring) {
+        if (plan.graph.resources[ring].history == 0) return ring;
+        return find_resource(plan.graph, plan.graph.resources[ring].name + "[-1]");
     }
 
     Status draw_frame(render::Session& session) {
@@ -220,7 +228,8 @@ class TestRun {
                 at_most(e, static_cast<double>(session.pipelines_made_between_frames()),
                         "pipelines for which a frame had to wait");
             if (e.what == "kept" && measured_.lost.contains(e.ref))
-                fail(e, "W161", "a change of tier loses the content of \"" + e.ref + "\"",
+                fail(e, "W161",
+                     "a change of tier loses the content of \"" + e.ref + "\": " + measured_.lost.at(e.ref),
                      "give \"" + e.ref +
                          "\" the same size and format in all tiers, or set \"onResize\": \"resample\"");
             if (e.what == "finite" || e.what == "range" || e.what == "mean") check_values(e);

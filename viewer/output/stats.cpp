@@ -34,12 +34,14 @@ Json passes_json(const StatsInput& input) {
     for (Position p(0); p < input.plan.schedule.order.size(); ++p) {
         const PassDecl& pass = graph.passes[input.plan.schedule.order[p]];
         std::vector<double> times;
+        std::vector<double> left_out;
         uint32_t rested = 0;
         Json woken = Json::object();
         for (const vk::FrameTiming& frame : input.timings)
             for (const vk::PassTiming& timing : frame.passes) {
                 if (timing.pass != pass.name) continue;
                 if (!timing.rested) times.push_back(timing.gpu_ms);
+                if (!timing.rested) left_out.push_back(timing.draws_left_out);
                 rested += timing.rested ? 1 : 0;
                 if (!timing.woken_by.empty()) woken[timing.woken_by] = woken.value(timing.woken_by, 0u) + 1;
             }
@@ -48,6 +50,7 @@ Json passes_json(const StatsInput& input) {
                           {"gpu_ms", distribution(std::move(times))},
                           {"bytes", port_bytes(graph, pass)},
                           {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)}});
+        if (pass.culls_draws) passes.back()["draws_left_out"] = distribution(std::move(left_out));
         if (pass.rest_unit == kNoId) continue;
         passes.back()["rested_frames"] = rested;
         passes.back()["woken_by"] = std::move(woken);

@@ -92,7 +92,8 @@ void add_heap(const std::vector<ResourceId>& group, const Packing& packing, cons
     plan.heap_bytes += packing.height_bytes;
 }
 
-// Places persistent resources one after another in heaps of their own, because they never share memory.
+// Places persistent resources one after another in heaps of their own, because they never share memory. Each
+// resource with `"keep": "shared"` has a heap of its own.
 void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const MemoryNeeds& needs,
                       uint64_t granularity_bytes, MemoryPlan& plan) {
     std::map<HeapKey, uint32_t> heaps;
@@ -101,6 +102,12 @@ void place_persistent(const ResolvedGraph& graph, const LiveGraph& live, const M
                             live.live_resources[id] && needs[id].size_bytes != 0;
         if (!wanted) continue;
         const HeapKey key{false, needs[id].type_bits};
+        if (graph.resources[id].shared) {
+            plan.placements.push_back(
+                {id, static_cast<uint32_t>(plan.heaps.size()), 0, needs[id].size_bytes});
+            plan.heaps.push_back({needs[id].size_bytes, key.type_bits, false, true, true});
+            continue;
+        }
         const auto [it, fresh] = heaps.try_emplace(key, static_cast<uint32_t>(plan.heaps.size()));
         if (fresh) plan.heaps.push_back({0, key.type_bits, key.buffers, true});
         HeapPlan& heap = plan.heaps[it->second];

@@ -92,8 +92,8 @@ constexpr std::array kPatchKeys{
     KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
     KeyRule<TierDesc>{"resources", skip_object}, KeyRule<TierDesc>{"passes", skip_object},
     KeyRule<TierDesc>{"groups", skip_object},    KeyRule<TierDesc>{"debug", skip_object},
-    KeyRule<TierDesc>{"views", skip_object},
-    KeyRule<TierDesc>{"jitter", skip_value},     KeyRule<TierDesc>{"frames", skip_value}};
+    KeyRule<TierDesc>{"views", skip_object},     KeyRule<TierDesc>{"jitter", skip_value},
+    KeyRule<TierDesc>{"frames", skip_value}};
 
 // Checks only which sections the patch of a tier has, not their content (see skip_object()).
 void check_patch(ParseContext& context, const JsonNode& node, TierDesc& tier) {

@@ -119,6 +119,10 @@ void read_cost(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_object(context, node, "a cost", kCostKeys, pass);
 }
 
+void read_frustum(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    read_bool(context, node, pass.frustum);
+}
+
 void read_if(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_switch(context, node, pass.condition);
 }
@@ -140,6 +144,7 @@ constexpr std::array kPassKeys{
     PassKey{"resolve", kDrawing, parse_resolves},
     PassKey{"draws", kRaster, read_draws},
     PassKey{"view", kShaded, parse_view},
+    PassKey{"frustum", kRaster, read_frustum},
     PassKey{"params", kShaded | kCustom, parse_pass_params},
     PassKey{"constants", kShaded, parse_constants},
     PassKey{"if", kAll, read_if},

@@ -1,5 +1,5 @@
-// Parses the section "views", and the keys of a pass that choose its views: "view", "views" and "into". A pass
-// with "views" is parsed as a repeat: its last index, kViewIndex, counts the views of the list.
+// Parses the section "views", and the keys of a pass that choose its views: "view", "views" and "into". A
+// pass with "views" is parsed as a repeat: its last index, kViewIndex, counts the views of the list.
 #include <algorithm>
 
 #include "graph/parse/expression.h"
@@ -19,10 +19,10 @@ void read_expressions(ParseContext& context, const JsonNode& node, const char* f
                       std::optional<std::array<Expr, N>>& out) {
     if (!expect(context, node, JsonKind::array)) return;
     if (node.items.size() != N)
-        return context.error(node.loc, "W109",
-                             "found " + std::to_string(node.items.size()) + " values, wanted " +
-                                 std::to_string(N),
-                             std::string("write ") + form);
+        return context.error(
+            node.loc, "W109",
+            "found " + std::to_string(node.items.size()) + " values, wanted " + std::to_string(N),
+            std::string("write ") + form);
     out.emplace();
     for (size_t i = 0; i < N; ++i) {
         const PointerScope scope(context, std::to_string(i));
@@ -31,11 +31,10 @@ void read_expressions(ParseContext& context, const JsonNode& node, const char* f
 }
 
 constexpr std::array kCubeKeys{
-    KeyRule<ViewListDesc>{
-        "at",
-        [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
-            read_expressions(c, n, "[x, y, z], the centre of the cube in metres", list.at);
-        }},
+    KeyRule<ViewListDesc>{"at",
+                          [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
+                              read_expressions(c, n, "[x, y, z], the centre of the cube in metres", list.at);
+                          }},
     KeyRule<ViewListDesc>{"near", [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
                               read_expression(c, n, list.near_m);
                           }}};
@@ -48,12 +47,10 @@ void read_cube(ParseContext& context, const JsonNode& node, ViewListDesc& list) 
 
 constexpr std::array kViewListKeys{
     KeyRule<ViewListDesc>{"of", read_of},
-    KeyRule<ViewListDesc>{
-        "first",
-        [](ParseContext& c, const JsonNode& n, ViewListDesc& list) { read_expression(c, n, list.first); }},
-    KeyRule<ViewListDesc>{
-        "count",
-        [](ParseContext& c, const JsonNode& n, ViewListDesc& list) { read_expression(c, n, list.count); }},
+    KeyRule<ViewListDesc>{"first", [](ParseContext& c, const JsonNode& n,
+                                      ViewListDesc& list) { read_expression(c, n, list.first); }},
+    KeyRule<ViewListDesc>{"count", [](ParseContext& c, const JsonNode& n,
+                                      ViewListDesc& list) { read_expression(c, n, list.count); }},
     KeyRule<ViewListDesc>{"plane",
                           [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
                               read_expressions(c, n, "[a, b, c, d] for the plane a x + b y + c z + d = 0",
@@ -167,8 +164,8 @@ void check_pass_views(ParseContext& context, const JsonNode& node, const PassDes
     const auto refuse = [&](const JsonNode& value, std::string_view key, const char* code,
                             const std::string& reason, const char* help) {
         const PointerScope scope(context, key);
-        context.error(value.loc, code, "a pass with \"views\" cannot have \"" + std::string(key) + "\"" + reason,
-                      help);
+        context.error(value.loc, code,
+                      "a pass with \"views\" cannot have \"" + std::string(key) + "\"" + reason, help);
     };
     if (const JsonNode* view = node.find("view"))
         refuse(*view, "view", "W109", "", "remove one of the two: \"view\" is for passes that draw one view");
@@ -182,8 +179,9 @@ void check_pass_views(ParseContext& context, const JsonNode& node, const PassDes
         }
     const bool clears = pass.clear || !pass.clear_ports.empty();
     if (const JsonNode* slices = clears ? node.find("perFrame") : nullptr)
-        refuse(*slices, "perFrame", "W192", ", \"clear\" and \"into\": \"rects\"",
-               "remove \"clear\", because it clears the rectangles of all views; or use \"into\": \"layers\"");
+        refuse(
+            *slices, "perFrame", "W192", ", \"clear\" and \"into\": \"rects\"",
+            "remove \"clear\", because it clears the rectangles of all views; or use \"into\": \"layers\"");
     if (const JsonNode* covers = node.find("covers"))
         refuse(*covers, "covers", "W192", ", because each view writes only its own rectangle", "remove it");
 }

@@ -37,7 +37,8 @@ void visit_fields(V& v, const ResourceDecl& x) {
     v("aspects", x.aspects), v("sizeBytes", x.size_bytes), v("strideBytes", x.stride_bytes),
         v("cutsBytes", x.cuts_bytes), v("usage", x.usage);
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
-    v("onResize", x.on_resize), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
+    v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import),
+        v("clear", x.clear);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {
@@ -116,7 +117,7 @@ void visit_fields(V& v, const PassDecl& x) {
     v("groups", x.groups), v("indirectUse", x.indirect_use), v("colors", x.colors), v("depth", x.depth),
         v("renderExtent", x.render_extent);
     v("state", x.state), v("drawLists", x.draw_lists), v("vertices", x.vertices), v("instances", x.instances),
-        v("view", x.view), v("clear", x.clear), v("flops", x.flops);
+        v("view", x.view), v("cullsDraws", x.culls_draws), v("clear", x.clear), v("flops", x.flops);
     v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use),
         v("drawCountUse", x.draw_count_use), v("mostDraws", x.most_draws);
     v("frameSlice", x.frame_slice), v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit),
@@ -181,7 +182,7 @@ void visit_fields(V& v, const AliasTransition& x) {
 template <class V>
 void visit_fields(V& v, const HeapPlan& x) {
     v("sizeBytes", x.size_bytes), v("typeBits", x.type_bits), v("buffers", x.buffers),
-        v("persistent", x.persistent);
+        v("persistent", x.persistent), v("shared", x.shared);
 }
 template <class V>
 void visit_fields(V& v, const MemoryPlan& x) {

@@ -29,7 +29,10 @@ std::string type_text(const HeapPlan& heap, const DeviceProfile& profile) {
 std::string heap_text(const FramePlan& plan, uint32_t heap, const DeviceProfile* profile) {
     const HeapPlan& h = plan.memory.heaps[heap];
     std::string text = "    heap " + std::to_string(heap) + (h.buffers ? " (buffers) " : " ") +
-                       (h.persistent ? "(kept from frame to frame) " : "") + bytes_text(h.size_bytes);
+                       (h.shared       ? "(shared by all tiers) "
+                        : h.persistent ? "(kept from frame to frame) "
+                                       : "") +
+                       bytes_text(h.size_bytes);
     if (profile != nullptr) text += type_text(h, *profile);
     return text + "\n";
 }

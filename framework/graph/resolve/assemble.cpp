@@ -30,6 +30,15 @@ void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
     pass.most_draws = dispatch.most_draws;
 }
 
+// Returns true if a draw whose box is outside of the frustum cannot change the picture. Lines and points are
+// wider than their vertices, and indirect draws have their own commands.
+bool may_cull(const PassDecl& pass) {
+    const Topology topology = pass.state.topology;
+    return pass.kind == PassKind::raster && !pass.draw_lists.empty() && pass.draw_commands_use == kNoId &&
+           pass.state.fill == FillMode::fill &&
+           (topology == Topology::triangles || topology == Topology::triangle_strip);
+}
+
 void add_block(const PassBlock& block, PassDecl& pass) {
     pass.params = block.params;
     pass.params_bytes = block.bytes;
@@ -57,6 +66,7 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
         add_attachments(attachments.passes[id], pass);
         add_dispatch(dispatches.passes[id], pass);
         add_block(blocks.passes[id], pass);
+        pass.culls_draws = declared.expansion.passes[id].desc->frustum && may_cull(pass);
     }
     resolved.views = used_view_lists(declared.values, resolved.passes);
     return resolved;

@@ -103,7 +103,8 @@ class PassAttacher : PassStage<Attachments> {
     void find_rect() {
         const std::optional<double> view = draft_.indices.at(kViewIndex);
         const ViewList& list = declared_.values.views.at(desc().view);
-        Result<RectPx> rect = view_rect(list, static_cast<uint32_t>(*view), result_.render_extent, evaluator_);
+        Result<RectPx> rect =
+            view_rect(list, static_cast<uint32_t>(*view), result_.render_extent, evaluator_);
         if (rect) {
             result_.rect = *rect;
             return;

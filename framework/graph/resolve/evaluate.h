@@ -14,8 +14,8 @@
 
 namespace weft {
 
-// A list of views that passes may use. View i of the list is view `first` + i of `base`, a list of the plan or a
-// single view: a list without a mirror or a cube is only a part of another one.
+// A list of views that passes may use. View i of the list is view `first` + i of `base`, a list of the plan
+// or a single view: a list without a mirror or a cube is only a part of another one.
 struct ViewList {
     std::string base;
     uint32_t first = 0;

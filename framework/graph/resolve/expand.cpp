@@ -57,9 +57,8 @@ void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
 // Makes the passes of all descriptions. The key of the returned map is the name of the pass, such as
 // "blur#2".
 std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const Values& values,
-                                              const Evaluator& evaluator,
-                                              const Shapes& shapes, Expansion& expansion,
-                                              Reporter& reporter) {
+                                              const Evaluator& evaluator, const Shapes& shapes,
+                                              Expansion& expansion, Reporter& reporter) {
     std::map<std::string, PassDraft> drafts;
     RepeatCounts counts;
     const auto add = [&](const PassDesc& desc, bool is_observer) {

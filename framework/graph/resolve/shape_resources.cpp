@@ -121,6 +121,7 @@ void tie_rings(const ResolveInput& input, const Evaluator& evaluator, Shapes& sh
         decl.ring = resource_id(shapes.resources, desc->name);
         if (desc->first_frame && decl.age == 0) decl.first_frame = evaluator.color(*desc->first_frame);
         decl.on_resize = desc->on_resize;
+        decl.shared = desc->keep == KeepMode::shared && copies == 0;
         const bool keeps = desc->keep != KeepMode::none;
         shapes.origins[id].has_content = (decl.age > 0 || copies == 0 || keeps) && !observed;
     }

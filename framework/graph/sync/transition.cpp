@@ -1,6 +1,7 @@
 #include "weft/transition.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "weft/format.h"
@@ -8,25 +9,47 @@
 namespace weft {
 namespace {
 
-enum class ContentAction : uint8_t { clear, copy, resample };
+enum class ContentAction : uint8_t { clear, copy, resample, share };
 
 bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
     return a.extent == b.extent && a.mips == b.mips && a.layers == b.layers && a.size_bytes == b.size_bytes;
 }
 
+// Returns true if a blit can write the content of one image to the other. An average of depths is
+// meaningless. If the formats differ, both must hold floats or normalised numbers. resolve() has checked that
+// the device can blit the formats of images with "onResize": "resample".
+bool can_blit(const ResourceDecl& from, const ResourceDecl& to) {
+    const auto is_float = [](const ResourceDecl& d) {
+        return format_info(d.format).numeric == NumericClass::float_like;
+    };
+    const bool formats =
+        from.format == to.format || (is_float(from) && is_float(to) && from.on_resize == OnResize::resample);
+    return to.on_resize == OnResize::resample && to.kind == ResourceKind::image && from.layers == to.layers &&
+           to.samples == 1 && (to.aspects & aspect::kColor) != 0 && formats;
+}
+
 // Decides how a resource of the new plan gets its first content: from the old plan's resource of the same
-// name, copied or scaled to the new size, or by a clear.
+// name, in the same memory, copied, or scaled and converted; or by a clear.
 ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
-                           old_decl.format == decl.format && old_decl.image_kind == decl.image_kind &&
-                           old_decl.samples == decl.samples;
+                           old_decl.image_kind == decl.image_kind && old_decl.samples == decl.samples;
     if (!same_kind) return ContentAction::clear;
-    if (same_shape(old_decl, decl)) return ContentAction::copy;
-    // Only single-sampled colour images can be scaled to a new size. A buffer has no width and height, and an
-    // average of depths is meaningless.
-    const bool blends = decl.kind == ResourceKind::image && decl.layers == old_decl.layers &&
-                        decl.samples == 1 && (decl.aspects & aspect::kColor) != 0;
-    return decl.on_resize == OnResize::resample && blends ? ContentAction::resample : ContentAction::clear;
+    if (same_shape(old_decl, decl) && old_decl.format == decl.format)
+        return old_decl.shared && decl.shared && old_decl.usage == decl.usage ? ContentAction::share
+                                                                              : ContentAction::copy;
+    return can_blit(old_decl, decl) ? ContentAction::resample : ContentAction::clear;
+}
+
+// Returns the mips and layers that both ranges have, or nullopt if there are none.
+std::optional<SubresourceRange> common_part(const SubresourceRange& a, const SubresourceRange& b) {
+    if (!overlaps(a, b)) return std::nullopt;
+    SubresourceRange part;
+    part.mip = std::max(a.mip, b.mip);
+    part.mips = std::min(a.mip + a.mips, b.mip + b.mips) - part.mip;
+    part.layer = std::max(a.layer, b.layer);
+    part.layers = std::min(a.layer + a.layers, b.layer + b.layers) - part.layer;
+    part.aspects = a.aspects & b.aspects;
+    return part;
 }
 
 AccessState transfer_state(const ResourceDecl& decl, Access access) {
@@ -56,20 +79,41 @@ class Builder {
         const bool lived = from != kNoId && old_.live.live_resources[from] != 0;
         const ContentAction action =
             lived ? choose_action(old_.graph.resources[from], decl) : ContentAction::clear;
+        if (action != ContentAction::clear && decl.ring != kNoId) plan_.keeps_validity[decl.ring] = 1;
         // The first new frame overwrites the ring's resource of age 0, so its old content is not needed.
         const bool forgotten = decl.history > 0 && decl.age == 0;
-        AccessState written = transfer_state(decl, Access::clear_write);
         if (action == ContentAction::clear || forgotten) {
             plan_.cleared.push_back(id);
+            enter_new(id, transfer_state(decl, Access::clear_write));
+        } else if (action == ContentAction::share) {
+            plan_.carried.push_back({from, id, false, true});
+            pass_on(from, id);
         } else {
-            written =
-                transfer_state(decl, action == ContentAction::copy ? Access::copy_write : Access::blit_write);
-            plan_.carried.push_back({from, id, action == ContentAction::resample});
-            leave_old(from, transfer_state(
-                                decl, action == ContentAction::copy ? Access::copy_read : Access::blit_read));
+            const bool blits = action == ContentAction::resample;
+            plan_.carried.push_back({from, id, blits});
+            leave_old(from, transfer_state(decl, blits ? Access::blit_read : Access::copy_read));
+            enter_new(id, transfer_state(decl, blits ? Access::blit_write : Access::copy_write));
         }
-        if (action != ContentAction::clear && decl.ring != kNoId) plan_.keeps_validity[decl.ring] = 1;
-        enter_new(id, written);
+    }
+
+    // Brings shared memory from the states in which the old plan leaves it to those that the new plan
+    // expects.
+    void pass_on(ResourceId from, ResourceId id) {
+        for (const BoundaryState& state : old_.boundary) {
+            if (state.resource != from) continue;
+            for (BarrierDecl after : new_.barriers.prologue.after) {
+                if (after.resource != id) continue;
+                // The two plans may divide a buffer into different pieces, and a buffer has no layouts.
+                const bool buffer = new_.graph.resources[id].kind == ResourceKind::buffer;
+                if (buffer && state.range.layer > 0) continue;
+                const std::optional<SubresourceRange> part =
+                    buffer ? after.range : common_part(state.range, after.range);
+                if (!part) continue;
+                after.range = *part;
+                after.src = everything(state.state.layout);
+                plan_.after.push_back(after);
+            }
+        }
     }
 
     // Returns the resource of the old plan whose content the new resource continues, or kNoId. Between two
@@ -82,9 +126,8 @@ class Builder {
         const uint32_t old_history = old_.graph.resources[ring].history;
         if ((old_history > 0) == (decl.history > 0)) return find_resource(old_.graph, decl.name);
         if (old_history == 0) return decl.age == 1 ? ring : kNoId;
-        const auto last = std::ranges::find_if(old_.graph.resources, [&](const ResourceDecl& old) {
-            return old.ring == ring && old.age == 1;
-        });
+        const auto last = std::ranges::find_if(
+            old_.graph.resources, [&](const ResourceDecl& old) { return old.ring == ring && old.age == 1; });
         return static_cast<ResourceId>(last - old_.graph.resources.begin());
     }
 
@@ -106,9 +149,11 @@ class Builder {
         BarrierDecl barrier;
         barrier.resource = id;
         barrier.range = decl.whole();
+        // Frames of the plan before the old one may still use shared memory.
+        if (decl.shared) barrier.src = everything(Layout::undefined);
         barrier.dst = written;
         barrier.reason = BarrierReason::prologue;
-        if (decl.kind == ResourceKind::image) plan_.before.push_back(barrier);
+        if (decl.kind == ResourceKind::image || decl.shared) plan_.before.push_back(barrier);
         for (BarrierDecl after : new_.barriers.prologue.after) {
             if (after.resource != id) continue;
             after.src = written;
@@ -121,7 +166,44 @@ class Builder {
     TransitionPlan plan_;
 };
 
+std::string size_text(const ResourceDecl& decl) {
+    if (decl.kind == ResourceKind::buffer) return std::to_string(decl.size_bytes) + " bytes";
+    return std::to_string(decl.extent.width) + "x" + std::to_string(decl.extent.height) + ", " +
+           std::to_string(decl.mips) + " mips, " + std::to_string(decl.layers) + " layers";
+}
+
+std::string difference_text(const ResourceDecl& from, const ResourceDecl& to) {
+    std::string text;
+    if (from.format != to.format)
+        text += " from " + std::string(format_info(from.format).name) + " to " +
+                std::string(format_info(to.format).name);
+    if (!same_shape(from, to))
+        text += std::string(text.empty() ? "" : ",") + " from " + size_text(from) + " to " + size_text(to);
+    return text;
+}
+
 }  // namespace
+
+std::string content_text(const FramePlan& old_plan, const FramePlan& new_plan,
+                         const TransitionPlan& transition, ResourceId id) {
+    const ResourceDecl& decl = new_plan.graph.resources[id];
+    const std::string name = "\"" + new_plan.graph.resources[decl.ring].name + "\"";
+    const auto found = std::ranges::find(transition.carried, id, &ContentCopy::to);
+    if (found != transition.carried.end()) {
+        const ResourceDecl& from = old_plan.graph.resources[found->from];
+        if (found->shared) return name + " keeps its memory";
+        if (!found->resample) return name + " is copied";
+        return name + (from.format != decl.format ? " is converted" : " is scaled") +
+               difference_text(from, decl);
+    }
+    const ResourceId from = find_resource(old_plan.graph, decl.name);
+    if (from == kNoId || old_plan.live.live_resources[from] == 0)
+        return name + " is cleared: the old plan does not have it";
+    const std::string difference = difference_text(old_plan.graph.resources[from], decl);
+    return name + " is cleared: " +
+           (difference.empty() ? "its kind or its number of samples differs"
+                               : "it changes" + difference + ", and cannot be scaled or converted");
+}
 
 TransitionPlan transition(const FramePlan& old_plan, const FramePlan& new_plan) {
     return Builder(old_plan, new_plan).build();

@@ -19,6 +19,7 @@
 #include "weft/shader_interface.h"
 #include "weft/source.h"
 #include "weft/subresource.h"
+#include "weft/view_list.h"
 
 namespace weft {
 
@@ -96,6 +97,9 @@ struct ResourceDecl {
     // Initial value (r, g, b, a) of every copy in the ring, before the first write.
     std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
+    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of
+    // all tiers. Only for resources with `keep` and without `history`.
+    bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
@@ -301,6 +305,8 @@ struct PassDecl {
     uint32_t instances = 0;
     // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
     std::string view = "camera";
+    // True: the draw source may leave out direct draws that are outside of the frustum of the view.
+    bool culls_draws = false;
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
     // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
@@ -329,25 +335,6 @@ struct PassDecl {
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
-
-// program: the program gives the matrices. mirror: the views of another list in a mirror. cube: the faces of
-// a cube.
-enum class ViewSource : uint8_t { program, mirror, cube };
-
-// A list of views. View i has the name "list(i)".
-struct ViewListDecl {
-    std::string name;
-    ViewSource source = ViewSource::program;
-    uint32_t count = 1;
-    // For a mirror: the view i shows view `first` + i of the list `of`, which can also be "camera".
-    std::string of;
-    uint32_t first = 0;
-    // The plane of a mirror, (a, b, c, d): points with a x + b y + c z + d = 0. (a, b, c) is a unit vector.
-    std::array<double, 4> plane{0, 1, 0, 0};
-    // For a cube: its centre, and the distance of the near planes of its faces, in metres.
-    std::array<double, 3> at{0, 0, 0};
-    double near_m = 0;
-};
 
 // A group of passes. Its rounds are units, and each frame runs some of them, in any order.
 struct GroupDecl {

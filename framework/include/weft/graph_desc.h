@@ -143,8 +143,8 @@ enum class ViewTarget : uint8_t { one, layers, rects };
 inline constexpr const char* kViewIndex = "view";
 
 // Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames and
-// shared: from frame to frame, and into a new plan as transition() decides. The compiler treats `frames` and
-// `shared` alike.
+// shared: from frame to frame, and into a new plan as transition() decides. shared: the new plan uses the
+// same memory, if the shape is the same.
 enum class KeepMode : uint8_t { none, frames, shared };
 
 struct ResourceDesc {
@@ -247,6 +247,7 @@ struct PassDesc {
     // The indices of the key "repeat". If there are several, the first is the outermost loop. The repeat of a
     // pass in a group begins with the indices of the group.
     std::vector<RepeatDesc> repeat;
+    bool frustum = true;  // False: draws outside of the view's frustum are drawn too.
     // The key "perFrame": number of passes of the repeat that run in each frame; absent or 0: all.
     Expr per_frame;
     SourceLoc per_frame_loc;

@@ -64,8 +64,8 @@ struct OfferedBinding {
 
 struct ImportCatalog {
     std::map<std::string, ImportDecl, std::less<>> imports;
-    // Names that passes may use as a view without an import: single views such as "camera", and those lists of
-    // views in `imports` that are always offered, such as "sun".
+    // Names that passes may use as a view without an import: single views such as "camera", and those lists
+    // of views in `imports` that are always offered, such as "sun".
     std::vector<std::string> views;
     // Numbers that expressions may use by name, such as "directionalLights".
     std::map<std::string, double, std::less<>> numbers;

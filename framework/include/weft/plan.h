@@ -131,6 +131,9 @@ struct HeapPlan {
     // bufferImageGranularity is so large that padding between them would waste memory.
     bool buffers = false;
     bool persistent = false;  // True: the heap contains persistent resources, which share no memory.
+    // True: the heap contains one resource with `"keep": "shared"`. It is the memory of this resource in all
+    // plans that follow each other.
+    bool shared = false;
 };
 
 struct MemoryPlan {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "weft/plan.h"
@@ -16,10 +17,12 @@ namespace weft {
 struct ContentCopy {
     ResourceId from = kNoId;
     ResourceId to = kNoId;
-    // True: the content is scaled to the new size mip by mip, with a linear filter (integers: nearest texel).
-    // If the new resource has more mips, the additional mips are scaled from the last old mip. False: the
-    // content is copied unchanged.
+    // True: the content is scaled to the new size mip by mip, with a linear filter (integers: nearest texel),
+    // and converted to the new format. If the new resource has more mips, the additional mips are scaled from
+    // the last old mip. False: the content is copied unchanged.
     bool resample = false;
+    // True: both plans use the same memory, so nothing is copied.
+    bool shared = false;
     bool operator==(const ContentCopy&) const = default;
 };
 
@@ -38,5 +41,10 @@ struct TransitionPlan {
 };
 
 [[nodiscard]] TransitionPlan transition(const FramePlan& old_plan, const FramePlan& new_plan);
+
+// Returns what the transition does with the content of a resource of the new plan, with the reason, if the
+// content is lost. Example: `"glow" is converted from rgba16f to rgba32f`. `id` has age 0 or 1.
+[[nodiscard]] std::string content_text(const FramePlan& old_plan, const FramePlan& new_plan,
+                                       const TransitionPlan& transition, ResourceId id);
 
 }  // namespace weft

@@ -78,7 +78,8 @@ Status FrameViews::update(const ViewSources& sources) {
     return Unit{};
 }
 
-Result<shared::ViewConstants> FrameViews::make(const Frame& frame, const std::string& name, uint32_t index) const {
+Result<shared::ViewConstants> FrameViews::make(const Frame& frame, const std::string& name,
+                                               uint32_t index) const {
     if (name == kCamera) return frame.sources.camera;
     const auto list = std::ranges::find(lists_, name, &ViewListDecl::name);
     if (list == lists_.end()) return too_few(name, 0, index + 1);

@@ -1,6 +1,6 @@
-// Purpose: the views that the passes of a plan use in a frame, with their constants for shaders. The matrices come
-// from the camera, the sun, the lamps, the program, or from other views. Errors: W193 (the program gives too few
-// views).
+// Purpose: the views that the passes of a plan use in a frame, with their constants for shaders. The matrices
+// come from the camera, the sun, the lamps, the program, or from other views. Errors: W193 (the program gives
+// too few views).
 #pragma once
 
 #include <map>

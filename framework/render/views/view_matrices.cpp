@@ -8,10 +8,12 @@ namespace {
 
 // Distance of the near planes of lamps, in metres.
 constexpr float kLampNear_m = 0.05f;
-// Smallest and largest half angle of a spot light's view, in radians. A wider cone does not fit into one plane.
+// Smallest and largest half angle of a spot light's view, in radians. A wider cone does not fit into one
+// plane.
 constexpr float kLeastHalf_rad = 0.01f, kMostHalf_rad = 1.5f;
 
-// The axes of one face: the directions in which the picture's columns and rows count, and the direction of the view.
+// The axes of one face: the directions in which the picture's columns and rows count, and the direction of
+// the view.
 struct FaceAxes {
     glm::dvec3 right, down, forward;
 };
@@ -34,7 +36,8 @@ glm::mat4 view_matrix(const FaceAxes& axes, const glm::dvec3& at) {
     glm::dmat4 view(1);
     const std::array<glm::dvec3, kAxes> rows{axes.right, -axes.down, -axes.forward};
     for (int row = 0; row < kAxes; ++row) {
-        for (int column = 0; column < kAxes; ++column) view[column][row] = rows[static_cast<size_t>(row)][column];
+        for (int column = 0; column < kAxes; ++column)
+            view[column][row] = rows[static_cast<size_t>(row)][column];
         view[3][row] = -glm::dot(rows[static_cast<size_t>(row)], at);
     }
     return glm::mat4(view);

@@ -92,12 +92,12 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
     return diagnostic;
 }
 
-PassTiming ReplayExecutor::pass_timing(Position position, double gpu_ms,
-                                       const std::vector<Wake>& wakes) const {
+PassTiming ReplayExecutor::pass_timing(Position position, double gpu_ms, const InFlight& frame) const {
     const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
     PassTiming timing{pass.name, gpu_ms, false, {}};
-    if (pass.rest_unit == kNoId || wakes.empty()) return timing;
-    const Wake& wake = wakes[pass.rest_unit];
+    if (position < frame.draws_left_out.size()) timing.draws_left_out = frame.draws_left_out[position];
+    if (pass.rest_unit == kNoId || frame.wakes.empty()) return timing;
+    const Wake& wake = frame.wakes[pass.rest_unit];
     timing.rested = !wake.runs();
     timing.woken_by = wake_text(objects_->plan, wake);
     return timing;
@@ -113,7 +113,7 @@ Status ReplayExecutor::complete(uint32_t slot) {
     InFlight& frame = in_flight_[slot];
     const std::vector<double> times = objects_->timer.read_ms(slot);
     for (Position position(0); position < times.size(); ++position)
-        frame.timing.passes.push_back(pass_timing(position, times[position], frame.wakes));
+        frame.timing.passes.push_back(pass_timing(position, times[position], frame));
     timings_.push_back(std::move(frame.timing));
     if (timings_.size() > kMostTimings) timings_.erase(timings_.begin());
     objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, readbacks_);
@@ -222,6 +222,7 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     if (frames_run_ == 0) record_start(slots_->prologue(slot));
     const std::vector<uint8_t> running = running_units();
+    in_flight_[slot].draws_left_out.assign(objects_->passes.size(), 0);
     for (uint32_t i = 0; i < plan.submissions.batches.size(); ++i) {
         const Batch& batch = plan.submissions.batches[i];
         const BatchCommands place = slots_->batch(slot, i);
@@ -231,7 +232,8 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
                                     slot,
                                     frame,
                                     *objects_,
-                                    {objects_->resources, frames_run_}};
+                                    {objects_->resources, frames_run_},
+                                    in_flight_[slot].draws_left_out};
         objects_->timer.record_batch_start(context.commands, slot, i);
         for (const FrameStep& step : frame_steps(plan, batch, running, chosen_.rounds))
             record_step(context, step);
@@ -287,6 +289,14 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     Status submitted = submit_frame(slot);
     in_flight.timing.submit_ms = submit_watch.ms();
     return submitted;
+}
+
+NativeResource ReplayExecutor::native(ResourceId resource) const {
+    for (const Placement& placement : plan().memory.placements)
+        if (placement.resource == resource)
+            return {objects_->heap.image(resource), objects_->heap.buffer(resource),
+                    objects_->heap.memory(placement), placement.offset_bytes};
+    return {};
 }
 
 Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput input) {

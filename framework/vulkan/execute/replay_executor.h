@@ -38,11 +38,13 @@ class ReplayExecutor final : public Executor {
     PipelineCounts pipelines() const override { return objects_->pipeline_counts; }
     void amend(std::unique_ptr<Amendment> amendment) override;
     uint64_t transient_bytes() const override { return objects_->heap.bytes(); }
+    NativeResource native(ResourceId resource) const override;
 
  private:
     struct InFlight {
         uint64_t frame_index = 0;
-        std::vector<Wake> wakes;  // Index: unit.
+        std::vector<Wake> wakes;               // Index: unit.
+        std::vector<uint32_t> draws_left_out;  // Index: position of the pass.
         FrameTiming timing;
     };
     // Pipelines that amend() replaced by new ones, and the frame slots whose frames in flight may still use
@@ -57,8 +59,7 @@ class ReplayExecutor final : public Executor {
     [[nodiscard]] Diagnostic lost_frame(uint32_t slot, VkResult result);
     [[nodiscard]] TurnLists prepare_uploads(const FrameInput& frame, uint32_t slot);
     void choose_units(const FrameInput& frame, const TurnLists& turns, uint32_t slot);
-    [[nodiscard]] PassTiming pass_timing(Position position, double gpu_ms,
-                                         const std::vector<Wake>& wakes) const;
+    [[nodiscard]] PassTiming pass_timing(Position position, double gpu_ms, const InFlight& frame) const;
     void record_frame(const FrameInput& frame, uint32_t slot);
     void record_step(const RecordContext& context, const FrameStep& step);
     void record_epilogue(const RecordContext& context);

@@ -83,7 +83,8 @@ void record_transition(const Device& device, VkCommandBuffer commands, const Tra
                        const PlanSide& from, const PlanSide& to) {
     record_barriers(device, commands, transition.before_old, from.plan, from.resources);
     record_barriers(device, commands, transition.before, to.plan, to.resources);
-    for (const ContentCopy& carry : transition.carried) record_copies(device, commands, carry, from, to);
+    for (const ContentCopy& carry : transition.carried)
+        if (!carry.shared) record_copies(device, commands, carry, from, to);
     record_first_content(device, commands, to.plan, to.resources, transition.cleared);
     record_barriers(device, commands, transition.after, to.plan, to.resources);
 }

@@ -55,6 +55,74 @@ bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resourc
                        [&](ResourceId role) { return role < concurrent.size() && concurrent[role] != 0; });
 }
 
+Result<MemoryHandle> allocate_memory(Device& device, const HeapPlan& heap, const std::string& what) {
+    uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    if (type == UINT32_MAX) type = device.memory_type(heap.type_bits, 0);
+    if (type == UINT32_MAX)
+        return failed_call("V411", what + " in any memory type of the device", VK_ERROR_FEATURE_NOT_PRESENT);
+    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    info.allocationSize = heap.size_bytes;
+    info.memoryTypeIndex = type;
+    VkDeviceMemory object = VK_NULL_HANDLE;
+    const VkResult result = device.fn().vkAllocateMemory(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", what, result);
+    return MemoryHandle(device, object);
+}
+
+// Creates an image and binds it to memory.
+Result<ImageHandle> make_image(Device& device, const ResourceDecl& decl, const Sharing& sharing,
+                               VkDeviceMemory memory, uint64_t offset_bytes) {
+    VkImageCreateInfo info = image_create_info(decl);
+    share(info, sharing);
+    VkImage object = VK_NULL_HANDLE;
+    VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "creating image \"" + decl.name + "\"", result);
+    ImageHandle image(device, object);
+    device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
+    result = device.fn().vkBindImageMemory(device.handle(), object, memory, offset_bytes);
+    if (result != VK_SUCCESS)
+        return failed_call("V411", "binding memory of image \"" + decl.name + "\"", result);
+    return image;
+}
+
+// Creates a buffer and binds it to memory.
+Result<BufferHandle> make_buffer(Device& device, const ResourceDecl& decl, const Sharing& sharing,
+                                 VkDeviceMemory memory, uint64_t offset_bytes) {
+    VkBufferCreateInfo info = buffer_create_info(decl);
+    share(info, sharing);
+    VkBuffer object = VK_NULL_HANDLE;
+    VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "creating buffer \"" + decl.name + "\"", result);
+    BufferHandle buffer(device, object);
+    device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
+    result = device.fn().vkBindBufferMemory(device.handle(), object, memory, offset_bytes);
+    if (result != VK_SUCCESS)
+        return failed_call("V411", "binding memory of buffer \"" + decl.name + "\"", result);
+    return buffer;
+}
+
+// Creates an image or a buffer with memory of its own. All queue families may use it, because the plans that
+// share it may use it on different queues.
+Result<SharedObject> make_shared_object(Device& device, const ResourceDecl& decl, const HeapPlan& heap) {
+    Result<MemoryHandle> memory = allocate_memory(device, heap,
+                                                  "allocating " + std::to_string(heap.size_bytes) +
+                                                      " bytes for the shared resource \"" + decl.name + "\"");
+    if (!memory) return memory.take_errors();
+    SharedObject object;
+    object.memory = std::move(*memory);
+    const Sharing sharing = concurrent_sharing(device);
+    if (decl.kind == ResourceKind::buffer) {
+        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, object.memory.get(), 0);
+        if (!buffer) return buffer.take_errors();
+        object.buffer = std::move(*buffer);
+        return object;
+    }
+    Result<ImageHandle> image = make_image(device, decl, sharing, object.memory.get(), 0);
+    if (!image) return image.take_errors();
+    object.image = std::move(*image);
+    return object;
+}
+
 }  // namespace
 
 MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
@@ -72,61 +140,50 @@ MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
 Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
     for (size_t i = 0; i < memory.heaps.size(); ++i) {
         const HeapPlan& heap = memory.heaps[i];
+        if (heap.shared) {
+            memory_.emplace_back();
+            continue;
+        }
         const std::string what =
             "allocating heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
-        uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-        if (type == UINT32_MAX) type = device.memory_type(heap.type_bits, 0);
-        if (type == UINT32_MAX)
-            return failed_call("V411", what + " in any memory type of the device",
-                               VK_ERROR_FEATURE_NOT_PRESENT);
-        VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-        info.allocationSize = heap.size_bytes;
-        info.memoryTypeIndex = type;
-        VkDeviceMemory object = VK_NULL_HANDLE;
-        const VkResult result = device.fn().vkAllocateMemory(device.handle(), &info, nullptr, &object);
-        if (result != VK_SUCCESS) return failed_call("V411", what, result);
-        memory_.emplace_back(device, object);
+        Result<MemoryHandle> made = allocate_memory(device, heap, what);
+        if (!made) return made.take_errors();
+        memory_.push_back(std::move(*made));
         if (!heap.persistent) bytes_ += heap.size_bytes;
     }
     return Unit{};
 }
 
-Status TransientHeap::place_image(Device& device, const ResourceDecl& decl, const Placement& placement,
-                                  const Sharing& sharing) {
-    VkImageCreateInfo info = image_create_info(decl);
-    share(info, sharing);
-    VkImage object = VK_NULL_HANDLE;
-    VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "creating image \"" + decl.name + "\"", result);
-    images_[placement.resource] = {device, object};
-    device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindImageMemory(device.handle(), object, memory_[placement.heap].get(),
-                                           placement.offset_bytes);
-    if (result != VK_SUCCESS)
-        return failed_call("V411", "binding memory of image \"" + decl.name + "\"", result);
+Status TransientHeap::place(Device& device, const ResourceDecl& decl, const Placement& placement,
+                            const Sharing& sharing) {
+    const VkDeviceMemory memory = memory_[placement.heap].get();
+    if (decl.kind == ResourceKind::buffer) {
+        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, memory, placement.offset_bytes);
+        if (!buffer) return buffer.take_errors();
+        buffers_[placement.resource] = std::move(*buffer);
+        return Unit{};
+    }
+    Result<ImageHandle> image = make_image(device, decl, sharing, memory, placement.offset_bytes);
+    if (!image) return image.take_errors();
+    images_[placement.resource] = std::move(*image);
     return Unit{};
 }
 
-Status TransientHeap::place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement,
-                                   const Sharing& sharing) {
-    VkBufferCreateInfo info = buffer_create_info(decl);
-    share(info, sharing);
-    VkBuffer object = VK_NULL_HANDLE;
-    VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "creating buffer \"" + decl.name + "\"", result);
-    buffers_[placement.resource] = {device, object};
-    device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindBufferMemory(device.handle(), object, memory_[placement.heap].get(),
-                                            placement.offset_bytes);
-    if (result != VK_SUCCESS)
-        return failed_call("V411", "binding memory of buffer \"" + decl.name + "\"", result);
+Status TransientHeap::lease(Device& device, const FramePlan& plan, const Placement& placement,
+                            SharedStore& shared) {
+    const ResourceDecl& decl = plan.graph.resources[placement.resource];
+    Result<SharedLease> lease =
+        shared.get(decl, [&] { return make_shared_object(device, decl, plan.memory.heaps[placement.heap]); });
+    if (!lease) return lease.take_errors();
+    shared_[placement.resource] = std::move(*lease);
     return Unit{};
 }
 
-Result<TransientHeap> TransientHeap::create(Device& device, const FramePlan& plan) {
+Result<TransientHeap> TransientHeap::create(Device& device, const FramePlan& plan, SharedStore& shared) {
     TransientHeap heap;
     heap.images_.resize(plan.graph.resources.size());
     heap.buffers_.resize(plan.graph.resources.size());
+    heap.shared_.resize(plan.graph.resources.size());
     if (Status status = heap.allocate(device, plan.memory); !status) return status.take_errors();
     Diagnostics errors;
     const Rings rings(plan);
@@ -134,9 +191,9 @@ Result<TransientHeap> TransientHeap::create(Device& device, const FramePlan& pla
         const ResourceDecl& decl = plan.graph.resources[placement.resource];
         const bool concurrent = is_concurrent(plan, rings, placement.resource);
         const Sharing sharing = concurrent ? concurrent_sharing(device) : Sharing{};
-        Status status = decl.kind == ResourceKind::image
-                            ? heap.place_image(device, decl, placement, sharing)
-                            : heap.place_buffer(device, decl, placement, sharing);
+        const Status status = plan.memory.heaps[placement.heap].shared
+                                  ? heap.lease(device, plan, placement, shared)
+                                  : heap.place(device, decl, placement, sharing);
         if (!status) append(errors, status.errors());
     }
     if (!errors.empty()) return errors;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vulkan/device/handle.h"
+#include "vulkan/memory/shared_store.h"
 #include "weft/plan.h"
 #include "weft/result.h"
 #include "weft/vulkan/memory.h"
@@ -16,29 +17,44 @@ namespace weft::vk {
 
 class TransientHeap {
  public:
-    [[nodiscard]] static Result<TransientHeap> create(Device& device, const FramePlan& plan);
+    // Resources with `"keep": "shared"` are leased from `shared`, which must outlive the heap.
+    [[nodiscard]] static Result<TransientHeap> create(Device& device, const FramePlan& plan,
+                                                      SharedStore& shared);
 
     // Both functions return VK_NULL_HANDLE for resources of the other kind, and for resources that are not in
     // the plan's heaps, such as imports.
-    [[nodiscard]] VkImage image(ResourceId resource) const { return images_[resource].get(); }
-    [[nodiscard]] VkBuffer buffer(ResourceId resource) const { return buffers_[resource].get(); }
+    [[nodiscard]] VkImage image(ResourceId resource) const {
+        const SharedObject* shared = shared_[resource].get();
+        return shared != nullptr ? shared->image.get() : images_[resource].get();
+    }
+    [[nodiscard]] VkBuffer buffer(ResourceId resource) const {
+        const SharedObject* shared = shared_[resource].get();
+        return shared != nullptr ? shared->buffer.get() : buffers_[resource].get();
+    }
+    // Returns the memory of a resource in the plan's heaps.
+    [[nodiscard]] VkDeviceMemory memory(const Placement& placement) const {
+        const SharedObject* shared = shared_[placement.resource].get();
+        return shared != nullptr ? shared->memory.get() : memory_[placement.heap].get();
+    }
     // Returns the size of the transient heaps in bytes; heaps of persistent resources do not count.
     [[nodiscard]] uint64_t bytes() const { return bytes_; }
 
  private:
     [[nodiscard]] Status allocate(Device& device, const MemoryPlan& memory);
-    [[nodiscard]] Status place_image(Device& device, const ResourceDecl& decl, const Placement& placement,
-                                     const Sharing& sharing);
-    [[nodiscard]] Status place_buffer(Device& device, const ResourceDecl& decl, const Placement& placement,
-                                      const Sharing& sharing);
+    [[nodiscard]] Status lease(Device& device, const FramePlan& plan, const Placement& placement,
+                               SharedStore& shared);
+    [[nodiscard]] Status place(Device& device, const ResourceDecl& decl, const Placement& placement,
+                               const Sharing& sharing);
 
-    // The memory is declared before the images and buffers bound to it. Members are destroyed in reverse
-    // order, so the memory is freed last.
+    // One for each heap; empty for the heaps of shared resources. The memory is declared before the images
+    // and buffers bound to it. Members are destroyed in reverse order, so the memory is freed last.
     std::vector<MemoryHandle> memory_;
     // One image for each ResourceId; empty for buffers, imports and unused resources.
     std::vector<ImageHandle> images_;
     // One buffer for each ResourceId; empty for images, imports and unused resources.
     std::vector<BufferHandle> buffers_;
+    // One lease for each ResourceId; empty for resources that are not shared.
+    std::vector<SharedLease> shared_;
     uint64_t bytes_ = 0;
 };
 

@@ -82,7 +82,7 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
 // Creates the objects of a plan that do not depend on shaders: heaps, the resource table, memory for host
 // data, and timestamp queries.
 Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& objects) {
-    Result<TransientHeap> heap = TransientHeap::create(device, objects.plan);
+    Result<TransientHeap> heap = TransientHeap::create(device, objects.plan, *input.shared);
     if (!heap) return heap.take_errors();
     objects.heap = std::move(*heap);
     Result<ResourceTable> resources = bind_resources(objects.plan, objects.heap, input.bindings);
@@ -188,6 +188,10 @@ Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorI
     if (input.pipelines == nullptr) {
         objects->own_pipelines = std::make_unique<PipelineStore>();
         input.pipelines = objects->own_pipelines.get();
+    }
+    if (input.shared == nullptr) {
+        objects->own_shared = std::make_unique<SharedStore>();
+        input.shared = objects->own_shared.get();
     }
     if (Status made = make_memory(device, input, *objects); !made) return made.take_errors();
     if (Status made = make_pool(device, input, *objects); !made) return made.take_errors();

@@ -48,6 +48,8 @@ struct PlanObjects {
     FramePlan plan;
     // A store for the pipelines; null if the program provides a store.
     std::unique_ptr<PipelineStore> own_pipelines;
+    // A store for shared resources; null if the program provides a store.
+    std::unique_ptr<SharedStore> own_shared;
     PipelineCounts pipeline_counts;
     TransientHeap heap;
     ResourceTable resources;

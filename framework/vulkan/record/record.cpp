@@ -90,8 +90,9 @@ void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass
                              kCommandBytes);
 }
 
-void draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
-               const DrawPipeline& draw) {
+// Returns the number of draws that were left out.
+uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+                   const DrawPipeline& draw) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
     // Binds sets 0 and 1 again for every variant. All variants share one pipeline layout, but earlier draws
@@ -115,7 +116,10 @@ void draw_list(const RecordContext& context, const PassDecl& pass, const Prepare
     draws.most_draws = pass.most_draws;
     draws.uses_materials = prepared.layout.declares[kMaterialSet];
     draws.uses_instances = prepared.layout.declares[kInstanceSet];
-    context.objects.draws->record(draws);
+    draws.culls_draws = pass.culls_draws;
+    draws.depth_clamp = pass.state.depth_clamp;
+    draws.frame_ranges = prepared.frame_ranges;
+    return context.objects.draws->record(draws);
 }
 
 }  // namespace
@@ -138,14 +142,16 @@ void record_fullscreen(const RecordContext& context, const PassDecl& pass, const
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
-void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+void record_raster(const RecordContext& context, Position position, const PassDecl& pass,
+                   const PreparedPass& prepared) {
     begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
     if (pass.draws_without_list() && pass.draw_commands_use != kNoId)
         draw_vertices_indirectly(context, pass, prepared);
     else if (pass.vertices > 0)
         draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
     else
-        for (const DrawPipeline& draw : prepared.pipelines) draw_list(context, pass, prepared, draw);
+        for (const DrawPipeline& draw : prepared.pipelines)
+            context.draws_left_out[position] += draw_list(context, pass, prepared, draw);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
@@ -159,7 +165,7 @@ void record_pass(const RecordContext& context, Position position) {
         case PassKind::fullscreen:
             return record_fullscreen(context, pass, prepared);
         case PassKind::raster:
-            return record_raster(context, pass, prepared);
+            return record_raster(context, position, pass, prepared);
         case PassKind::clear:
             return record_clear(context, pass);
         case PassKind::copy:

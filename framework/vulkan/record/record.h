@@ -14,6 +14,8 @@ struct RecordContext {
     const FrameInput& frame;
     const PlanObjects& objects;
     FrameResources resources;
+    // For each pass, by its position: the number of draws that were left out.
+    std::vector<uint32_t>& draws_left_out;
 };
 
 // Records the pass at index `position` of the execution order, without its barriers. Calls one of the
@@ -22,7 +24,8 @@ void record_pass(const RecordContext& context, Position position);
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);
 void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);
-void record_raster(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);
+void record_raster(const RecordContext& context, Position position, const PassDecl& pass,
+                   const PreparedPass& prepared);
 void record_clear(const RecordContext& context, const PassDecl& pass);
 void record_copy(const RecordContext& context, const PassDecl& pass);
 

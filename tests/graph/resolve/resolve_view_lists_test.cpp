@@ -1,4 +1,5 @@
-// Tests lists of views: those of the program, those of the section "views", and passes that draw all views of a list.
+// Tests lists of views: those of the program, those of the section "views", and passes that draw all views of
+// a list.
 #include <algorithm>
 
 #include "tests/graph/resolve/resolve_fixture.h"
@@ -90,8 +91,8 @@ TEST_F(ResolveViewLists, InRectanglesFormAGrid) {
 }
 
 TEST_F(ResolveViewLists, InRectanglesShareOneRenderingScopeThatClearsOnce) {
-    const ResolvedGraph g =
-        good(R"j("imports": {"opaque": "drawlist", "lamps": "views"}, "resources": {"shadow": {"format": "d32f", "size": 64}},
+    const ResolvedGraph g = good(
+        R"j("imports": {"opaque": "drawlist", "lamps": "views"}, "resources": {"shadow": {"format": "d32f", "size": 64}},
         "passes": {"a": {"type": "raster", "draws": ["opaque"], "shader": "depthOnly", "views": "lamps", "into": "rects",
                          "depth": {"ref": "shadow", "clear": 1}}, "b": {"type": "readback", "in": ["shadow"]}})j");
     const FramePlan plan = compile(g, content_needs(g), {});
@@ -106,9 +107,9 @@ TEST_F(ResolveViewLists, InRectanglesShareOneRenderingScopeThatClearsOnce) {
 }
 
 TEST_F(ResolveViewLists, MayGiveTheRectanglesThemselves) {
-    const ResolvedGraph g = good(
-        graph(R"j("views": "first", "into": "rects")j",
-              R"j("views": {"first": {"of": "lamps", "count": 3, "rect": ["view * 8", 4, "8 + view", 16]}}, )j"));
+    const ResolvedGraph g = good(graph(
+        R"j("views": "first", "into": "rects")j",
+        R"j("views": {"first": {"of": "lamps", "count": 3, "rect": ["view * 8", 4, "8 + view", 16]}}, )j"));
     EXPECT_EQ(pass_in(g, "a#2").view, "lamps(2)");
     EXPECT_TRUE(pass_in(g, "a#2").state.viewport == (RectPx{16, 4, 10, 16}));
     imports.imports["lamps"].rects.assign(8, RectPx{3, 5, 7, 9});
@@ -117,12 +118,13 @@ TEST_F(ResolveViewLists, MayGiveTheRectanglesThemselves) {
 }
 
 TEST_F(ResolveViewLists, HaveRectanglesInsideTheAttachments) {
-    const Diagnostic outside = bad(
-        graph(R"j("views": "first", "into": "rects")j",
-              R"j("views": {"first": {"of": "lamps", "rect": ["view * 8", 0, 8, 49]}}, )j"));
+    const Diagnostic outside =
+        bad(graph(R"j("views": "first", "into": "rects")j",
+                  R"j("views": {"first": {"of": "lamps", "rect": ["view * 8", 0, 8, 49]}}, )j"));
     EXPECT_EQ(outside.code, "W192");
-    EXPECT_EQ(bad(graph(R"j("views": "lamps", "into": "rects")j", "", R"j({"format": "d32f", "size": 2})j")).code,
-              "W192");
+    EXPECT_EQ(
+        bad(graph(R"j("views": "lamps", "into": "rects")j", "", R"j({"format": "d32f", "size": 2})j")).code,
+        "W192");
     EXPECT_EQ(bad(graph(R"j("views": "lamps", "into": "rects", "state": {"viewport": [0, 0, 4, 4]})j")).code,
               "W192");
     EXPECT_EQ(bad(graph(R"j("views": "lamps", "into": "rects", "covers": true)j")).code, "W192");
@@ -132,33 +134,37 @@ TEST_F(ResolveViewLists, HaveRectanglesInsideTheAttachments) {
 }
 
 TEST_F(ResolveViewLists, MayBePartsOfOthers) {
-    const std::string lists = R"j("views": {"near": {"of": "rest", "count": "n"}, "rest": {"of": "lamps", "first": 2}},
+    const std::string lists =
+        R"j("views": {"near": {"of": "rest", "count": "n"}, "rest": {"of": "lamps", "first": 2}},
                                   "consts": {"n": 2}, )j";
     const ResolvedGraph g = good(graph(R"j("views": "near")j", lists, layers("nearViews")));
     EXPECT_EQ(resource_in(g, "shadow").layers, 2u);
     EXPECT_EQ(pass_in(g, "a#1").view, "lamps(3)");
-    const ResolvedGraph rest = good(graph(R"j("view": "rest(5)")j", R"j("views": {"rest": {"of": "lamps", "first": 2}}, )j",
-                                          layers("1")));
+    const ResolvedGraph rest = good(graph(
+        R"j("view": "rest(5)")j", R"j("views": {"rest": {"of": "lamps", "first": 2}}, )j", layers("1")));
     EXPECT_EQ(pass_in(rest, "a").view, "lamps(7)");
-    EXPECT_EQ(bad(graph(R"j("view": "rest(6)")j", R"j("views": {"rest": {"of": "lamps", "first": 2}}, )j")).code,
-              "W109");
-    EXPECT_EQ(bad(graph(R"j("view": "x(0)")j", R"j("views": {"x": {"of": "lamps", "first": 5, "count": 4}}, )j")).code,
-              "W109");
+    EXPECT_EQ(
+        bad(graph(R"j("view": "rest(6)")j", R"j("views": {"rest": {"of": "lamps", "first": 2}}, )j")).code,
+        "W109");
+    EXPECT_EQ(
+        bad(graph(R"j("view": "x(0)")j", R"j("views": {"x": {"of": "lamps", "first": 5, "count": 4}}, )j"))
+            .code,
+        "W109");
 }
 
 TEST_F(ResolveViewLists, OfMirrorsAndCubesAreInThePlan) {
-    const ResolvedGraph g =
-        good(graph(R"j("view": "pond")j",
-                   R"j("views": {"pond": {"of": "camera", "plane": [0, 2, 0, "3 - 1"]}, "unused": {"of": "camera"}}, )j"));
+    const ResolvedGraph g = good(graph(
+        R"j("view": "pond")j",
+        R"j("views": {"pond": {"of": "camera", "plane": [0, 2, 0, "3 - 1"]}, "unused": {"of": "camera"}}, )j"));
     EXPECT_EQ(pass_in(g, "a").view, "pond(0)");
     ASSERT_EQ(g.views.size(), 1u);
     EXPECT_EQ(g.views[0].source, ViewSource::mirror);
     EXPECT_EQ(g.views[0].of, "camera");
     EXPECT_EQ(g.views[0].plane, (std::array<double, 4>{0, 1, 0, 1}));
-    const ResolvedGraph cube = good(
-        graph(R"j("views": "probe")j",
-              R"j("views": {"probe": {"of": "box", "plane": [1, 0, 0, 0]}, "box": {"cube": {"at": [1, 2, 3]}}}, )j",
-              layers("probeViews")));
+    const ResolvedGraph cube = good(graph(
+        R"j("views": "probe")j",
+        R"j("views": {"probe": {"of": "box", "plane": [1, 0, 0, 0]}, "box": {"cube": {"at": [1, 2, 3]}}}, )j",
+        layers("probeViews")));
     EXPECT_EQ(resource_in(cube, "shadow").layers, 6u);
     ASSERT_EQ(cube.views.size(), 2u);
     EXPECT_EQ(cube.views[0].name, "box");
@@ -174,7 +180,9 @@ TEST_F(ResolveViewLists, OfNoViewsDropThePass) {
 }
 
 TEST_F(ResolveViewLists, FaultsHaveOneMessage) {
-    const auto with = [](const std::string& lists) { return graph(R"j("view": "x(0)")j", "\"views\": {" + lists + "}, "); };
+    const auto with = [](const std::string& lists) {
+        return graph(R"j("view": "x(0)")j", "\"views\": {" + lists + "}, ");
+    };
     EXPECT_EQ(bad(with(R"j("x": {"of": "camra"})j")).code, "W118");
     EXPECT_EQ(bad(with(R"j("x": {"of": "y"}, "y": {"of": "x"})j")).code, "W191");
     EXPECT_EQ(bad(with(R"j("x": {"of": "x"})j")).code, "W191");
@@ -187,17 +195,23 @@ TEST_F(ResolveViewLists, FaultsHaveOneMessage) {
     EXPECT_EQ(bad(with(R"j("x": {})j")).code, "W108");
     EXPECT_EQ(bad(with(R"j("x": {"of": "camera", "planes": 1})j")).code, "W101");
     EXPECT_EQ(bad(with(R"j("camera": {"of": "lamps"}, "x": {"of": "lamps"})j")).code, "W109");
-    EXPECT_EQ(bad(graph(R"j("view": "lamps(0)")j", R"j("views": {"lamps": {"of": "camera"}}, )j")).code, "W109");
+    EXPECT_EQ(bad(graph(R"j("view": "lamps(0)")j", R"j("views": {"lamps": {"of": "camera"}}, )j")).code,
+              "W109");
     EXPECT_EQ(bad(graph(R"j("views": "lampz")j")).code, "W118");
     EXPECT_EQ(bad(graph(R"j("views": "lamps", "repeat": {"view": "0..1"})j")).code, "W109");
-    EXPECT_EQ(bad(graph(R"j("view": "lamps(0)")j", R"j("views": {"x": {"of": "lamps"}}, "consts": {"xViews": 1}, )j")).code,
+    EXPECT_EQ(bad(graph(R"j("view": "lamps(0)")j",
+                        R"j("views": {"x": {"of": "lamps"}}, "consts": {"xViews": 1}, )j"))
+                  .code,
               "W109");
-    EXPECT_EQ(bad(R"j("imports": {"opaque": "drawlist", "lamps": "views"}, "resources": {"c": "rgba8"}, "passes": {
-        "a": {"type": "raster", "draws": ["opaque"], "shader": "mesh", "out": {"color": "lamps"}}})j").code,
-              "W103");
+    EXPECT_EQ(
+        bad(R"j("imports": {"opaque": "drawlist", "lamps": "views"}, "resources": {"c": "rgba8"}, "passes": {
+        "a": {"type": "raster", "draws": ["opaque"], "shader": "mesh", "out": {"color": "lamps"}}})j")
+            .code,
+        "W103");
 }
 
-// All views of a pass with "rest" that share an attachment must run in the same frames, because the first clears.
+// All views of a pass with "rest" that share an attachment must run in the same frames, because the first
+// clears.
 TEST_F(ResolveViewLists, InRectanglesRestTogether) {
     const ResolvedGraph g = good(R"j("imports": {"opaque": "drawlist", "lamps": "views"},
         "resources": {"shadow": {"format": "d32f", "size": 64, "keep": true}}, "passes": {

@@ -58,6 +58,17 @@ TEST_F(ResolveView, OfTooFewRoundsIsReportedOnce) {
     EXPECT_EQ(bad(graph("sun(i)", R"j(, "repeat": {"i": "0..5"}, "partial": true)j")).code, "W109");
 }
 
+TEST_F(ResolveView, LeavesOutDrawsUnlessTheyMayReachIntoThePicture) {
+    const auto culls = [&](const std::string& keys) {
+        return pass_in(good(graph("camera", keys)), "a").culls_draws;
+    };
+    EXPECT_TRUE(culls(""));
+    EXPECT_TRUE(culls(R"j(, "state": {"topology": "triangle_strip", "depthClamp": true})j"));
+    EXPECT_FALSE(culls(R"j(, "frustum": false)j"));
+    EXPECT_FALSE(culls(R"j(, "state": {"fill": "line"})j"));
+    EXPECT_FALSE(culls(R"j(, "state": {"topology": "lines"})j"));
+}
+
 TEST_F(ResolveView, NumberCostsAGraph) {
     const ResolvedGraph g = good(graph("sun(which)", "", R"j("params": {"which": 1}, )j"));
     ASSERT_EQ(g.params.size(), 1u);

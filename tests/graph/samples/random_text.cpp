@@ -41,7 +41,7 @@ class TextGenerator : public RandomTextFaults {
             Piece piece;
         };
         constexpr Share kPieces[] = {
-            {15, &TextGenerator::mix},           {8, &TextGenerator::draw},
+            {12, &TextGenerator::mix},           {8, &TextGenerator::draw},
             {9, &TextGenerator::update},         {6, &TextGenerator::blend},
             {4, &TextGenerator::overwrite},      {6, &TextGenerator::alternatives},
             {5, &TextGenerator::scene},          {4, &TextGenerator::wipe},
@@ -51,7 +51,7 @@ class TextGenerator : public RandomTextFaults {
             {3, &TextGenerator::bounce},         {3, &TextGenerator::staircase},
             {2, &TextGenerator::remember},       {2, &TextGenerator::recall},
             {3, &TextGenerator::keep},           {4, &TextGenerator::frame_slices},
-            {3, &TextGenerator::overwrite_part},
+            {3, &TextGenerator::overwrite_part}, {3, &TextGenerator::views},
         };
         uint32_t roll = below(100);
         for (const Share& share : kPieces) {

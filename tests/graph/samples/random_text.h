@@ -4,6 +4,7 @@
 // - conditions that depend on random parameters, inputs with `else`, and optional inputs;
 // - passes that write a part of a resource, or modify a resource in place;
 // - history, kept content, `after` lists and queue hints;
+// - passes that draw all views of a list, into layers or rectangles;
 // - every type of pass except C++ passes.
 //
 // The order of the passes in a text has no meaning, so a text lists its passes in random order. The generator
@@ -24,7 +25,8 @@ struct RandomText {
     std::string text;
     // The same graph after the generator has evaluated all conditions. Passes with a false `if` are removed
     // (exception: TextPass::stays). Inputs without content are removed, or replaced with their `else` inputs.
-    // The bounds of repeats contain no parameters.
+    // The bounds of repeats contain no parameters. A pass that draws all views of a list is a repeat with one
+    // view.
     std::string plain;
     // Values of some parameters, by name, for `text` and for `plain`. The other parameters keep their
     // defaults.

@@ -213,6 +213,35 @@ class RandomTextPasses : public RandomTextFrame {
         if (chance(70)) show_depth(d);
         model_.values[d].closed = true;
     }
+    // Adds a pass that draws the four views of the sun, each to its own layer or rectangle of two images.
+    void views() {
+        const bool rects = chance(50);
+        TextResource color{fresh_name("seen")}, depth{fresh_name("maps"), ValueKind::depth};
+        color.format = "rgba16f";
+        depth.format = "d32f";
+        color.layers = depth.layers = rects ? 1 : 4;
+        const std::string name = color.name, maps = depth.name;
+        const size_t seen = add_resource(color);
+        add_resource(depth);
+        TextPass& pass = add_pass("views", "raster", nullptr);
+        pass.more += R"j(, "draws": ["opaque"], "shader": "scene")j";
+        const auto attachments = [&](const std::string& part) {
+            return R"j(, "out": {"color": ")j" + name + part + R"j("}, "depth": ")j" + maps + part + "\"";
+        };
+        const std::string plain = R"j(, "repeat": {"view": "0..3"}, "view": "sun(view)")j";
+        if (rects) {
+            const std::string rect = R"j(["view % 2 * 32", "floor(view / 2) * 32", 32, 32])j";
+            pass.more_text = R"j(, "views": "sun", "into": "rects")j" + attachments("");
+            pass.more_plain = plain + R"j(, "partial": true, "state": {"viewport": )j" + rect +
+                              ", \"scissor\": " + rect + "}" + attachments("");
+        } else {
+            pass.more_text = R"j(, "views": "sun")j" + attachments("");
+            pass.more_plain = plain + attachments(".layer(view)");
+        }
+        const size_t value = add_value(seen, rects ? "" : ".layer(2)");
+        model_.values[value].fresh = false;
+        model_.values[value].closed = true;
+    }
     // Adds a pass that draws with a depth test, and that sometimes samples the same depth image.
     void sky(size_t color, size_t depth) {
         const bool samples = chance(50);

@@ -56,7 +56,8 @@ ShaderCatalog make_shaders() {
 
 ImportCatalog make_imports() {
     ImportCatalog catalog;
-    catalog.views = {"camera"};
+    catalog.views = {"camera", "sun"};
+    catalog.imports["sun"] = {.name = "sun", .kind = ImportKind::views, .views = 4};
     const auto add = [&](const char* name, ImportKind kind) -> ImportDecl& {
         ImportDecl& import = catalog.imports[name];
         import.name = import.resource.name = name;

@@ -1,4 +1,5 @@
-// Tests the matrices of views on the CPU with known points: the faces of a cube, the views of lamps, and mirrors.
+// Tests the matrices of views on the CPU with known points: the faces of a cube, the views of lamps, and
+// mirrors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +15,8 @@ glm::vec4 clip_of(const ViewInput& view, const glm::vec3& p) {
     return view.projection * (view.view * glm::vec4(p, 1));
 }
 
-// The uv of a direction on the face of a cube map, from the table of Vulkan: major axis, sc and tc of each face.
+// The uv of a direction on the face of a cube map, from the table of Vulkan: major axis, sc and tc of each
+// face.
 struct CubePoint {
     uint32_t face = 0;
     glm::vec2 uv{0};
@@ -52,7 +54,8 @@ TEST(ViewMatrices, DrawEachDirectionWhereACubeSamplerReadsIt) {
             EXPECT_EQ(inside, face == wanted.face) << i;
             if (!inside) continue;
             EXPECT_LT(glm::distance(glm::vec2(clip) / clip.w * 0.5f + 0.5f, wanted.uv), 1e-5f) << i;
-            const float major = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+            const float major =
+                std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
             EXPECT_NEAR(clip.z / clip.w, 0.01f / (20 * major), 1e-6f);
         }
     }
@@ -66,7 +69,8 @@ TEST(ViewMatrices, OfASpotLightContainItsConeAndNoMore) {
     light.direction = glm::normalize(glm::vec3(1, -2, 0.5f));
     light.inner_cone_rad = 0.2f;
     light.outer_cone_rad = 0.7f;
-    for (const glm::vec3& side : {glm::vec3(0), glm::normalize(glm::cross(light.direction, glm::vec3(0, 0, 1)))}) {
+    for (const glm::vec3& side :
+         {glm::vec3(0), glm::normalize(glm::cross(light.direction, glm::vec3(0, 0, 1)))}) {
         light.side = side;
         const std::array lights{gpu_light(light)};
         const std::vector<ViewInput> views = lamp_views(lights);
@@ -80,7 +84,8 @@ TEST(ViewMatrices, OfASpotLightContainItsConeAndNoMore) {
         float widest = 0;
         for (int i = 0; i < 64; ++i) {
             const float turn = 0.0981748f * static_cast<float>(i);
-            const glm::vec3 rim = light.direction + std::tan(0.7f) * (std::cos(turn) * across + std::sin(turn) * up);
+            const glm::vec3 rim =
+                light.direction + std::tan(0.7f) * (std::cos(turn) * across + std::sin(turn) * up);
             const glm::vec4 clip = clip_of(views[0], light.position + rim);
             EXPECT_NEAR(glm::length(glm::vec2(clip) / clip.w), 1, 1e-3f);
             widest = std::max(widest, std::abs(clip.x / clip.w));
@@ -92,7 +97,8 @@ TEST(ViewMatrices, OfASpotLightContainItsConeAndNoMore) {
 
 TEST(ViewMatrices, OfLampsAreInTheOrderOfTheLights) {
     std::vector<shared::Light> lights(5);
-    for (shared::Light& light : lights) light.direction = {0, 0, -1}, light.cone_scale = 2, light.cone_offset = -1;
+    for (shared::Light& light : lights)
+        light.direction = {0, 0, -1}, light.cone_scale = 2, light.cone_offset = -1;
     lights[0].type = shared::kLightDirectional;
     lights[1].type = shared::kLightPoint, lights[1].position = {7, 8, 9};
     lights[2].type = shared::kLightRectangle;
@@ -149,7 +155,8 @@ TEST(ViewMatrices, TellWhetherTrianglesTurnTheirWinding) {
         const glm::mat4 to_clip = view.projection * view.view;
         const glm::mat4 to_world = glm::inverse(view.view);
         const auto world = [&](const glm::vec3& p) { return glm::vec3(to_world * glm::vec4(p, 1)); };
-        const glm::vec3 a = world({number(random), number(random), -5}), b = world({number(random), number(random), -5}),
+        const glm::vec3 a = world({number(random), number(random), -5}),
+                        b = world({number(random), number(random), -5}),
                         c = world({number(random), number(random), -5});
         const glm::vec3 to_eye = world({0, 0, 0}) - a;
         const bool faces_eye = glm::dot(glm::cross(b - a, c - a), to_eye) > 0;

@@ -1,6 +1,7 @@
-// Tests passes that draw all views of a list: an atlas with the shadow maps of eight lamps, the six faces of a probe,
-// and the camera in a mirror. Each picture must have the same bytes as those of passes with one view each, and the
-// world positions in the pictures must lie on the rays that are computed here from the definition of the views.
+// Tests passes that draw all views of a list: an atlas with the shadow maps of eight lamps, the six faces of
+// a probe, and the camera in a mirror. Each picture must have the same bytes as those of passes with one view
+// each, and the world positions in the pictures must lie on the rays that are computed here from the
+// definition of the views.
 #include <cmath>
 
 #include "render/views/view_matrices.h"
@@ -31,7 +32,8 @@ constexpr const char* kFrame = R"json("version": 1,
     "minePast": { "format": "rgba32f", "size": 16, "layers": "mineViews" }
   }, )json";
 
-const std::string kLook = R"json("type": "raster", "draws": ["opaque"], "shader": "look", "state": { "cull": "material" })json";
+const std::string kLook =
+    R"json("type": "raster", "draws": ["opaque"], "shader": "look", "state": { "cull": "material" })json";
 
 std::string united() {
     return std::string("{") + kFrame + R"json("passes": {
@@ -51,27 +53,30 @@ std::string separate() {
     std::string text = std::string("{") + kFrame + "\"passes\": {";
     for (int i = 0; i < 8; ++i) {
         const std::string n = std::to_string(i);
-        const std::string rect = "[" + std::to_string(i % 3 * 33) + ", " + std::to_string(i / 3 * 25) + ", 33, 25]";
-        text += "\"atlas" + n + "\": { \"type\": \"raster\", \"view\": \"lampFaces(" + n +
-                ")\", \"draws\": [\"opaque\"], \"shader\": \"depth\", \"partial\": true, " +
-                (i == 0 ? "\"depth\": { \"ref\": \"atlas\", \"clear\": 0.125 }"
-                        : "\"depth\": \"atlas\", \"after\": [\"atlas" + std::to_string(i - 1) + "\"]") +
-                ", \"state\": { \"cull\": \"material\", \"depthBias\": { \"slope\": 1 }, \"viewport\": " + rect +
-                ", \"scissor\": " + rect + " } }, ";
+        const std::string rect =
+            "[" + std::to_string(i % 3 * 33) + ", " + std::to_string(i / 3 * 25) + ", 33, 25]";
+        text +=
+            "\"atlas" + n + "\": { \"type\": \"raster\", \"view\": \"lampFaces(" + n +
+            ")\", \"draws\": [\"opaque\"], \"shader\": \"depth\", \"partial\": true, " +
+            (i == 0 ? "\"depth\": { \"ref\": \"atlas\", \"clear\": 0.125 }"
+                    : "\"depth\": \"atlas\", \"after\": [\"atlas" + std::to_string(i - 1) + "\"]") +
+            ", \"state\": { \"cull\": \"material\", \"depthBias\": { \"slope\": 1 }, \"viewport\": " + rect +
+            ", \"scissor\": " + rect + " } }, ";
     }
     const auto layered = [&](const std::string& name, const std::string& image, const std::string& color,
                              const std::string& view, uint32_t count) {
         for (uint32_t i = 0; i < count; ++i) {
             const std::string n = std::to_string(i), layer = ".layer(" + n + ")";
-            text += "\"" + name + n + "\": { \"view\": \"" + view + "(" + n + ")\", \"depth\": \"" + image + "Depth" +
-                    layer + "\", \"out\": { \"color\": \"" + color + layer + "\", \"past\": \"" + image + "Past" +
-                    layer + "\" }, " + kLook + " }, ";
+            text += "\"" + name + n + "\": { \"view\": \"" + view + "(" + n + ")\", \"depth\": \"" + image +
+                    "Depth" + layer + "\", \"out\": { \"color\": \"" + color + layer + "\", \"past\": \"" +
+                    image + "Past" + layer + "\" }, " + kLook + " }, ";
         }
     };
     layered("cube", "cube", "cube", "probe", 6);
     layered("mine", "mine", "mineColor", "mine", kOwnViews);
-    return text + "\"mirror\": { \"view\": \"mirror(0)\", \"depth\": \"seenDepth\", \"out\": "
-                  "{ \"color\": \"seen\", \"past\": \"seenPast\" }, " +
+    return text +
+           "\"mirror\": { \"view\": \"mirror(0)\", \"depth\": \"seenDepth\", \"out\": "
+           "{ \"color\": \"seen\", \"past\": \"seenPast\" }, " +
            kLook + " } } }";
 }
 
@@ -95,12 +100,14 @@ class Views : public SessionTest {
         const glm::vec3 center = (scene_.bounds.min + scene_.bounds.max) * 0.5f;
         for (int i = 0; i < 8; ++i) {
             const float angle = 0.785f * static_cast<float>(i);
-            scene_.lights.push_back(spot(center + glm::vec3(4 * std::cos(angle), 3, 4 * std::sin(angle)), center));
+            scene_.lights.push_back(
+                spot(center + glm::vec3(4 * std::cos(angle), 3, 4 * std::sin(angle)), center));
         }
         camera_ = scene_.cameras.at(0);
     }
     std::unique_ptr<render::Session> open(const std::string& graph,
-                                          const std::map<std::string, uint32_t, std::less<>>& views = {{"mine", kOwnViews}}) {
+                                          const std::map<std::string, uint32_t, std::less<>>& views = {
+                                              {"mine", kOwnViews}}) {
         passes_ = registered_passes();
         render::SessionInput input;
         input.request.path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
@@ -125,8 +132,7 @@ class Views : public SessionTest {
         render::FrameInput input{.camera = camera_};
         input.camera.transform[3].x += 0.1f * static_cast<float>(frame);
         for (uint32_t i = 0; i < kOwnViews; ++i)
-            input.views["mine"].push_back(
-                render::cube_face({0.1 * frame, 1.5, 5.0 - i}, i + 3, 0.02));
+            input.views["mine"].push_back(render::cube_face({0.1 * frame, 1.5, 5.0 - i}, i + 3, 0.02));
         return input;
     }
     // Renders two frames, and returns the readbacks of the second by the name of the resource.
@@ -146,7 +152,8 @@ class Views : public SessionTest {
     scene::Camera camera_;
 };
 
-// Returns the direction of a texel of a cube map, from the table "Cube map face and coordinate selection" of Vulkan.
+// Returns the direction of a texel of a cube map, from the table "Cube map face and coordinate selection" of
+// Vulkan.
 glm::vec3 cube_direction(uint32_t face, float s, float t) {
     switch (face) {
         case 0:
@@ -170,7 +177,8 @@ glm::vec2 center_of(uint32_t x, uint32_t y, uint32_t width, uint32_t height) {
             (static_cast<float>(y) + 0.5f) / static_cast<float>(height) * 2 - 1};
 }
 
-void expect_on_ray(const glm::vec4& pixel, const glm::vec3& from, const glm::vec3& direction, const char* what) {
+void expect_on_ray(const glm::vec4& pixel, const glm::vec3& from, const glm::vec3& direction,
+                   const char* what) {
     EXPECT_EQ(pixel.a, 1) << what << ": back face";
     EXPECT_GT(glm::dot(glm::normalize(glm::vec3(pixel) - from), glm::normalize(direction)), 0.99999f) << what;
 }
@@ -182,7 +190,8 @@ glm::vec3 mirrored_point(const glm::vec3& p) {
 // Returns the position of a point in clip space, for a camera that only moves and does not turn its axes.
 glm::vec2 project(const scene::Camera& camera, float aspect, const glm::vec3& p) {
     const glm::vec3 way = p - glm::vec3(camera.transform[3]);
-    const glm::vec3 axes{glm::dot(way, glm::vec3(camera.transform[0])), glm::dot(way, glm::vec3(camera.transform[1])),
+    const glm::vec3 axes{glm::dot(way, glm::vec3(camera.transform[0])),
+                         glm::dot(way, glm::vec3(camera.transform[1])),
                          -glm::dot(way, glm::vec3(camera.transform[2]))};
     const float tan_y = std::tan(camera.fov_y_rad * 0.5f);
     return {axes.x / (axes.z * tan_y * aspect), -axes.y / (axes.z * tan_y)};
@@ -196,11 +205,13 @@ TEST_F(Views, OfOnePassAreTheSameBytesAsThoseOfSeparatePasses) {
     ASSERT_EQ(alone.size(), 7u);
     for (const auto& [name, data] : together) {
         EXPECT_TRUE(data.bytes == alone.at(name).bytes) << name;
-        EXPECT_NE(data.bytes, std::vector<std::byte>(data.bytes.size())) << name << " is empty, which proves nothing";
+        EXPECT_NE(data.bytes, std::vector<std::byte>(data.bytes.size()))
+            << name << " is empty, which proves nothing";
     }
     uint32_t begun = 0;
     for (const PassStep& step : one->plan().barriers.steps)
-        if (one->plan().graph.passes[step.pass].name.starts_with("atlas#")) begun += step.merges_render_pass ? 0 : 1;
+        if (one->plan().graph.passes[step.pass].name.starts_with("atlas#"))
+            begun += step.merges_render_pass ? 0 : 1;
     EXPECT_EQ(begun, 1u) << "the views of an atlas share a rendering scope";
 }
 
@@ -208,15 +219,18 @@ TEST_F(Views, OfACubeShowWhatASamplerReadsInEachDirection) {
     const auto session = open(united());
     ASSERT_TRUE(session);
     const auto read = second_frame(*session);
-    const std::vector<glm::vec4> texels = render::decode_texels(Format::rgba32f, read.at("observe:cube").bytes);
-    const std::vector<glm::vec4> past = render::decode_texels(Format::rgba32f, read.at("observe:cubePast").bytes);
+    const std::vector<glm::vec4> texels =
+        render::decode_texels(Format::rgba32f, read.at("observe:cube").bytes);
+    const std::vector<glm::vec4> past =
+        render::decode_texels(Format::rgba32f, read.at("observe:cubePast").bytes);
     ASSERT_EQ(texels.size(), size_t{6} * kCubeSide_px * kCubeSide_px);
     size_t drawn = 0;
     for (uint32_t i = 0; i < texels.size(); ++i) {
         if (texels[i].a == 0) continue;
         ++drawn;
         const uint32_t face = i / (kCubeSide_px * kCubeSide_px);
-        const glm::vec2 at = center_of(i % kCubeSide_px, i / kCubeSide_px % kCubeSide_px, kCubeSide_px, kCubeSide_px);
+        const glm::vec2 at =
+            center_of(i % kCubeSide_px, i / kCubeSide_px % kCubeSide_px, kCubeSide_px, kCubeSide_px);
         expect_on_ray(texels[i], kProbe, cube_direction(face, at.x, at.y), "cube");
         EXPECT_EQ(past[i].z, kCubeSide_px);
         EXPECT_LT(glm::distance(glm::vec2(past[i]), at), 1e-3f) << "a probe does not move";
@@ -229,8 +243,10 @@ TEST_F(Views, InAMirrorShowWhatTheCameraSeesInIt) {
     const auto session = open(united());
     ASSERT_TRUE(session);
     const auto read = second_frame(*session);
-    const std::vector<glm::vec4> texels = render::decode_texels(Format::rgba32f, read.at("observe:seen").bytes);
-    const std::vector<glm::vec4> past = render::decode_texels(Format::rgba32f, read.at("observe:seenPast").bytes);
+    const std::vector<glm::vec4> texels =
+        render::decode_texels(Format::rgba32f, read.at("observe:seen").bytes);
+    const std::vector<glm::vec4> past =
+        render::decode_texels(Format::rgba32f, read.at("observe:seenPast").bytes);
     const float aspect = static_cast<float>(kSize.width) / static_cast<float>(kSize.height);
     const scene::Camera now = input(1).camera, before = input(0).camera;
     size_t drawn = 0;
@@ -252,16 +268,18 @@ TEST_F(Views, OfTheProgramHaveTheMatricesOfTheFrameAndOfTheOneBefore) {
     const auto session = open(united());
     ASSERT_TRUE(session);
     const auto read = second_frame(*session);
-    const std::vector<glm::vec4> texels = render::decode_texels(Format::rgba32f, read.at("observe:mineColor").bytes);
-    const std::vector<glm::vec4> past = render::decode_texels(Format::rgba32f, read.at("observe:minePast").bytes);
+    const std::vector<glm::vec4> texels =
+        render::decode_texels(Format::rgba32f, read.at("observe:mineColor").bytes);
+    const std::vector<glm::vec4> past =
+        render::decode_texels(Format::rgba32f, read.at("observe:minePast").bytes);
     size_t drawn = 0;
     for (uint32_t i = 0; i < texels.size(); ++i) {
         if (texels[i].a == 0) continue;
         ++drawn;
         const uint32_t view = i / 256;
         const glm::vec2 at = center_of(i % 16, i / 16 % 16, 16, 16);
-        expect_on_ray(texels[i], {0.1, 1.5, 5.0f - static_cast<float>(view)}, cube_direction(view + 3, at.x, at.y),
-                      "mine");
+        expect_on_ray(texels[i], {0.1, 1.5, 5.0f - static_cast<float>(view)},
+                      cube_direction(view + 3, at.x, at.y), "mine");
         const render::ViewInput& before = input(0).views.at("mine")[view];
         const glm::vec4 clip = before.projection * before.view * glm::vec4(glm::vec3(texels[i]), 1);
         // Next to the eye of the earlier view, the position in its picture has no exact value.
@@ -319,8 +337,8 @@ TEST_F(Views, InAMirrorKeepTheFrontFacesOfProceduralDraws) {
     for (const std::byte byte : read.at("observe:cube").bytes) EXPECT_EQ(byte, std::byte{0});
 }
 
-// A resting pass over all views of a list runs only in frames in which the matrix of one of them changes, even if other
-// views move.
+// A resting pass over all views of a list runs only in frames in which the matrix of one of them changes,
+// even if other views move.
 TEST_F(Views, AtRestWakeWhenTheirMatricesChange) {
     std::string graph = united();
     const std::string find = "\"mine\": { \"views\": \"mine\",";
@@ -330,7 +348,8 @@ TEST_F(Views, AtRestWakeWhenTheirMatricesChange) {
         graph.replace(graph.find(key), key.size(), key + "\"keep\": true, ");
     }
     const std::string plain = "\"depth\": \"mineDepth\",";
-    graph.replace(graph.find(plain), plain.size(), "\"clear\": 0, \"depth\": { \"ref\": \"mineDepth\", \"clear\": 0 },");
+    graph.replace(graph.find(plain), plain.size(),
+                  "\"clear\": 0, \"depth\": { \"ref\": \"mineDepth\", \"clear\": 0 },");
     const auto session = open(graph);
     ASSERT_TRUE(session);
     const auto frame = [&](float camera_x, int moved) {
@@ -339,8 +358,8 @@ TEST_F(Views, AtRestWakeWhenTheirMatricesChange) {
         if (moved >= 0) next.views["mine"][static_cast<size_t>(moved)].view[3].x += 0.5f;
         ASSERT_TRUE(session->render_frame(next));
     };
-    // The previous matrix of a view is one of its constants, so a view wakes twice: when it moves, and when its
-    // previous matrix follows.
+    // The previous matrix of a view is one of its constants, so a view wakes twice: when it moves, and when
+    // its previous matrix follows.
     const std::vector<std::pair<float, int>> frames{{0, -1}, {1, -1}, {2, 1}, {3, 1}, {4, 1}, {5, -1}};
     for (const auto& [x, moved] : frames) frame(x, moved);
     ASSERT_TRUE(session->finish());

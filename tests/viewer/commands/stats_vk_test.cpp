@@ -48,6 +48,19 @@ TEST(Stats, TellWhichPassesRestedAndWhyTheOthersRan) {
     EXPECT_EQ(with_rest, 6u);
 }
 
+TEST(Stats, TellHowManyDrawsOfAPassAreOutsideOfItsView) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    // The camera is beside the spheres and looks away from them.
+    const Json stats =
+        render_stats({"builtin:spheres", "--graph", WEFT_SOURCE_DIR "/tests/render/rest/rest.json", "--size",
+                      "16x16", "--camera", "50,50,50,60,60,60,40"});
+    uint64_t left_out = 0;
+    for (const Json& pass : stats.at("passes"))
+        if (pass.contains("draws_left_out"))
+            left_out += pass.at("draws_left_out").at("median").get<uint64_t>();
+    EXPECT_GT(left_out, 40u);
+}
+
 TEST(Stats, CountBarriersThatAreNeededAndPipelinesThatAreMadeLate) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const Json stats = stats_of({"--frames", "3"});

@@ -191,15 +191,14 @@ class ReferenceBinder {
         return bound;
     }
 
-    // Selects the layer of the pass's view, if the port is an attachment of a pass with "views". A reference that
-    // selects layers itself keeps them. Returns false after reporting an error.
+    // Selects the layer of the pass's view, if the port is an attachment of a pass with "views". A reference
+    // that selects layers itself keeps them. Returns false after reporting an error.
     bool select_layer(PassId pass, BoundPort& port) {
         const PassDraft& draft = declared_.expansion.passes[pass];
         const std::string& name = port.use.port;
-        const bool is_color =
-            draft.shader != nullptr && std::ranges::any_of(draft.shader->fragment_outputs, [&](const auto& output) {
-                return output.name == name;
-            });
+        const bool is_color = draft.shader != nullptr &&
+                              std::ranges::any_of(draft.shader->fragment_outputs,
+                                                  [&](const auto& output) { return output.name == name; });
         if (!is_color && !port.draft.is_depth_port && !port.draft.is_resolve) return true;
         const ResourceDecl& resource = declared_.shapes.resources[port.use.resource];
         if (resource.kind != ResourceKind::image || port.draft.desc->ref.layer_first) return true;
@@ -209,12 +208,12 @@ class ReferenceBinder {
             port.use.range.layers = 1;
             return true;
         }
-        Diagnostic& d = report_.error(
-            pass, port.use.loc, "W192",
-            "pass " + quote(draft.desc->name) + " draws " +
-                std::to_string(declared_.values.views.at(draft.desc->view).count) + " views, but " +
-                quote(resource.name) + " has only " + std::to_string(resource.layers) +
-                (resource.layers == 1 ? " layer" : " layers"));
+        Diagnostic& d = report_.error(pass, port.use.loc, "W192",
+                                      "pass " + quote(draft.desc->name) + " draws " +
+                                          std::to_string(declared_.values.views.at(draft.desc->view).count) +
+                                          " views, but " + quote(resource.name) + " has only " +
+                                          std::to_string(resource.layers) +
+                                          (resource.layers == 1 ? " layer" : " layers"));
         add_help(d, "give the image one layer for each view: \"layers\": \"" + draft.desc->view + "Views\"");
         add_help(d, "or let each view draw to a rectangle of the image: \"into\": \"rects\"");
         result_.suspects.writers[port.use.resource] = 1;

@@ -102,7 +102,8 @@ void renumber(const std::vector<uint8_t>& removed, ResolvedGraph& graph) {
             for (VersionSource& source : use.sources)
                 if (source.producer != kNoId) source.producer = ids[source.producer];
     std::erase_if(graph.edges, [&](const EdgeDecl& e) { return removed[e.from] || removed[e.to]; });
-    for (EdgeDecl& edge : graph.edges) edge = {ids[edge.from], ids[edge.to], edge.kind, edge.resource, edge.loc};
+    for (EdgeDecl& edge : graph.edges)
+        edge = {ids[edge.from], ids[edge.to], edge.kind, edge.resource, edge.loc};
 }
 
 }  // namespace
@@ -131,8 +132,11 @@ ResolvedGraph remove_idle_carries(ResolvedGraph graph) {
         const SubresourceRange box = NeededParts(graph, id).box();
         removed[id] = box.mips == 0 ? 1 : 0;
         any |= removed[id] != 0;
+        const ResourceDecl& resource = graph.resources[pass.uses.back().resource];
         for (UseDecl& use : pass.uses) {
             use.range = box;
+            if (resource.kind == ResourceKind::buffer && !removed[id] && box != resource.whole())
+                use.bytes = piece_bytes(resource, box);
             for (VersionSource& source : use.sources) source.range = box;
         }
     }

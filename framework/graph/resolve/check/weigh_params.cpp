@@ -51,14 +51,12 @@ class ParamCosts {
         const char* output = import_kind_name(ImportKind::output);
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
-                !costs_.contains(name + "Views") &&
-                !is_included(graph_.sources, import.loc))
+                !costs_.contains(name + "Views") && !is_included(graph_.sources, import.loc))
                 reporter.warn(import.loc, "W134",
                               (import.kind == "turns" ? "no group" : "no pass") +
                                   std::string(" uses the import ") + quote(name),
-                              import.kind == "turns"
-                                  ? "remove the import, or use it in \"turns\" of a group"
-                                  : import.kind == import_kind_name(ImportKind::views)
+                              import.kind == "turns" ? "remove the import, or use it in \"turns\" of a group"
+                              : import.kind == import_kind_name(ImportKind::views)
                                   ? "remove the import, or use it in \"view\" or \"views\" of a pass"
                                   : "remove the import, or use it in a port or in \"draws\"");
     }

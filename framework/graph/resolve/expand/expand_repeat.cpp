@@ -19,7 +19,8 @@ constexpr uint64_t kMostStepsPerPass = 16;
 class PassRepeater {
  public:
     PassRepeater(const ResolveInput& input, const Values& values, const Evaluator& evaluator,
-                 const Shapes& shapes, const PassDesc& desc, RepeatCounts& counts, Expansion& expansion, Reporter& reporter)
+                 const Shapes& shapes, const PassDesc& desc, RepeatCounts& counts, Expansion& expansion,
+                 Reporter& reporter)
         : input_(input),
           values_(values),
           evaluator_(evaluator),
@@ -175,9 +176,8 @@ class PassRepeater {
 }  // namespace
 
 std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
-                                      const Evaluator& evaluator, const Shapes& shapes,
-                                      const PassDesc& desc, RepeatCounts& counts,
-                                      Expansion& expansion, Reporter& reporter) {
+                                      const Evaluator& evaluator, const Shapes& shapes, const PassDesc& desc,
+                                      RepeatCounts& counts, Expansion& expansion, Reporter& reporter) {
     return PassRepeater(input, values, evaluator, shapes, desc, counts, expansion, reporter).run();
 }
 

@@ -24,8 +24,7 @@ struct RepeatCounts {
 // `counts` and these members of the expansion: `dropped`, `faulty`, `tried_ports`, `too_large`, `suspects`.
 [[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
                                                     const Evaluator& evaluator, const Shapes& shapes,
-                                                    const PassDesc& desc,
-                                                    RepeatCounts& counts, Expansion& expansion,
-                                                    Reporter& reporter);
+                                                    const PassDesc& desc, RepeatCounts& counts,
+                                                    Expansion& expansion, Reporter& reporter);
 
 }  // namespace weft

@@ -48,7 +48,8 @@ std::optional<MemberValue> member_value(const Declared& declared, const PassDraf
         return MemberValue{&*param, evaluate_components(*param, evaluator)};
     const GraphDesc& graph = declared.input.graph;
     const bool named = draft.indices.contains(member) || graph.params.contains(member) ||
-                       graph.consts.contains(member) || counts_draws(graph, member) || counts_views(declared, member);
+                       graph.consts.contains(member) || counts_draws(graph, member) ||
+                       counts_views(declared, member);
     if (!named) return std::nullopt;
     const std::optional<ExprValue> value = evaluator.find(member);
     if (!value) return std::nullopt;

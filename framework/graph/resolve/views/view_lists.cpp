@@ -20,14 +20,14 @@ bool is_single(const ImportCatalog& imports, const std::string& name) {
     return std::ranges::find(imports.views, name) != imports.views.end() && !imports.imports.contains(name);
 }
 
-// Returns the list of views that the program offers under this name and that the graph may use: it is imported, or
-// it needs no import. Otherwise returns null.
+// Returns the list of views that the program offers under this name and that the graph may use: it is
+// imported, or it needs no import. Otherwise returns null.
 const ImportDecl* find_offered(const ResolveInput& input, const std::string& name) {
     const auto offered = input.imports.imports.find(name);
     if (offered == input.imports.imports.end() || offered->second.kind != ImportKind::views) return nullptr;
     const auto import = input.graph.imports.find(name);
-    const bool imported = import != input.graph.imports.end() &&
-                          import->second.kind == import_kind_name(ImportKind::views);
+    const bool imported =
+        import != input.graph.imports.end() && import->second.kind == import_kind_name(ImportKind::views);
     const bool always = std::ranges::find(input.imports.views, name) != input.imports.views.end();
     return imported || always ? &offered->second : nullptr;
 }
@@ -95,9 +95,9 @@ class ReferenceCheck {
         if (is_single(input_.imports, at->of) || find_offered(input_, at->of) != nullptr) return;
         faulty_.insert(list.name);
         if (at != &list || is_faulty_import(input_, at->of)) return;
-        Diagnostic& d = reporter_.error(list.of_loc, "W118",
-                                        "the list of views " + quote(list.name) + " shows the unknown view " +
-                                            quote(list.of));
+        Diagnostic& d = reporter_.error(
+            list.of_loc, "W118",
+            "the list of views " + quote(list.name) + " shows the unknown view " + quote(list.of));
         add_list_help(input_, list.of, d);
     }
 
@@ -151,8 +151,7 @@ class ListMaker {
         list.decl.source = ViewSource::cube;
         list.decl.near_m = 0.05;
         if (!desc.near_m.empty()) {
-            const std::optional<double> near_m =
-                finite(desc.near_m, "\"near\" of " + quote(desc.name), 1e-6);
+            const std::optional<double> near_m = finite(desc.near_m, "\"near\" of " + quote(desc.name), 1e-6);
             if (!near_m) return std::nullopt;
             list.decl.near_m = *near_m;
         }
@@ -249,11 +248,11 @@ std::map<std::string, Expr> count_views(const ResolveInput& input, Values& value
     for (const auto& [list, desc] : graph.views) {
         const std::string count = count_name(list);
         if (is_taken(count) || is_single(input.imports, list)) {
-            Diagnostic& d = reporter.error(desc.loc, "W109",
-                                           is_single(input.imports, list)
-                                               ? "the program has a view of the name " + quote(list)
-                                               : "the name " + quote(count) +
-                                                     " means the number of views of this list, but is used");
+            Diagnostic& d = reporter.error(
+                desc.loc, "W109",
+                is_single(input.imports, list)
+                    ? "the program has a view of the name " + quote(list)
+                    : "the name " + quote(count) + " means the number of views of this list, but is used");
             add_help(d, "choose another name for the list");
         }
         if (faulty.contains(list)) values.faulty.insert(count);

@@ -1,5 +1,5 @@
-// Purpose: finds the lists of views that passes may use: those that the program offers, and those in the section
-// "views" of the graph. Part of evaluate(), because expressions can name the numbers of views.
+// Purpose: finds the lists of views that passes may use: those that the program offers, and those in the
+// section "views" of the graph. Part of evaluate(), because expressions can name the numbers of views.
 #pragma once
 
 #include <map>
@@ -9,8 +9,9 @@
 
 namespace weft {
 
-// Returns the expressions for the numbers of views of the lists in the section "views", by name: "mirrorViews"
-// for the list "mirror". Adds the numbers of views of the program's lists to `values`. Errors: W109, W118, W191.
+// Returns the expressions for the numbers of views of the lists in the section "views", by name:
+// "mirrorViews" for the list "mirror". Adds the numbers of views of the program's lists to `values`. Errors:
+// W109, W118, W191.
 [[nodiscard]] std::map<std::string, Expr> count_views(const ResolveInput& input, Values& values,
                                                       Reporter& reporter);
 // Returns all lists of views, by name. Call it when all names have their values. Errors: W109.

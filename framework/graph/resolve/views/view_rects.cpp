@@ -41,7 +41,8 @@ Result<RectPx> grid_cell(uint32_t count, uint32_t number, const Extent3D& extent
 }
 
 bool lies_inside(const RectPx& rect, const Extent3D& extent) {
-    return rect.x >= 0 && rect.y >= 0 && uint64_t{rect.width} + static_cast<uint64_t>(rect.x) <= extent.width &&
+    return rect.x >= 0 && rect.y >= 0 &&
+           uint64_t{rect.width} + static_cast<uint64_t>(rect.x) <= extent.width &&
            uint64_t{rect.height} + static_cast<uint64_t>(rect.y) <= extent.height;
 }
 
@@ -52,8 +53,8 @@ Result<RectPx> view_rect(const ViewList& list, uint32_t number, const Extent3D& 
     const size_t index = size_t{list.first} + number;
     const bool given = list.import != nullptr && index < list.import->rects.size();
     Result<RectPx> rect = list.desc != nullptr && list.desc->rect ? written_rect(*list.desc->rect, evaluator)
-                          : given ? Result<RectPx>(list.import->rects[index])
-                                  : grid_cell(list.count, number, extent);
+                          : given                                 ? Result<RectPx>(list.import->rects[index])
+                                                                  : grid_cell(list.count, number, extent);
     if (!rect || lies_inside(*rect, extent)) return rect;
     return fault("the rectangle of view " + std::to_string(number) + " is " + std::to_string(rect->width) +
                      " x " + std::to_string(rect->height) + " px at " + std::to_string(rect->x) + ", " +

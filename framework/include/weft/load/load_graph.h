@@ -27,6 +27,9 @@ namespace weft {
 // have the same format in all tiers. See ResolveInput.
 using SkippedFormats = std::map<std::string, size_t>;
 
+// Key: name of a resource with `"keep": "shared"`. Value: the usages of the resource in all tiers.
+using SharedUsages = std::map<std::string, UsageMask>;
+
 // Settings for loading graphs: the folders of graphs and shaders, and the limits.
 struct LoadSettings {
     FileReader reader;  // Function that reads the texts of graph files.
@@ -72,6 +75,7 @@ struct LoadedGraph {
     ResolvedGraph graph;
     // The formats that were skipped so that each image has the same format in all tiers.
     SkippedFormats skipped_formats;
+    SharedUsages shared_usages;
 };
 
 // Reads a graph file and its includes. No tier is applied.

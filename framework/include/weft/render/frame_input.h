@@ -12,8 +12,8 @@
 
 namespace weft::render {
 
-// The matrices of one view of the program. Clip space is Vulkan's, with y down; depth is 1 at the near plane and falls
-// with the distance.
+// The matrices of one view of the program. Clip space is Vulkan's, with y down; depth is 1 at the near plane
+// and falls with the distance.
 struct ViewInput {
     glm::mat4 view{1};        // From world space to view space.
     glm::mat4 projection{1};  // From view space to clip space.

@@ -40,8 +40,13 @@ struct DrawContext {
     VkBuffer draw_count = VK_NULL_HANDLE;
     VkDeviceSize draw_count_offset_bytes = 0;
     uint32_t most_draws = 0;
-    bool uses_materials = false;  // True: the pipeline layout has set 2 (material).
-    bool uses_instances = false;  // True: the pipeline layout has set 3 (draw).
+    // True: the source may leave out draws that are outside of the frustum of the view, if the shader places
+    // vertices with the matrix of the view.
+    bool culls_draws = false;
+    bool depth_clamp = false;  // True: draws before the near plane and behind the far plane are drawn too.
+    std::span<const FrameRange> frame_ranges;  // The constants of set 0 that the shader reads.
+    bool uses_materials = false;               // True: the pipeline layout has set 2 (material).
+    bool uses_instances = false;               // True: the pipeline layout has set 3 (draw).
 };
 
 class DrawSource {
@@ -52,13 +57,14 @@ class DrawSource {
     [[nodiscard]] virtual VkDescriptorSetLayout set_layout(uint32_t set) const = 0;
     // Returns descriptor set 0 of a frame slot for the view with the name `view`, such as "camera".
     [[nodiscard]] virtual VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const = 0;
-    // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the opposite
-    // winding.
+    // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the
+    // opposite winding.
     [[nodiscard]] virtual bool is_mirrored(std::string_view /*view*/) const { return false; }
     // Records every draw of `context.list` that uses `context.variant`. The executor has bound sets 0 and 1.
     // The source binds sets 2 and 3 if the pipeline layout has them. It binds vertex buffers in the order of
-    // the streams in the import's vertex format.
-    virtual void record(const DrawContext& context) const = 0;
+    // the streams in the import's vertex format. Returns how many draws were left out because they are
+    // outside of the frustum.
+    virtual uint32_t record(const DrawContext& context) const = 0;
     // Appends these parts of the uniform blocks of frame_set() to `bytes`. If all of them, and all versions,
     // are the same as in an earlier frame, set 0 has the same content as in that frame. Returns false if the
     // source does not know the content; then passes with "rest" that use set 0 run in every frame.

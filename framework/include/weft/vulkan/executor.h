@@ -25,6 +25,7 @@ namespace weft::vk {
 inline constexpr uint32_t kFramesInFlight = 2;
 
 class PipelineStore;
+class SharedStore;
 
 // Numbers of pipelines: `all` is the number that a plan uses, `made` the number that was created for this
 // plan. All other pipelines existed before.
@@ -75,10 +76,22 @@ struct ExecutorInput {
     // The store of pipelines that executors share. It must outlive the executor. Null: the executor creates
     // its own store.
     PipelineStore* pipelines = nullptr;
+    // The store of resources with `"keep": "shared"`. Executors that follow each other must have the same
+    // store, which must outlive them. Null: the executor creates its own store, and cannot share memory.
+    SharedStore* shared = nullptr;
     ExecutorHooks hooks;
     // True: GPU times of passes are measured. False: only the commands of the plan are recorded, and every
     // PassTiming::gpu_ms is negative.
     bool timestamps = true;
+};
+
+// The Vulkan objects of a resource that a plan has placed in memory. One of `image` and `buffer` is null.
+struct NativeResource {
+    VkImage image = VK_NULL_HANDLE;
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    uint64_t offset_bytes = 0;
+    bool operator==(const NativeResource&) const = default;
 };
 
 class Executor;
@@ -147,6 +160,9 @@ class Executor {
     [[nodiscard]] virtual const FramePlan& plan() const = 0;
     [[nodiscard]] virtual PipelineCounts pipelines() const = 0;
     [[nodiscard]] virtual uint64_t transient_bytes() const = 0;
+    // Returns the Vulkan objects of a resource of the plan. All handles are null if the plan has not placed
+    // the resource in memory. For a resource with history, they are those of one fixed copy.
+    [[nodiscard]] virtual NativeResource native(ResourceId resource) const = 0;
 };
 
 }  // namespace weft::vk

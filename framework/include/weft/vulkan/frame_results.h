@@ -13,12 +13,14 @@ namespace weft::vk {
 
 struct PassTiming {
     std::string pass;
-    double gpu_ms = 0;    // Time on the GPU in milliseconds; negative if it was not measured.
+    double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if it was not measured.
     // True if the pass did not run in this frame: it has `rest`, or other rounds of its group had their turn.
     bool rested = false;
     // For a pass with `rest` or in a group that ran: the reason, such as `pass "table" ran`. Empty for all
     // other passes.
     std::string woken_by;
+    // Number of draws that were not recorded because they are outside of the frustum of the view.
+    uint32_t draws_left_out = 0;
 };
 
 struct FrameTiming {

@@ -1,0 +1,68 @@
+#include "vulkan/memory/shared_store.h"
+
+#include <cassert>
+
+namespace weft::vk {
+namespace {
+
+// Returns a text that is equal for two declarations if one object can serve both.
+std::string key_of(const ResourceDecl& d) {
+    std::string key = d.name;
+    const std::initializer_list<uint64_t> numbers{static_cast<uint64_t>(d.kind),
+                                                  static_cast<uint64_t>(d.image_kind),
+                                                  static_cast<uint64_t>(d.format),
+                                                  d.extent.width,
+                                                  d.extent.height,
+                                                  d.extent.depth,
+                                                  d.mips,
+                                                  d.layers,
+                                                  d.samples,
+                                                  d.size_bytes,
+                                                  d.usage};
+    for (const uint64_t number : numbers) key += " " + std::to_string(number);
+    return key;
+}
+
+}  // namespace
+
+SharedLease& SharedLease::operator=(SharedLease&& other) noexcept {
+    if (this == &other) return *this;
+    reset();
+    store_ = std::exchange(other.store_, nullptr);
+    key_ = std::move(other.key_);
+    object_ = std::exchange(other.object_, nullptr);
+    return *this;
+}
+
+void SharedLease::reset() {
+    object_ = nullptr;
+    if (store_ != nullptr) std::exchange(store_, nullptr)->give_back(key_);
+}
+
+Result<SharedLease> SharedStore::get(const ResourceDecl& decl, const Make& make) {
+    std::string key = key_of(decl);
+    // The lock is held while the object is made, so that two plans never make two objects.
+    const std::lock_guard lock(mutex_);
+    auto found = entries_.find(key);
+    if (found == entries_.end()) {
+        Result<SharedObject> object = make();
+        if (!object) return object.take_errors();
+        found = entries_.try_emplace(key).first;
+        found->second.object = std::move(*object);
+    }
+    ++found->second.leases;
+    return SharedLease{*this, std::move(key), found->second.object};
+}
+
+void SharedStore::give_back(const std::string& key) {
+    // Declared before the lock, so that the object is destroyed after the lock is released.
+    SharedObject last;
+    const std::lock_guard lock(mutex_);
+    const auto found = entries_.find(key);
+    assert(found != entries_.end() && found->second.leases > 0);
+    if (--found->second.leases > 0) return;
+    last = std::move(found->second.object);
+    entries_.erase(found);
+}
+
+}  // namespace weft::vk

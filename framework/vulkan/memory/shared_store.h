@@ -1,0 +1,77 @@
+// Purpose: the images and buffers of resources with `"keep": "shared"`. Plans that follow each other lease
+// the same object from the store, if the resource has the same name and shape in both. When the last lease
+// ends, the object and its memory are destroyed. Only the plan that runs, and the plan that replaces it, may
+// use one store at a time. Thread-safe. Errors: those of the function that makes the object.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "vulkan/device/handle.h"
+#include "weft/declaration.h"
+#include "weft/result.h"
+
+namespace weft::vk {
+
+// An image or a buffer with memory of its own. The memory is destroyed last.
+struct SharedObject {
+    MemoryHandle memory;
+    ImageHandle image;
+    BufferHandle buffer;
+};
+
+class SharedStore;
+
+// The right to use one object of a store. A lease can be moved but not copied. The store must outlive it.
+class SharedLease {
+ public:
+    SharedLease() = default;
+    ~SharedLease() { reset(); }
+    SharedLease(SharedLease&& other) noexcept
+        : store_(std::exchange(other.store_, nullptr)),
+          key_(std::move(other.key_)),
+          object_(std::exchange(other.object_, nullptr)) {}
+    SharedLease& operator=(SharedLease&& other) noexcept;
+
+    // Returns null for an empty lease.
+    [[nodiscard]] const SharedObject* get() const { return object_; }
+    void reset();
+
+ private:
+    friend class SharedStore;
+    SharedLease(SharedStore& store, std::string key, const SharedObject& object)
+        : store_(&store), key_(std::move(key)), object_(&object) {}
+
+    SharedStore* store_ = nullptr;
+    std::string key_;
+    const SharedObject* object_ = nullptr;
+};
+
+class SharedStore {
+ public:
+    SharedStore() = default;
+    SharedStore(const SharedStore&) = delete;
+    SharedStore& operator=(const SharedStore&) = delete;
+
+    using Make = std::function<Result<SharedObject>()>;
+    // Returns a lease on the object of the resource. If the store does not have the object, the function
+    // creates it with `make`.
+    [[nodiscard]] Result<SharedLease> get(const ResourceDecl& decl, const Make& make);
+
+ private:
+    friend class SharedLease;
+    struct Entry {
+        SharedObject object;
+        uint32_t leases = 0;
+    };
+    void give_back(const std::string& key);
+
+    std::mutex mutex_;
+    std::map<std::string, Entry> entries_;  // An entry stays at its address until it is erased.
+};
+
+}  // namespace weft::vk

@@ -1,0 +1,4 @@
+#version 460
+layout(location = 0) out uint value;
+
+void main() { value = 100u; }
