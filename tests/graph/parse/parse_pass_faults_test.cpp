@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "\"indirekt\"",
                   "did you mean \"indirect\"?"},
         FaultCase{
-            "DrawsOfNoList", draws("$${\"indirect\": \"b\"}"), {"W108"}, "\"list\"", "name the draw list"},
+            "DrawsOfNoCommands", draws("$${\"count\": \"b\"}"), {"W108"}, "\"indirect\"", "name the buffer"},
         FaultCase{"DrawsByNothing",
                   draws("$${\"list\": \"a\"}"),
                   {"W108"},

@@ -95,7 +95,6 @@ TEST_F(ResolveIndirect, a_buffer_has_the_number_of_draws) {
     EXPECT_EQ(d.uses[d.draw_count_use].bytes, (ByteRange{28, 4}));
     EXPECT_EQ(d.most_draws, 5u);
     EXPECT_EQ(bad(draw(R"j({"indirect": "cmds", "count": "floats"})j")).code, "W114");
-    EXPECT_EQ(bad(draw(R"j({"indirect": "cmds", "count": "x"})j")).code, "W114");
     profile.max_draw_indirect_count = 7;
     EXPECT_EQ(bad(draw(R"j({"indirect": "cmds", "count": "args"})j")).code, "W114");
     good(draw(R"j({"indirect": "cmds.range(0..6)", "count": "args"})j"));

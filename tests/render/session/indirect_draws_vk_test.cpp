@@ -1,7 +1,10 @@
 // Tests indirect draws: a shipped graph draws its opaque list with a copy of the scene's draw commands. The
 // picture must be the same as with direct draws. A device without the needed feature must give an error.
 // Another graph draws as many commands as a compute pass has counted.
+#include <unistd.h>
+
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "scene/builtin/builtin_spheres.h"
@@ -25,11 +28,12 @@ std::string indirect_graph() {
 class IndirectDraws : public SessionTest {
  protected:
     // Renders two frames on `device` and returns their albedo images as bytes.
-    static Result<std::vector<std::vector<std::byte>>> albedo(vk::Device& device, FileReader reader) {
+    static Result<std::vector<std::vector<std::byte>>> albedo(vk::Device& device, FileReader reader,
+                                                              const std::string& path = "graph.json") {
         const PassCatalog passes = registered_passes();
         const scene::Scene scene = scene::make_spheres();
         render::SessionInput input;
-        input.request.path = "graph.json";
+        input.request.path = path;
         input.load.reader = std::move(reader);
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
@@ -109,32 +113,34 @@ void main() {
                   "    atomicAdd(number.draws, 1);\n}\n");
 }
 
-std::optional<std::string> counted_file(const std::string& path, bool counted) {
-    const std::string name = std::filesystem::path(path).filename();
-    if (name == "graph.json") return counted_graph(counted);
-    if (name == "collect.comp" || name == "blank.comp") return collect_shader(name == "collect.comp");
-    if (name == "flat.vert")
-        return R"j(#version 460
+// Writes the graph and its shaders to a folder, and returns the path of the graph.
+std::string write_counted_files(const std::filesystem::path& folder, bool counted) {
+    std::filesystem::create_directories(folder / "flat");
+    const auto write = [&](const char* name, const std::string& text) {
+        std::ofstream(folder / name, std::ios::binary) << text;
+    };
+    write("graph.json", counted_graph(counted));
+    write(counted ? "collect.comp" : "blank.comp", collect_shader(counted));
+    write("flat/flat.frag", "#version 460\nvoid main() {}\n");
+    write("flat/flat.vert", R"j(#version 460
 #include "frame_set.glsl"
 #include "shared/instance.glsl"
 layout(location = 0) in vec4 position;
 layout(set = 3, binding = 0, std430) readonly buffer Instances { Instance instances[]; };
 void main() {
     gl_Position = view.view_projection * (instances[gl_InstanceIndex].object_to_world * vec4(position.xyz, 1.0));
-})j";
-    if (name == "flat.frag") return "#version 460\nvoid main() {}\n";
-    return std::nullopt;
+}
+)j");
+    return (folder / "graph.json").string();
 }
 
 TEST_F(IndirectDraws, AsManyAsABufferSaysGiveTheSameDepth) {
     if (!device_->optional().draw_indirect_count) GTEST_SKIP() << "the device lacks drawIndirectCount";
-    const auto reader = [](bool counted) {
-        return [counted](const std::string& path) {
-            const std::optional<std::string> own = counted_file(path, counted);
-            return own ? own : read_included(path);
-        };
-    };
-    const auto blanked = albedo(*device_, reader(false)), counted = albedo(*device_, reader(true));
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("weft_counted_" + std::to_string(::getpid()));
+    const auto blanked = albedo(*device_, read_included, write_counted_files(folder / "blanked", false));
+    const auto counted = albedo(*device_, read_included, write_counted_files(folder / "counted", true));
+    std::filesystem::remove_all(folder);
     ASSERT_TRUE(blanked) << to_text(blanked.errors());
     ASSERT_TRUE(counted) << to_text(counted.errors());
     EXPECT_EQ(*blanked, *counted);
