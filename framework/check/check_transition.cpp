@@ -117,7 +117,7 @@ class TransitionCheck {
             std::min(left.range.layer + left.range.layers, wanted.range.layer + wanted.range.layers);
         SubresourceRange part{std::max(left.range.mip, wanted.range.mip), 0,
                               std::max(left.range.layer, wanted.range.layer), 0,
-                              left.range.aspects & wanted.range.aspects};
+                              static_cast<AspectMask>(left.range.aspects & wanted.range.aspects)};
         if (mips <= part.mip || layers <= part.layer || part.aspects == 0) return;
         part.mips = mips - part.mip;
         part.layers = layers - part.layer;
