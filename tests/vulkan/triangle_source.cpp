@@ -101,10 +101,12 @@ uint32_t TriangleSource::record(const DrawContext& context) const {
     }
     constexpr uint32_t kCommandBytes = sizeof(VkDrawIndexedIndirectCommand);
     context.fn->vkCmdBindIndexBuffer(context.commands, indices_.handle(), 0, VK_INDEX_TYPE_UINT32);
-    if (context.draw_count != VK_NULL_HANDLE)
-        return context.fn->vkCmdDrawIndexedIndirectCount(
+    if (context.draw_count != VK_NULL_HANDLE) {
+        context.fn->vkCmdDrawIndexedIndirectCount(
             context.commands, context.draw_commands, context.draw_commands_offset_bytes, context.draw_count,
             context.draw_count_offset_bytes, context.most_draws, kCommandBytes);
+        return 0;
+    }
     for (uint32_t draw = 0; draw < 2; ++draw)
         context.fn->vkCmdDrawIndexedIndirect(context.commands, context.draw_commands,
                                              context.draw_commands_offset_bytes + draw * kCommandBytes, 1,
