@@ -169,11 +169,16 @@ struct SamplerDecl {
     bool operator==(const SamplerDecl&) const = default;
 };
 
+// For a port that is an array in the shader: each element of the array is one mip, or one layer, of the
+// range.
+enum class EachPart : uint8_t { none, mip, layer };
+
 // Binds a port of a pass to a part of a resource, and tells how the pass accesses this part.
 struct UseDecl {
     std::string port;
     ResourceId resource = kNoId;
     SubresourceRange range;
+    EachPart each = EachPart::none;
     Access access = Access::none;
     // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
     // `access`.
@@ -195,6 +200,13 @@ struct UseDecl {
     bool latest = false;
     SourceLoc loc;
 };
+
+// Returns how many elements of the shader's array the range fills: its mips or layers; 1 if the port is not
+// an array.
+[[nodiscard]] uint32_t element_count(const UseDecl& use);
+// Returns the part of the range that is element `element`. Elements after the last one are the last one
+// again.
+[[nodiscard]] SubresourceRange element_range(const UseDecl& use, uint32_t element);
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
 
@@ -354,9 +366,7 @@ struct GroupDecl {
         return unit >= first_unit && unit - first_unit < rounds;
     }
     // Returns true if a frame may be unable to run all rounds.
-    [[nodiscard]] bool is_limited() const {
-        return per_frame < rounds || warm_up < rounds || !turns.empty();
-    }
+    [[nodiscard]] bool is_limited() const { return per_frame < rounds || warm_up < rounds || !turns.empty(); }
 };
 
 struct ResolvedGraph {

@@ -177,6 +177,7 @@ class ReferenceBinder {
         bound.use.port = port.port;
         bound.use.resource = resource;
         bound.use.range = *range;
+        bound.use.each = port.each;
         bound.use.history = ref.history;
         bound.use.is_output = is_output;
         bound.use.loc = ref.loc;
