@@ -149,8 +149,8 @@ class SlicedResource {
     void report(PassId reader, const UseDecl& use, const SubresourceRange& cell, PassId named, PassId other) {
         faults_.add(
             "C332", use.loc,
-            "pass " + faults_.pass_name(reader) + " reads " + faults_.resource_name(resource_) +
-                range_text(cell) + " as pass " + faults_.pass_name(named) +
+            "pass " + faults_.pass_name(reader) + " reads " + faults_.part_name(resource_, cell) +
+                " as pass " + faults_.pass_name(named) +
                 " leaves it, but in frames without that pass, pass " + faults_.pass_name(other) +
                 " has overwritten this content",
             "a pass must not overwrite content of a pass with perFrame that a later frame still reads");
@@ -180,8 +180,8 @@ void check_dropped_content(const FramePlan& plan, FaultList& faults) {
                 continue;
             faults.add("C331", pass.loc,
                        "the barrier before pass " + faults.pass_name(step.pass) +
-                           " discards the content of " + faults.resource_name(barrier.resource) +
-                           range_text(barrier.range) + ", also in frames in which the pass does not run",
+                           " discards the content of " + faults.part_name(barrier.resource, barrier.range) +
+                           ", also in frames in which the pass does not run",
                        "the old layout of the barrier must be the real layout");
         }
     }

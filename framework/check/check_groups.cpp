@@ -163,7 +163,7 @@ class GroupCheck {
         bool guarded = true;
         each_part(use, [&](const Part& part) { guarded = guarded && is_guarded(step, use, part); });
         if (guarded) return;
-        fault("writes " + faults_.resource_name(use.resource) + range_text(use.range) + " in pass " +
+        fault("writes " + faults_.part_name(use.resource, use.range) + " in pass " +
               faults_.pass_name(step.pass) +
               ", but the barriers of this pass do not order it with the same part in all other rounds");
     }

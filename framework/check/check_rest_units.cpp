@@ -128,7 +128,7 @@ class RestCheck {
             });
             if (shared)
                 fault("C333", id, use.loc,
-                      "writes " + faults_.resource_name(use.resource) + range_text(use.range) +
+                      "writes " + faults_.part_name(use.resource, use.range) +
                           ", but a rest unit without this pass writes it, too",
                       "all writers of a part must belong to one rest unit");
         }
@@ -155,7 +155,7 @@ class RestCheck {
                     own |= together && source.producer == kNoId && pure;
                     middle |= !together && source.producer != kNoId && source.producer != part.last;
                 });
-                const std::string what = faults_.resource_name(use.resource) + range_text(source.range);
+                const std::string what = faults_.part_name(use.resource, source.range);
                 if (own)
                     fault("C333", id, use.loc, "rests, but needs the earlier content of " + what,
                           "the result of a rest unit must not depend on its own earlier result");
@@ -189,9 +189,8 @@ class RestCheck {
     void report_barrier(const BarrierDecl& barrier, PassId before, const std::string& when) {
         faults_.add(
             "C334", plan_.graph.resources[barrier.resource].loc,
-            "the barrier on " + faults_.resource_name(barrier.resource) + range_text(barrier.range) +
-                " at pass " + (before == kNoId ? "(end of frame)" : faults_.pass_name(before)) +
-                " is recorded " + when,
+            "the barrier on " + faults_.part_name(barrier.resource, barrier.range) + " at pass " +
+                (before == kNoId ? "(end of frame)" : faults_.pass_name(before)) + " is recorded " + when,
             "a barrier on a part that a rest unit writes must belong to a step of that unit, and only "
             "such a barrier may depend on whether the pass runs");
     }
@@ -230,8 +229,8 @@ class RestCheck {
         });
         if (wrong)
             fault("C334", step.pass, use.loc,
-                  "leaves " + faults_.resource_name(use.resource) + range_text(use.range) + " in layout " +
-                      layout_text(left) + ", which is not its layout while the rest unit rests",
+                  "leaves " + faults_.part_name(use.resource, use.range) + " in layout " + layout_text(left) +
+                      ", which is not its layout while the rest unit rests",
                   "the last barrier of the step must change the layout back");
     }
 

@@ -10,6 +10,7 @@
 
 #include "check/check_frame_slices.h"
 #include "check/check_groups.h"
+#include "check/check_pieces.h"
 #include "check/check_rest_units.h"
 #include "check/check_scopes.h"
 #include "check/memory_collisions.h"
@@ -237,9 +238,8 @@ void check_transfers(const FramePlan& plan, FaultList& faults) {
     for (const BarrierDecl* half : halves) {
         if (same[key(half)] % 2 == 0) continue;
         faults.add("C360", plan.graph.resources[half->resource].loc,
-                   faults.resource_name(half->resource) + range_text(half->range) +
-                       " goes from queue family " + std::to_string(half->src_family) + " to " +
-                       std::to_string(half->dst_family) +
+                   faults.part_name(half->resource, half->range) + " goes from queue family " +
+                       std::to_string(half->src_family) + " to " + std::to_string(half->dst_family) +
                        ", but the plan has no matching second half of this ownership transfer",
                    kCompilerFault);
     }
@@ -261,6 +261,8 @@ void check_boundary(const FramePlan& plan, FaultList& faults) {
 
 bool check_structure(const FramePlan& plan, FaultList& faults) {
     if (!check_shape(plan, faults)) return false;
+    check_pieces(plan, faults);
+    if (faults.any("C344")) return false;
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);

@@ -89,6 +89,13 @@ class TransitionCheck {
         return access_state(access, 0, decl.kind == ResourceKind::image ? decl.aspects : aspect::kNone);
     }
 
+    static const std::string& ring_name(const ResolvedGraph& graph, const ResourceDecl& decl) {
+        return graph.resources[decl.ring].name;
+    }
+    // Returns how many frames ago the content was written that the resource has between two frames. A single
+    // copy has the content of the last frame, like age 1 of a ring.
+    static uint32_t frames_ago(const ResourceDecl& decl) { return decl.history == 0 ? 1 : decl.age; }
+
     void check_carried(const ContentCopy& carry) {
         const ResourceDecl& decl = new_.graph.resources[carry.to];
         if (carry.from >= old_.graph.resources.size() || !old_.live.live_resources[carry.from]) {
@@ -97,8 +104,8 @@ class TransitionCheck {
             return;
         }
         const ResourceDecl& from = old_.graph.resources[carry.from];
-        if (from.name != decl.name || from.age != decl.age || from.format != decl.format ||
-            from.lifetime != ResourceLifetime::persistent)
+        if (from.lifetime != ResourceLifetime::persistent || ring_name(old_.graph, from) != ring_name(new_.graph, decl) ||
+            frames_ago(from) != frames_ago(decl) || from.format != decl.format)
             add("C370", carry.to, "gets its content from \"" + from.name + "\"",
                 "copy only a resource of the same name, format and age");
         const bool same = from.extent == decl.extent && from.mips == decl.mips &&

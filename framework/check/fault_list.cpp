@@ -24,6 +24,11 @@ std::string FaultList::resource_name(ResourceId resource) const {
     return resource < plan_.graph.resources.size() ? "\"" + plan_.graph.resources[resource].name + "\"" : "?";
 }
 
+std::string FaultList::part_name(ResourceId resource, const SubresourceRange& range) const {
+    const bool known = resource < plan_.graph.resources.size();
+    return resource_name(resource) + (known ? range_text(plan_.graph.resources[resource], range) : "");
+}
+
 std::string FaultList::actor_text(const Actor& actor, uint32_t current_frame) const {
     std::string text =
         actor.pass == kNoId ? "the program outside the graph" : "pass " + pass_name(actor.pass);

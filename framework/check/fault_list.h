@@ -40,6 +40,8 @@ class FaultList {
     [[nodiscard]] std::string pass_name(PassId pass) const;
     // Returns the name in quotes, such as "hdr".
     [[nodiscard]] std::string resource_name(ResourceId resource) const;
+    // Returns the name of a part in the same way, such as "hdr".mip(0).layer(0).
+    [[nodiscard]] std::string part_name(ResourceId resource, const SubresourceRange& range) const;
     [[nodiscard]] std::string actor_text(const Actor& actor, uint32_t current_frame) const;
     [[nodiscard]] Diagnostics take() { return std::move(faults_); }
 

@@ -135,9 +135,9 @@ void Replay::check_boundary() {
         cells_[boundary.resource].each(boundary.range, [&](const Cell& cell) {
             if (cell.layout == boundary.state.layout) return;
             faults_.add("C350", resource.loc,
-                        "at the start of a frame, " + faults_.resource_name(boundary.resource) +
-                            range_text(cell.range) + " is in layout " + layout_text(cell.layout) +
-                            ", but the plan expects layout " + layout_text(boundary.state.layout),
+                        "at the start of a frame, " + faults_.part_name(boundary.resource, cell.range) +
+                            " is in layout " + layout_text(cell.layout) + ", but the plan expects layout " +
+                            layout_text(boundary.state.layout),
                         "the prologue or the previous frame must leave the image in the planned layout");
         });
     }

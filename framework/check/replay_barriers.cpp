@@ -61,7 +61,7 @@ void Replay::apply(const BarrierDecl& barrier, const Scopes& scopes, PassId befo
 void Replay::transfer(const BarrierDecl& barrier, PassId before) {
     const ResourceDecl& resource = plan_.graph.resources[barrier.resource];
     const Scopes scopes = scopes_of(barrier);
-    const std::string what = faults_.resource_name(barrier.resource) + range_text(barrier.range);
+    const std::string what = faults_.part_name(barrier.resource, barrier.range);
     const bool releases = family() == barrier.src_family;
     if (!releases && family() != barrier.dst_family)
         faults_.add("C360", resource.loc,
@@ -97,9 +97,10 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
         follow(record);
         if (ordered(record, scopes) && flushed(record, scopes)) return;
         faults_.add("C313", resource.loc,
-                    faults_.actor_text(by, frame_) + " changes " + faults_.resource_name(barrier.resource) +
-                        range_text(barrier.range) + " to layout " + layout_text(barrier.dst.layout) +
-                        " without waiting for " + faults_.actor_text(record.actor(), frame_),
+                    faults_.actor_text(by, frame_) + " changes " +
+                        faults_.part_name(barrier.resource, barrier.range) + " to layout " +
+                        layout_text(barrier.dst.layout) + " without waiting for " +
+                        faults_.actor_text(record.actor(), frame_),
                     missing(record, "the source scope of the barrier needs " + stages_text(record.stages()) +
                                         " and " + access_text(record.access() & access::kAllWrites)));
     };
@@ -107,8 +108,8 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
         if (barrier.src.layout != Layout::undefined && barrier.src.layout != cell.layout)
             faults_.add("C320", resource.loc,
                         "the barrier before " + faults_.actor_text({before, frame_}, frame_) + " changes " +
-                            faults_.resource_name(barrier.resource) + range_text(cell.range) +
-                            " from layout " + layout_text(barrier.src.layout) + ", but " +
+                            faults_.part_name(barrier.resource, cell.range) + " from layout " +
+                            layout_text(barrier.src.layout) + ", but " +
                             faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
                             " left it in layout " + layout_text(cell.layout),
                         "the old layout of the barrier must be the real layout or undefined");

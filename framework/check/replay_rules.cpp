@@ -46,7 +46,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     // The texts are built in lambdas, only for errors, because this function runs for every subresource of
     // every use.
     const auto who = [&] { return faults_.actor_text(by, frame_); };
-    const auto what = [&] { return faults_.resource_name(use.resource) + range_text(cell.range); };
+    const auto what = [&] { return faults_.part_name(use.resource, cell.range); };
     const bool image = plan_.graph.resources[use.resource].kind == ResourceKind::image;
     if (image && !judged_as_read && cell.layout != state.layout)
         faults_.add("C320", use.loc,
@@ -123,9 +123,8 @@ void Replay::expect_owner(const Actor& by, const UseDecl& use, Cell& cell) {
     if (cell.owner == kNoFamily) cell.owner = family();
     if (cell.owner == family() && cell.released_to == kNoFamily) return;
     faults_.add("C361", use.loc,
-                faults_.actor_text(by, frame_) + " uses " + faults_.resource_name(use.resource) +
-                    range_text(cell.range) + " on a queue of family " + std::to_string(family()) +
-                    ", but after " +
+                faults_.actor_text(by, frame_) + " uses " + faults_.part_name(use.resource, cell.range) +
+                    " on a queue of family " + std::to_string(family()) + ", but after " +
                     faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
                     " this part belongs to family " +
                     std::to_string(cell.released_to == kNoFamily ? cell.owner : cell.released_to),
@@ -159,8 +158,7 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
                 faults_.resource_name(found.through) + ", which shares the same memory";
     faults_.add(
         "C330", use.loc,
-        "pass " + faults_.pass_name(id) + " reads " + faults_.resource_name(use.resource) +
-            range_text(cell.range) + " as " +
+        "pass " + faults_.pass_name(id) + " reads " + faults_.part_name(use.resource, cell.range) + " as " +
             (wanted == kNoId ? std::string("it was before the frame")
                              : "pass " + faults_.pass_name(wanted) + " leaves it") +
             ", but the resource " + holds,

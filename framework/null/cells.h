@@ -1,5 +1,5 @@
-// Purpose: numbers the cells of a resource. A cell is one mip of one layer of one aspect of an image, or a
-// whole buffer. Cells are ordered by aspect, then layer, then mip.
+// Purpose: numbers the cells of a resource. A cell is one mip of one layer of one aspect of an image, or one
+// piece of a buffer. Cells are ordered by aspect, then layer, then mip.
 #pragma once
 
 #include <bit>
@@ -15,15 +15,19 @@ inline uint32_t aspect_count(AspectMask aspects) {
 }
 
 inline uint32_t cell_count(const ResourceDecl& resource) {
-    if (resource.kind == ResourceKind::buffer) return 1;
+    if (resource.kind == ResourceKind::buffer) return resource.whole().layers;
     return aspect_count(resource.aspects) * resource.layers * resource.mips;
 }
 
 // Calls visit(index, subresource) for every cell of `range`. `index` counts all cells of the resource, also
-// those outside `range`. For a buffer: one call with index 0.
+// those outside `range`.
 template <class F>
 void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, F visit) {
-    if (resource.kind == ResourceKind::buffer) return visit(0u, SubresourceRange{});
+    if (resource.kind == ResourceKind::buffer) {
+        for (uint32_t piece = range.layer; piece < range.layer + range.layers; ++piece)
+            visit(piece, SubresourceRange{0, 1, piece, 1, aspect::kColor});
+        return;
+    }
     uint32_t plane = 0;
     for (unsigned bit = 1; bit <= resource.aspects; bit <<= 1) {
         if (!(resource.aspects & bit)) continue;
@@ -34,6 +38,19 @@ void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, 
                 visit((base + layer) * resource.mips + mip,
                       SubresourceRange{mip, 1, layer, 1, static_cast<AspectMask>(bit)});
     }
+}
+
+// Calls visit() for every cell that a use touches. The cells of a buffer are found from the bytes that the
+// use names, not from its range. So a range that does not fit the bytes gives wrong values.
+template <class F>
+void for_each_cell(const ResourceDecl& resource, const UseDecl& use, F visit) {
+    if (resource.kind == ResourceKind::image) return for_each_cell(resource, use.range, visit);
+    const ByteRange used = used_bytes(resource, use);
+    for_each_cell(resource, resource.whole(), [&](uint32_t index, const SubresourceRange& piece) {
+        const ByteRange bytes = piece_bytes(resource, piece);
+        if (bytes.offset_bytes < used.end_bytes() && used.offset_bytes < bytes.end_bytes())
+            visit(index, piece);
+    });
 }
 
 template <class F>

@@ -209,7 +209,7 @@ CellValue Memory::poison(const char* why, uint32_t node, ResourceId object, uint
                   plan_.graph.passes[pass].name + "\"";
         std::string where;
         for_each_cell(plan_.graph.resources[object], [&](uint32_t cell, const SubresourceRange& range) {
-            if (cell == index) where = range_text(range);
+            if (cell == index) where = range_text(plan_.graph.resources[object], range);
         });
         faults_.push_back("frame " + std::to_string(at.frame) + ": " + who + " touches \"" +
                           plan_.graph.resources[object].name + "\"" + where + ", but " + why);

@@ -88,7 +88,7 @@ class Execution {
             const ResourceDecl& decl = plan_.graph.resources[use.resource];
             const ResourceId object = memory_.object_of(use.resource, node.frame);
             size_t index = 0;
-            for_each_cell(decl, use.range, [&](uint32_t cell, const SubresourceRange& range) {
+            for_each_cell(decl, use, [&](uint32_t cell, const SubresourceRange& range) {
                 CellValue value = memory_.read(object, cell, accessor);
                 const bool nobody_wrote = source_of(use, range) == kNoId && !defined_before_frame(decl);
                 if (nobody_wrote) value = kUndefinedValue;
@@ -123,13 +123,13 @@ class Execution {
             const ResourceId object = memory_.object_of(use.resource, node.frame);
             const bool lost = (effective.loses_written && !(instance.scope_continues && draws_to(pass, u))) ||
                               (effective.loses_old && !sees_content(use));
-            for_each_cell(plan_.graph.resources[use.resource], use.range,
-                          [&](uint32_t cell, const SubresourceRange& range) {
-                              CellValue value = writes(use.access) ? written_value(hash, use, range)
-                                                                   : memory_.peek(object, cell);
-                              if (lost) value = ValueHash().add("not kept").add(uint64_t{id}).value();
-                              memory_.write(object, cell, accessor, value);
-                          });
+            for_each_cell(
+                plan_.graph.resources[use.resource], use, [&](uint32_t cell, const SubresourceRange& range) {
+                    CellValue value =
+                        writes(use.access) ? written_value(hash, use, range) : memory_.peek(object, cell);
+                    if (lost) value = ValueHash().add("not kept").add(uint64_t{id}).value();
+                    memory_.write(object, cell, accessor, value);
+                });
         }
     }
 
@@ -162,7 +162,7 @@ class Execution {
             if (!sees_content(pass.uses[u])) continue;
             const std::vector<Gathered::Value>& values = gathered_[instance].uses[u];
             size_t index = 0;
-            for_each_cell(plan_.graph.resources[pass.uses[u].resource], pass.uses[u].range,
+            for_each_cell(plan_.graph.resources[pass.uses[u].resource], pass.uses[u],
                           [&](uint32_t, const SubresourceRange& range) {
                               run_.observed.push_back({i.frame, step_of(i).pass, u, pass.uses[u].resource,
                                                        range, values.at(index++).value});

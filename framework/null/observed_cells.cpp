@@ -13,7 +13,8 @@ auto key(const ObservedCell& c) {
 }
 
 std::string cell_text(const ResolvedGraph& graph, const ObservedCell& cell) {
-    const std::string what = "\"" + graph.resources[cell.resource].name + "\"" + range_text(cell.range);
+    const ResourceDecl& resource = graph.resources[cell.resource];
+    const std::string what = "\"" + resource.name + "\"" + range_text(resource, cell.range);
     const std::string frame = "frame " + std::to_string(cell.frame) + ": ";
     if (cell.pass == kNoId) return frame + what + " after the frame";
     return frame + what + " as \"" + graph.passes[cell.pass].name + "\" sees it";

@@ -17,7 +17,7 @@ uint64_t mixed(uint64_t x) {
 
 bool ring_is_written(const ResolvedGraph& graph, const LiveGraph& live, ResourceId ring) {
     for (PassId id(0); id < graph.passes.size(); ++id) {
-        if (!live.live_passes[id]) continue;
+        if (!live.live_passes[id] || graph.passes[id].carries) continue;
         for (const UseDecl& use : graph.passes[id].uses)
             if (use.resource == ring && writes(use.access)) return true;
     }

@@ -208,7 +208,7 @@ class Reference {
             const UseDecl& use = pass.uses[u];
             if (!sees_content(use)) continue;
             const ResourceDecl& decl = graph_.resources[use.resource];
-            for_each_cell(decl, use.range, [&](uint32_t cell, const SubresourceRange& range) {
+            for_each_cell(decl, use, [&](uint32_t cell, const SubresourceRange& range) {
                 const PassId source = source_of(use, range);
                 const Versions& versions = cells_[use.resource][cell];
                 const bool own = source != kNoId && graph_.passes[source].rest_unit == pass.rest_unit;
@@ -222,7 +222,7 @@ class Reference {
         for (const UseDecl& use : pass.uses) {
             if (!writes(use.access)) continue;
             for_each_cell(
-                graph_.resources[use.resource], use.range, [&](uint32_t cell, const SubresourceRange& range) {
+                graph_.resources[use.resource], use, [&](uint32_t cell, const SubresourceRange& range) {
                     const CellValue value = defined ? written_value(hash, use, range) : kUndefinedValue;
                     cells_[use.resource][cell].written.emplace_back(id, value);
                 });
@@ -234,11 +234,10 @@ class Reference {
     void pass_on(PassId id) {
         for (const UseDecl& use : graph_.passes[id].uses) {
             if (!writes(use.access)) continue;
-            for_each_cell(graph_.resources[use.resource], use.range,
-                          [&](uint32_t cell, const SubresourceRange&) {
-                              Versions& v = cells_[use.resource][cell];
-                              v.written.emplace_back(id, v.last());
-                          });
+            for_each_cell(graph_.resources[use.resource], use, [&](uint32_t cell, const SubresourceRange&) {
+                Versions& v = cells_[use.resource][cell];
+                v.written.emplace_back(id, v.last());
+            });
         }
     }
 

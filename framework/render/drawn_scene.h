@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "render/gpu_scene.h"
-#include "render/sun_cascades.h"
+#include "render/views/sun_cascades.h"
 #include "weft/scene/scene.h"
 
 namespace weft::render {
@@ -18,8 +18,11 @@ class DrawnScene {
     [[nodiscard]] static Result<DrawnScene> create(vk::Device& device, const scene::Scene& scene,
                                                    scene::Scene* owned);
 
-    // Moves the animated lights to their positions at `time_s`.
-    void set_time(double time_s);
+    // Begins a frame: moves the objects and the lights to their places at `time_s`. The frame slot must not be
+    // in flight: Executor::begin_frame() returns a free one.
+    void set_time(uint32_t slot, double time_s);
+    // Returns the camera at its place at the time of the last set_time().
+    [[nodiscard]] scene::Camera placed(const scene::Camera& camera) const;
     // Returns the lights at the time of the last set_time().
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
     // Returns constants for shaders: the sky, the environment and the counts of lights. The caller adds the
@@ -38,7 +41,10 @@ class DrawnScene {
     std::vector<scene::Light> scene_lights_;
     size_t light_functions_ = 0;
     bool lights_move_ = false;
+    scene::Motion motion_;
+    std::vector<glm::mat4> nodes_;  // The transforms of motion_.nodes at the current time.
     std::vector<shared::Light> lights_;
+    std::optional<scene::Bounds> fixed_bounds_;  // Of the objects that do not move.
     scene::Bounds bounds_;
     shared::FrameConstants constants_{};
 };

@@ -21,6 +21,7 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
     size_ = size;
     jitter_length_ = jitter_length;
     sun_maps_ = sun_maps_of(plan());
+    views_.set_plan(plan());
 }
 
 // Returns the view constants of this frame. The first frame has no previous frame, so it uses its own view as
@@ -42,23 +43,26 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     frame.pre_exposure = std::exp2(input.exposure_ev);
     frame.prev_pre_exposure = frame_index_ == 0 ? frame.pre_exposure : pre_exposure_;
     pre_exposure_ = frame.pre_exposure;
-    view_ = find_view(input.camera);
-    scene.set_time(input.time_s);
-    sun_ = scene.find_sun(input.camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
+    scene.set_time(*slot, input.time_s);
+    const scene::Camera camera = scene.placed(input.camera);
+    view_ = find_view(camera);
+    sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     shared::FrameConstants constants = scene.frame_constants();
     constants.frame_index = static_cast<uint32_t>(frame_index_++);
     constants.time_s = static_cast<float>(input.time_s);
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    scene.gpu().set_frame(*slot, constants, view_, sun_);
+    if (Status made = views_.update({view_, sun_, scene.lights(), input.views}); !made) return made;
+    if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views()); !set) return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};
     HostInputs host;
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
-    // The program never changes the draw commands of a scene.
+    // The program never changes the draw commands of a scene, and the buffers that describe its objects.
     for (const char* list : kDrawLists) frame.import_versions.emplace(commands_of(list), 0);
+    for (const char* name : kSceneBuffers) frame.import_versions.emplace(name, 0);
     return stage_.executor->run(frame);
 }
 

@@ -6,6 +6,7 @@
 
 #include "render/drawn_scene.h"
 #include "render/render_stage.h"
+#include "render/views/frame_views.h"
 #include "weft/render/frame_input.h"
 
 namespace weft::render {
@@ -28,7 +29,7 @@ class FrameLoop {
     // checks the transition between the two plans; if it finds an error, nothing changes. Call set_graph()
     // afterwards.
     [[nodiscard]] Status take_over(RenderStage stage, bool check);
-    // Sets the output size and the jitter for the running plan, and finds the sun's shadow maps in the plan.
+    // Sets the output size and the jitter for the running plan, and finds the views that the plan uses.
     void set_graph(Extent3D size, uint32_t jitter_length);
 
     [[nodiscard]] vk::Executor& executor() { return *stage_.executor; }
@@ -36,6 +37,8 @@ class FrameLoop {
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
     // Returns the view constants of the last frame.
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
+    // Returns all views of the last frame.
+    [[nodiscard]] const FrameViews& views() const { return views_; }
     [[nodiscard]] const SunCascades& sun() const { return sun_; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
 
@@ -45,6 +48,7 @@ class FrameLoop {
     Extent3D size_;
     uint32_t jitter_length_ = 0;
     SunMaps sun_maps_;
+    FrameViews views_;
     // Index of the next frame, counted from 0.
     uint64_t frame_index_ = 0;
     shared::ViewConstants view_{};

@@ -1,13 +1,13 @@
-// Purpose: the descriptor sets that are bound as set 0: one for each pair of a frame slot and a view that a
-// pass may use. Each set refers to the frame constants, the sun's shadow cascades and its view. The host
-// writes these for each frame slot. All sets also refer to the same environment and light functions.
+// Purpose: the descriptor sets that are bound as set 0: one for each pair of a frame slot and a view that passes
+// use. Each set refers to the frame constants, the sun's shadow cascades and its view. The host writes these
+// for each frame slot. All sets also refer to the same environment and light functions.
 #pragma once
 
 #include "render/descriptor_sets.h"
 #include "render/frame_data.h"
 #include "render/gpu_environment.h"
 #include "render/gpu_light_functions.h"
-#include "render/sun_cascades.h"
+#include "render/views/frame_views.h"
 #include "weft/vulkan/executor.h"
 
 namespace weft::render {
@@ -16,21 +16,36 @@ class GpuFrame {
  public:
     [[nodiscard]] static Result<GpuFrame> create(vk::Device& device, const scene::Scene& scene);
 
-    // Writes the constants of a frame slot. The slot must not be in flight: Executor::begin_frame() returns a
-    // free one.
-    void write(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
-               const SunCascades& sun);
-    [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
+    // Writes the constants of a frame slot, and makes descriptor sets for views that have none. The slot must not
+    // be in flight: Executor::begin_frame() returns a free one. The first view is the camera.
+    [[nodiscard]] Status write(uint32_t slot, const shared::FrameConstants& frame,
+                               const shared::SunConstants& sun, std::span<const FrameView> views);
+    [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_.layout.get(); }
     // Appends parts of the uniform blocks of a set; see DrawSource::add_frame_bytes().
     void add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
                    std::vector<std::byte>& bytes) const;
-    // Returns descriptor set 0 for a view such as "camera" or "sun(1)"; see import_catalog.h.
+    // Returns descriptor set 0 for a view of the last write(), such as "camera" or "sun(1)". For other names it
+    // returns that of the camera.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
 
  private:
-    // One set for each frame slot and view. Index: slot * kViews + index of the view.
-    DescriptorSets sets_;
-    vk::Buffer constants_;
+    // Memory and descriptor sets for a number of views. Frames in flight may use them, so a block stays when the
+    // number of views changes.
+    struct ViewBlock {
+        DescriptorSets sets;  // Index: slot * kBlockViews + index of the view in the block.
+        vk::Buffer constants;
+    };
+    static constexpr uint32_t kBlockViews = 8;
+
+    [[nodiscard]] Status add_block();
+    void write_set(const ViewBlock& block, uint32_t set) const;
+    [[nodiscard]] uint32_t index_of(std::string_view view) const;
+
+    vk::Device* device_ = nullptr;
+    DescriptorSets layout_;  // Only the layout of set 0.
+    vk::Buffer constants_;   // The constants of the frame and of the sun.
+    std::vector<ViewBlock> blocks_;
+    std::map<std::string, uint32_t, std::less<>> index_of_view_;
     GpuEnvironment environment_;
     GpuLightFunctions light_functions_;
 };

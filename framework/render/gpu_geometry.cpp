@@ -1,10 +1,12 @@
 #include "render/gpu_geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 
 #include "render/frame_data.h"
+#include "weft/vulkan/executor.h"
 
 namespace weft::render {
 namespace {
@@ -123,8 +125,36 @@ std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std:
         placed.push_back(gpu_instance(instance.transform));
         placed.back().color_offset = ranges[instance.mesh].color_offset;
         placed.back().second_uv_offset = ranges[instance.mesh].second_uv_offset;
+        placed.back().mesh = instance.mesh;
+        placed.back().material = instance.material;
     }
     return placed;
+}
+
+// Makes the buffers for GpuGeometry::instances.
+Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene::Scene& scene,
+                                                 const std::vector<MeshRange>& ranges) {
+    constexpr VkBufferUsageFlags kStorage =
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+    std::vector<vk::Buffer> buffers;
+    std::vector<shared::Instance> placed = instances_of(scene, ranges);
+    const bool moves = std::ranges::any_of(
+        scene.instances, [](const scene::Instance& i) { return i.node != scene::kNone; });
+    if (!moves) {
+        Result<vk::Buffer> buffer = filled(device, std::move(placed), kStorage, "scene instances");
+        if (!buffer) return buffer.take_errors();
+        buffers.push_back(std::move(*buffer));
+        return buffers;
+    }
+    const std::span<const std::byte> bytes = std::as_bytes(std::span(placed));
+    for (uint32_t slot = 0; slot < vk::kFramesInFlight; ++slot) {
+        Result<vk::Buffer> buffer = vk::Buffer::create(device, bytes.size(), kStorage,
+                                                       vk::Buffer::Memory::upload, "scene instances");
+        if (!buffer) return buffer.take_errors();
+        std::ranges::copy(bytes, buffer->mapped().begin());
+        buffers.push_back(std::move(*buffer));
+    }
+    return buffers;
 }
 
 }  // namespace
@@ -143,8 +173,7 @@ Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& 
     if (!attributes) return attributes.take_errors();
     Result<vk::Buffer> indices = filled(device, indices_of(scene), kIndices, "scene indices");
     if (!indices) return indices.take_errors();
-    Result<vk::Buffer> instances =
-        filled(device, instances_of(scene, geometry.meshes), kStorage, "scene instances");
+    Result<std::vector<vk::Buffer>> instances = instance_buffers(device, scene, geometry.meshes);
     if (!instances) return instances.take_errors();
     Result<vk::Buffer> colors = filled(device, colors_of(scene), kStorage, "scene vertex colours");
     if (!colors) return colors.take_errors();

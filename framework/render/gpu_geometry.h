@@ -28,7 +28,8 @@ struct GpuGeometry {
     vk::Buffer positions;
     vk::Buffer attributes;
     vk::Buffer indices;
-    vk::Buffer instances;
+    // One buffer for all frames, or if objects of the scene move, one mapped buffer per frame slot.
+    std::vector<vk::Buffer> instances;
     vk::Buffer colors;
     vk::Buffer second_uvs;
     // The place of each mesh in the buffers, in the order of scene::Scene::meshes.

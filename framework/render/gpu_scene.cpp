@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <functional>
 #include <numeric>
 
@@ -32,20 +33,29 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     if (!frame) return frame.take_errors();
     Result<GpuMaterials> materials = GpuMaterials::create(device, scene, owned);
     if (!materials) return materials.take_errors();
-    Result<DescriptorSets> instances = DescriptorSets::create(device, layout_bindings(3), 1, "instances");
+    const auto slots = static_cast<uint32_t>(geometry->instances.size());
+    Result<DescriptorSets> instances = DescriptorSets::create(device, layout_bindings(3), slots, "instances");
     if (!instances) return instances.take_errors();
     gpu->geometry_ = std::move(*geometry);
     gpu->materials_ = std::move(*materials);
     gpu->frame_ = std::move(*frame);
     gpu->instances_ = std::move(*instances);
-    const std::array buffers{VkDescriptorBufferInfo{gpu->geometry_.instances.handle(), 0, VK_WHOLE_SIZE},
-                             VkDescriptorBufferInfo{gpu->geometry_.colors.handle(), 0, VK_WHOLE_SIZE},
-                             VkDescriptorBufferInfo{gpu->geometry_.second_uvs.handle(), 0, VK_WHOLE_SIZE}};
-    // One write fills bindings 0, 1 and 2: a Vulkan descriptor write continues in the next binding when a
-    // binding is full.
-    write_buffers(device, gpu->instances_.sets[0], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers);
+    for (uint32_t slot = 0; slot < slots; ++slot) {
+        const std::array buffers{
+            VkDescriptorBufferInfo{gpu->geometry_.instances[slot].handle(), 0, VK_WHOLE_SIZE},
+            VkDescriptorBufferInfo{gpu->geometry_.colors.handle(), 0, VK_WHOLE_SIZE},
+            VkDescriptorBufferInfo{gpu->geometry_.second_uvs.handle(), 0, VK_WHOLE_SIZE}};
+        // One write fills bindings 0, 1 and 2: a Vulkan descriptor write continues in the next binding when a
+        // binding is full.
+        write_buffers(device, gpu->instances_.sets[slot], 0, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffers);
+    }
+    gpu->moving_ = MovingObjects(scene);
     gpu->sort_draws(scene);
+    gpu->find_moving_draws();
     if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
+    Result<SceneBuffers> described = SceneBuffers::create(device, scene, gpu->geometry_.meshes);
+    if (!described) return described.take_errors();
+    gpu->buffers_ = std::move(*described);
     return gpu;
 }
 
@@ -59,28 +69,70 @@ void GpuScene::sort_draws(const scene::Scene& scene) {
             instance.transform * glm::vec4((mesh.bounds.min + mesh.bounds.max) * 0.5f, 1);
         for (const char* list : kDrawLists)
             if (is_in_draw_list(material, list))
-                lists_[list].push_back({geometry_.meshes[instance.mesh], i, instance.material,
+                lists_[list].draws.push_back({geometry_.meshes[instance.mesh], i, instance.material,
                                         draw_variant(material, list), material.double_sided, mirrored,
                                         center});
     }
     // Draws are sorted by material for few state changes. The sort is stable: draws with the same material
     // keep the scene's order, so the picture is always the same.
-    for (auto& [name, draws] : lists_)
-        std::stable_sort(draws.begin(), draws.end(),
+    for (auto& [name, list] : lists_)
+        std::stable_sort(list.draws.begin(), list.draws.end(),
                          [](const Draw& a, const Draw& b) { return a.material < b.material; });
 }
 
-void GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                         const shared::ViewConstants& camera, const SunCascades& sun) {
-    frame_.write(slot, frame, camera, sun);
-    const std::vector<Draw>& draws = lists_[std::string(kSortedList)];
+void GpuScene::find_moving_draws() {
+    std::map<uint32_t, uint32_t> objects;  // From the index of an instance to its moving object.
+    for (uint32_t i = 0; i < moving_.all().size(); ++i) objects[moving_.all()[i].instance] = i;
+    for (auto& [name, list] : lists_) {
+        for (uint32_t i = 0; i < list.draws.size(); ++i) {
+            const auto object = objects.find(list.draws[i].instance);
+            if (object != objects.end()) list.moving.push_back({i, object->second});
+        }
+    }
+}
+
+void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
+    if (moving_.all().empty()) return;
+    moving_.move(nodes);
+    std::byte* memory = geometry_.instances[slot].mapped().data();
+    for (const MovingObject& object : moving_.all()) {
+        const MeshRange& mesh = geometry_.meshes[object.mesh];
+        shared::Instance instance = gpu_instance(object.transform);
+        instance.prev_object_to_world = object.previous;
+        instance.color_offset = mesh.color_offset;
+        instance.second_uv_offset = mesh.second_uv_offset;
+        std::memcpy(memory + uint64_t{object.instance} * sizeof instance, &instance, sizeof instance);
+    }
+    for (auto& [name, list] : lists_) {
+        bool changed = false;
+        for (const MovingDraw& moving : list.moving) {
+            const MovingObject& object = moving_.all()[moving.object];
+            Draw& draw = list.draws[moving.draw];
+            draw.mirrored = glm::determinant(glm::mat3(object.transform)) < 0;
+            draw.center = object.transform *
+                          glm::vec4((object.mesh_bounds.min + object.mesh_bounds.max) * 0.5f, 1);
+            changed |= object.changed;
+        }
+        if (changed) ++list.version;
+    }
+}
+
+Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::SunConstants& sun,
+                           std::span<const FrameView> views) {
+    if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
+    mirrored_views_.clear();
+    for (const FrameView& view : views)
+        if (view.mirrored) mirrored_views_.insert(view.name);
+    const glm::vec3 eye = views.front().constants.eye;
+    const std::vector<Draw>& draws = lists_[std::string(kSortedList)].draws;
     far_to_near_.resize(draws.size());
     std::iota(far_to_near_.begin(), far_to_near_.end(), 0u);
     const auto distance2 = [&](uint32_t i) {
-        const glm::vec3 way = draws[i].center - camera.eye;
+        const glm::vec3 way = draws[i].center - eye;
         return glm::dot(way, way);
     };
     std::ranges::stable_sort(far_to_near_, std::greater{}, distance2);
+    return Unit{};
 }
 
 uint32_t GpuScene::place_of(std::string_view list, uint32_t i) const {
@@ -90,7 +142,7 @@ uint32_t GpuScene::place_of(std::string_view list, uint32_t i) const {
 Status GpuScene::upload_commands(vk::Device& device) {
     for (const char* list : kDrawLists) {
         std::vector<shared::DrawCommand> commands;
-        for (const Draw& draw : lists_[list])
+        for (const Draw& draw : lists_[list].draws)
             commands.push_back(
                 {draw.mesh.index_count, 1, draw.mesh.first_index, draw.mesh.vertex_offset, draw.instance});
         // Vulkan has no empty buffers, so an empty list gets one unused command.
@@ -110,6 +162,10 @@ Status GpuScene::upload_commands(vk::Device& device) {
 
 VkBuffer GpuScene::commands(std::string_view list) const {
     return commands_.find(list)->second.handle();
+}
+
+VkBuffer GpuScene::buffer(std::string_view name) const {
+    return name == "instances" ? geometry_.instances.front().handle() : buffers_.find(name);
 }
 
 VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {
@@ -137,7 +193,8 @@ bool GpuScene::add_frame_bytes(uint32_t frame_slot, std::string_view view, std::
 
 std::optional<uint64_t> GpuScene::list_version(std::string_view list) const {
     if (list == kSortedList) return std::nullopt;
-    return 0;
+    const auto found = lists_.find(list);
+    return found == lists_.end() ? 0 : found->second.version;
 }
 
 void GpuScene::record(const vk::DrawContext& context) const {
@@ -150,18 +207,20 @@ void GpuScene::record(const vk::DrawContext& context) const {
     fn.vkCmdBindVertexBuffers(commands, 0, static_cast<uint32_t>(streams.size()), streams.data(),
                               offsets.data());
     fn.vkCmdBindIndexBuffer(commands, geometry_.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    const VkDescriptorSet instances = instances_.sets[instances_.sets.size() > 1 ? context.frame_slot : 0];
     if (context.uses_instances)
         fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, context.layout, 3, 1,
-                                   instances_.sets.data(), 0, nullptr);
+                                   &instances, 0, nullptr);
+    const bool mirrored = is_mirrored(context.view);
     DrawState state;
-    const std::vector<Draw>& draws = found->second;
+    const std::vector<Draw>& draws = found->second.draws;
     for (uint32_t i = 0; i < draws.size();) {
         const uint32_t place = place_of(context.list, i);
         const Draw& draw = draws[place];
         const uint32_t same = count_alike(context, draws, i);
         i += same;
         if (draw.variant != context.variant) continue;
-        set_state(context, draw, state);
+        set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
             fn.vkCmdDrawIndexedIndirect(commands, context.draw_commands, VkDeviceSize{place} * kCommandBytes,
                                         1, kCommandBytes);
@@ -190,7 +249,8 @@ uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector
 }
 
 // Records only the state that differs from the previous draw.
-void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const {
+void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise,
+                         DrawState& state) const {
     const vk::DeviceFunctions& fn = *context.fn;
     if (context.uses_materials && draw.material != state.material) {
         const VkDescriptorSet set = materials_.set(draw.material);
@@ -198,10 +258,10 @@ void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawS
                                    &set, 0, nullptr);
         state.material = draw.material;
     }
-    if (state.mirrored != draw.mirrored) {
+    if (state.clockwise != clockwise) {
         fn.vkCmdSetFrontFace(context.commands,
-                             draw.mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-        state.mirrored = draw.mirrored;
+                             clockwise ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+        state.clockwise = clockwise;
     }
     if (context.cull == CullMode::material && state.double_sided != draw.double_sided) {
         fn.vkCmdSetCullMode(context.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
@@ -209,9 +269,13 @@ void GpuScene::set_state(const vk::DrawContext& context, const Draw& draw, DrawS
     }
 }
 
+bool GpuScene::is_mirrored(std::string_view view) const {
+    return mirrored_views_.contains(view);
+}
+
 uint64_t GpuScene::draw_count(std::string_view list) const {
     const auto found = lists_.find(list);
-    return found == lists_.end() ? 0 : found->second.size();
+    return found == lists_.end() ? 0 : found->second.draws.size();
 }
 
 }  // namespace weft::render

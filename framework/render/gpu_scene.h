@@ -7,12 +7,15 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "render/gpu_frame.h"
 #include "render/gpu_geometry.h"
 #include "render/gpu_materials.h"
+#include "render/imports/scene_buffers.h"
+#include "render/motion/moving_objects.h"
 #include "weft/vulkan/draw_source.h"
 
 namespace weft::render {
@@ -25,23 +28,32 @@ class GpuScene final : public vk::DrawSource {
                                                                   const scene::Scene& scene,
                                                                   scene::Scene* owned = nullptr);
 
+    // Moves the objects of the scene: writes their transforms for a frame slot. `nodes` is the result of
+    // transforms_at(). Call it before set_frame(). Does nothing if no object of the scene moves.
+    void move(uint32_t slot, std::span<const glm::mat4> nodes);
+    [[nodiscard]] const MovingObjects& moving() const { return moving_; }
+
     // Writes the constants of a frame slot, and sorts the transparent surfaces by distance. Call it between
-    // Executor::begin_frame() and run().
-    void set_frame(uint32_t slot, const shared::FrameConstants& frame, const shared::ViewConstants& camera,
-                   const SunCascades& sun);
+    // Executor::begin_frame() and run(). The first view is the camera.
+    [[nodiscard]] Status set_frame(uint32_t slot, const shared::FrameConstants& frame,
+                                   const shared::SunConstants& sun, std::span<const FrameView> views);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
     [[nodiscard]] bool add_frame_bytes(uint32_t frame_slot, std::string_view view,
                                        std::span<const FrameRange> ranges,
                                        std::vector<std::byte>& bytes) const override;
-    // The objects of a scene do not move, so only the order of the transparent ones changes.
+    // The order of the transparent objects may change in every frame. The version of any other list changes
+    // when one of its objects moves.
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     void record(const vk::DrawContext& context) const override;
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
+    [[nodiscard]] bool is_mirrored(std::string_view view) const override;
     // Returns the buffer with the draw commands of `list`, one of kDrawLists in import_catalog.h. Graphs
     // import the buffer under the name commands_of(list).
     [[nodiscard]] VkBuffer commands(std::string_view list) const;
+    // Returns the buffer that graphs import under `name`, one of kSceneBuffers.
+    [[nodiscard]] VkBuffer buffer(std::string_view name) const;
 
  private:
     struct Draw {
@@ -56,30 +68,46 @@ class GpuScene final : public vk::DrawSource {
         // Centre of the bounds in world space.
         glm::vec3 center{0};
     };
+    // A draw of an object that moves: an index into DrawList::draws, and one into MovingObjects::all().
+    struct MovingDraw {
+        uint32_t draw = 0;
+        uint32_t object = 0;
+    };
+    struct DrawList {
+        std::vector<Draw> draws;
+        std::vector<MovingDraw> moving;
+        uint64_t version = 0;
+    };
     // The state that the previous draws in a command buffer have set.
     struct DrawState {
         uint32_t material = scene::kNone;
-        std::optional<bool> mirrored, double_sided;
+        std::optional<bool> clockwise, double_sided;
     };
     [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
                                        uint32_t i) const;
-    void set_state(const vk::DrawContext& context, const Draw& draw, DrawState& state) const;
+    void set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise, DrawState& state) const;
     // Returns the index in `list` of the draw that is recorded as number i, counted from 0. The index differs
     // from i only in the transparent list, which is recorded from far to near.
     [[nodiscard]] uint32_t place_of(std::string_view list, uint32_t i) const;
 
     GpuScene() = default;
     void sort_draws(const scene::Scene& scene);
+    void find_moving_draws();
     [[nodiscard]] Status upload_commands(vk::Device& device);
 
     GpuGeometry geometry_;
     GpuMaterials materials_;
     GpuFrame frame_;
-    // One descriptor set (set 3) with the instances and the optional vertex streams of all meshes.
+    SceneBuffers buffers_;
+    // Descriptor set 3 with the instances and the optional vertex streams of all meshes: one for each buffer
+    // of GpuGeometry::instances.
     DescriptorSets instances_;
-    std::map<std::string, std::vector<Draw>, std::less<>> lists_;
+    MovingObjects moving_;
+    std::map<std::string, DrawList, std::less<>> lists_;
     // Indices into the transparent list, sorted from far to near as seen from the camera.
     std::vector<uint32_t> far_to_near_;
+    // The views of the frame whose picture is a mirror image.
+    std::set<std::string, std::less<>> mirrored_views_;
     // The buffer of draw commands of each draw list, by the name of the list.
     std::map<std::string, vk::Buffer, std::less<>> commands_;
 };

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "render/imports/scene_buffers.h"
 #include "render/scene_bindings.h"
-#include "render/sun_cascades.h"
+#include "render/frame_data.h"
+#include "render/views/sun_cascades.h"
+#include "render/views/frame_views.h"
 #include "shared/draw_command.glsl"
 #include "shared/light.glsl"
 
@@ -44,6 +47,7 @@ ImportDecl draw_commands(const ImportDecl& list) {
     ImportDecl import;
     import.name = commands_of(list.name);
     import.kind = ImportKind::buffer;
+    import.read_only = true;
     ResourceDecl& buffer = import.resource;
     buffer.name = import.name;
     buffer.kind = ResourceKind::buffer;
@@ -72,6 +76,15 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
     return static_cast<uint32_t>(std::ranges::count_if(scene->lights, [](const scene::Light& light) {
         return light.type == scene::LightType::directional && light.intensity > 0;
     }));
+}
+
+// Counts the views of the scene's lamps. Returns 1 if `scene` is null.
+uint32_t count_all_lamp_views(const scene::Scene* scene) {
+    if (scene == nullptr) return 1;
+    uint32_t count = 0;
+    for (const shared::Light& light : gpu_lights(scene->lights, 0, scene->light_functions.size()))
+        count += count_lamp_views(light);
+    return count;
 }
 
 // True if the scene has an environment map with a scale above 0, or if `scene` is null.
@@ -122,6 +135,14 @@ std::string commands_of(std::string_view list) {
     return std::string(list) + "Commands";
 }
 
+ImportDecl view_list(const std::string& name, uint32_t count) {
+    ImportDecl import;
+    import.name = name;
+    import.kind = ImportKind::views;
+    import.views = count;
+    return import;
+}
+
 ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     ImportCatalog catalog;
     for (const char* list : kDrawLists) {
@@ -130,11 +151,13 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
         catalog.imports.emplace(list, std::move(import));
     }
     catalog.imports.emplace("backbuffer", output(output_extent));
-    catalog.views = {"camera"};
-    for (uint32_t i = 0; i < shared::kMostSunCascades; ++i) catalog.views.push_back(sun_view_name(i));
+    catalog.views = {"camera", "sun"};
+    catalog.imports.emplace("sun", view_list("sun", shared::kMostSunCascades));
+    catalog.imports.emplace(kLampViews, view_list(kLampViews, count_all_lamp_views(scene)));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)}, {"Light", sizeof(shared::Light)}};
+    add_scene_buffers(catalog, scene);
     catalog.bindings = scene_bindings();
     return catalog;
 }

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "render/frame_data.h"
-#include "render/sun_cascades.h"
+#include "render/views/sun_cascades.h"
 #include "shared/material.glsl"
 #include "vulkan/device/to_vk.h"
 

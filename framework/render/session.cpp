@@ -11,11 +11,13 @@
 namespace weft::render {
 namespace {
 
-// Returns the scene's imports, and sets which queue family owns their Vulkan objects. If the device has
+// Returns the imports of the scene and of the program, and sets which queue family owns their Vulkan objects. If the device has
 // queues of several families, the objects are shared by all these families; otherwise the main queue's family
 // owns them.
-ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene, Extent3D size) {
-    ImportCatalog catalog = scene_imports(size, &scene);
+ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
+                            const SessionInput& input) {
+    ImportCatalog catalog = scene_imports(input.request.size, &scene);
+    for (const auto& [name, count] : input.views) catalog.imports.insert_or_assign(name, view_list(name, count));
     for (auto& [name, import] : catalog.imports) {
         if (!import.resource.import) continue;
         import.resource.import->concurrent = !device.sharing_families().empty();
@@ -56,7 +58,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
                                                  Diagnostics& warnings,
                                                  std::set<std::filesystem::path>* files) {
     auto graph =
-        std::make_unique<RunningGraph>(device, input, owned_imports(device, scene, input.request.size));
+        std::make_unique<RunningGraph>(device, input, owned_imports(device, scene, input));
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
     if (!loaded) return loaded.errors();

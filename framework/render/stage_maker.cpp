@@ -137,6 +137,7 @@ Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own) c
     run.bindings.images.emplace("backbuffer", &*output);
     for (const char* list : kDrawLists)
         run.bindings.buffers.emplace(commands_of(list), scene_.commands(list));
+    for (const char* name : kSceneBuffers) run.bindings.buffers.emplace(name, scene_.buffer(name));
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
     if (!executor) return executor.take_errors();
     return RenderStage{std::move(*output), std::move(*executor)};

@@ -22,7 +22,7 @@ FLOW = [
     "framework/scene/model", "framework/scene/loading", "framework/scene/pictures", "framework/scene/procedural",
     "framework/scene/builtin", "framework/scene/gltf", "framework/image",
     "framework/vulkan/device", "framework/vulkan/memory", "framework/vulkan/pipelines", "framework/vulkan/record",
-    "framework/vulkan/execute", "framework/render", "passes",
+    "framework/vulkan/execute", "framework/render/motion", "framework/render/views", "framework/render", "passes",
     "viewer/files", "viewer/output", "viewer/process", "viewer/options", "viewer/pictures", "viewer/bench",
     "viewer/schema", "viewer/sandbox", "viewer/commands", "viewer",
 ]
@@ -31,7 +31,7 @@ FLOW = [
 PUBLIC_OWNERS = {
     "syntax": "framework/graph/syntax", "report": "framework/graph/report", "check": "framework/check",
     "shader": "framework/shader/faults", "load": "framework/load", "scene": "framework/scene/model",
-    "image": "framework/image", "vulkan": "framework/vulkan/device", "render": "framework/render",
+    "image": "framework/image", "vulkan": "framework/vulkan/device", "render": "framework/render/views",
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
 

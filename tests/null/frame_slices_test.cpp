@@ -16,7 +16,8 @@ CompileOptions several_queues(uint32_t seed) {
     return options;
 }
 
-// Changes each pass that has no side effect and writes only persistent resources without history. The pass
+// Changes each pass that has no side effect and writes only persistent resources without history and without
+// ranges of buffers: several passes overwrite such ranges, which is not allowed in different slices. The pass
 // then runs in frame 0 and in the frames whose number modulo 3 equals its `frame_slice`. Returns the number
 // of changed passes.
 uint32_t spread_over_frames(ResolvedGraph& graph) {
@@ -27,7 +28,8 @@ uint32_t spread_over_frames(ResolvedGraph& graph) {
             if (!writes(use.access)) continue;
             const ResourceDecl& decl = graph.resources[use.resource];
             writes_any = true;
-            all_stay &= decl.lifetime == ResourceLifetime::persistent && decl.history == 0;
+            all_stay &=
+                decl.lifetime == ResourceLifetime::persistent && decl.history == 0 && decl.cuts_bytes.empty();
         }
         if (!writes_any || !all_stay || pass.side_effect) continue;
         pass.frame_slices = 3;

@@ -98,10 +98,16 @@ void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies) {
 }
 
 void print(const Tallies& tallies) {
-    constexpr std::array<const char*, kMutantKinds> kNames{
-        "barriers removed", "barriers weakened by a bit",        "the prologue's barriers weakened by a bit",
-        "waits removed",    "transfer halves removed",           "owners left out of an alias transition",
-        "scopes parted",    "barriers recorded in other frames", "shared barriers moved between rounds"};
+    constexpr std::array<const char*, kMutantKinds> kNames{"barriers removed",
+                                                           "barriers weakened by a bit",
+                                                           "the prologue's barriers weakened by a bit",
+                                                           "waits removed",
+                                                           "transfer halves removed",
+                                                           "owners left out of an alias transition",
+                                                           "scopes parted",
+                                                           "barriers recorded in other frames",
+                                                           "shared barriers moved between rounds",
+                                                           "barriers without their last layer, mip or piece"};
     for (size_t k = 0; k < tallies.size(); ++k) {
         const Tally& t = tallies[k];
         const auto percent = [](uint32_t part, uint32_t all) { return all == 0 ? 0.0 : 100.0 * part / all; };

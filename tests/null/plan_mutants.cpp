@@ -41,8 +41,8 @@ class Mutator {
     void mutate(BarrierList& list, const std::string& where) {
         const BarrierList sound = list;
         for (size_t i = 0; i < sound.size(); ++i) {
-            const std::string what =
-                where + " on " + plan_.graph.resources[sound[i].resource].name + range_text(sound[i].range);
+            const std::string what = where + " on " + plan_.graph.resources[sound[i].resource].name +
+                                     range_text(plan_.graph.resources[sound[i].resource], sound[i].range);
             list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
             const bool transfer = sound[i].src_family != sound[i].dst_family;
             show(transfer ? MutantKind::removed_transfer : MutantKind::removed_barrier, "no barrier " + what);
@@ -55,6 +55,8 @@ class Mutator {
                 list[i].dst.stages, [](StageMask m) { return stages_text(m); }, "destination of " + what);
             weaken(
                 list[i].dst.access, [](AccessMask m) { return access_text(m); }, "destination of " + what);
+            narrow(list[i].range.layers, "no barrier for the last layer or piece " + what);
+            narrow(list[i].range.mips, "no barrier for the last mip " + what);
             drop_owners(list[i], what);
             if (sound[i].reason == BarrierReason::prologue) continue;
             list[i].if_pass_runs = !list[i].if_pass_runs;
@@ -88,6 +90,13 @@ class Mutator {
             from = sound_from;
             to = sound_to;
         }
+    }
+
+    void narrow(uint32_t& count, const std::string& what) {
+        if (count < 2) return;
+        --count;
+        show(MutantKind::narrowed_barrier, what);
+        ++count;
     }
 
     template <class Text>

@@ -33,8 +33,11 @@ enum class MutantKind : uint8_t {
     // border
     // of the group's passes to the pass next to it.
     moved_barrier,
+    // A barrier on several layers or mips of an image, or on several pieces of a buffer, without the last
+    // one.
+    narrowed_barrier,
 };
-inline constexpr int kMutantKinds = 9;
+inline constexpr int kMutantKinds = 10;
 
 struct Mutant {
     MutantKind kind = MutantKind::removed_barrier;

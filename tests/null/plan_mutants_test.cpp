@@ -23,6 +23,8 @@ TEST(PlanMutants, WhatTheNullExecutorBreaksTheCheckerCatches) {
     print(tallies);
     const Tally& removed = tallies.at(static_cast<size_t>(MutantKind::removed_barrier));
     EXPECT_GE(removed.caught * 100, removed.all * 95) << "too many barriers that nobody needs";
+    const Tally& narrowed = tallies.at(static_cast<size_t>(MutantKind::narrowed_barrier));
+    EXPECT_GE(narrowed.broken, 3u);
 }
 
 }  // namespace

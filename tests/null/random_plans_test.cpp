@@ -50,7 +50,9 @@ void expect_shares(const GraphCoverage& coverage) {
     for (const uint32_t count :
          {coverage.waits, coverage.history, coverage.ranges, coverage.repeats, coverage.conditionals})
         EXPECT_GE(count * 10, coverage.graphs * 3);
+    EXPECT_GE(coverage.buffer_ranges * 5, coverage.graphs);
     EXPECT_GE(coverage.merged_scopes * 10, coverage.graphs);
+    EXPECT_GE(coverage.carried * 50, coverage.graphs);
 }
 
 TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesForAllProfiles) {

@@ -12,7 +12,8 @@ uint64_t port_bytes(const ResolvedGraph& graph, const PassDecl& pass) {
             part.mips = use.range.mips;
             part.layers = use.range.layers;
         }
-        const uint64_t once = content_bytes(part);
+        const uint64_t once = resource.kind == ResourceKind::buffer ? used_bytes(resource, use).size_bytes
+                                                                    : content_bytes(part);
         bytes += (reads(use.access) ? once : 0) + (writes(use.access) ? once : 0);
     }
     return bytes;

@@ -78,6 +78,7 @@ std::string graph_schema(const GraphNames& names) {
     definitions["reference"] = reference_to(names.resources, names.pass_names);
     definitions["passName"] = one_of(names.pass_names);
     definitions["turnsName"] = one_of(names.turns);
+    definitions["viewsName"] = one_of(names.views);
     definitions["tierName"] = one_of(names.tiers);
     definitions["drawList"] = one_of(names.draw_lists);
     definitions["paramName"] = one_of(names.params);

@@ -78,6 +78,8 @@ class NameGatherer {
     void add(const JsonNode& root) {
         names_.resources.merge(keys_of(root, "resources"));
         names_.params.merge(keys_of(root, "params"));
+        names_.views.insert({"camera", "sun"});
+        names_.views.merge(keys_of(root, "views"));
         if (const JsonNode* imports = root.find("imports"))
             for (const JsonMember& import : imports->members)
                 if (is_identifier(import.key))
@@ -97,6 +99,7 @@ class NameGatherer {
  private:
     std::set<std::string>& names_of_kind(const std::string& import_kind) {
         if (import_kind == "drawlist") return names_.draw_lists;
+        if (import_kind == "views") return names_.views;
         return import_kind == "turns" ? names_.turns : names_.resources;
     }
 

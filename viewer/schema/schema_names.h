@@ -26,7 +26,7 @@ struct PassNames {
 struct GraphNames {
     // The resources and pass names of a group are here too, both as "raw" and as "relight::raw".
     std::set<std::string> resources, pass_names;
-    std::set<std::string> draw_lists, turns, params, tiers;
+    std::set<std::string> draw_lists, turns, views, params, tiers;
     std::map<std::string, PassNames> passes;
     // The passes of each group.
     std::map<std::string, std::map<std::string, PassNames>> groups;

@@ -59,12 +59,18 @@ SubresourceRange element_range(const UseDecl& use, uint32_t element) {
     return range;
 }
 
-std::string range_text(const SubresourceRange& range) {
-    const auto span = [](const char* what, uint32_t first, uint32_t count) {
+std::string range_text(const ResourceDecl& resource, const SubresourceRange& range) {
+    const auto span = [](const char* what, uint64_t first, uint64_t count) {
         std::string text = std::string(".") + what + "(" + std::to_string(first);
         if (count > 1) text += ".." + std::to_string(first + count - 1);
         return text + ")";
     };
+    if (resource.kind == ResourceKind::buffer) {
+        if (resource.cuts_bytes.empty()) return {};
+        const ByteRange bytes = piece_bytes(resource, range);
+        const uint64_t stride = std::max(1u, resource.stride_bytes);
+        return span("range", bytes.offset_bytes / stride, (bytes.size_bytes + stride - 1) / stride);
+    }
     return span("mip", range.mip, range.mips) + span("layer", range.layer, range.layers);
 }
 
@@ -104,8 +110,22 @@ UsageMask usage_of(Access a) {
 }
 
 SubresourceRange ResourceDecl::whole() const {
-    if (kind == ResourceKind::buffer) return {};
+    if (kind == ResourceKind::buffer)
+        return {0, 1, 0, static_cast<uint32_t>(cuts_bytes.size()) + 1, aspect::kColor};
     return {0, mips, 0, layers, aspects};
+}
+
+ByteRange piece_bytes(const ResourceDecl& buffer, const SubresourceRange& range) {
+    const auto start = [&](uint64_t piece) {
+        if (piece == 0) return uint64_t{0};
+        return piece <= buffer.cuts_bytes.size() ? buffer.cuts_bytes[piece - 1] : buffer.size_bytes;
+    };
+    const uint64_t first = start(range.layer);
+    return {first, start(uint64_t{range.layer} + range.layers) - first};
+}
+
+ByteRange used_bytes(const ResourceDecl& buffer, const UseDecl& use) {
+    return use.bytes.value_or(ByteRange{0, buffer.size_bytes});
 }
 
 AccessState clear_state(const ResourceDecl& resource) {
@@ -159,6 +179,8 @@ const char* import_kind_name(ImportKind kind) {
             return "cube";
         case ImportKind::output:
             return "output";
+        case ImportKind::views:
+            return "views";
     }
     assert(false);
     return "";

@@ -103,6 +103,8 @@ inline constexpr std::array kMemoryLimits{
     WideLimit{"imageAlignmentBytes", &DeviceProfile::image_alignment_bytes},
     WideLimit{"bufferAlignmentBytes", &DeviceProfile::buffer_alignment_bytes},
     WideLimit{"imageRowAlignmentBytes", &DeviceProfile::image_row_alignment_bytes},
+    WideLimit{"storageOffsetAlignmentBytes", &DeviceProfile::storage_offset_alignment_bytes},
+    WideLimit{"uniformOffsetAlignmentBytes", &DeviceProfile::uniform_offset_alignment_bytes},
 };
 
 inline constexpr WideLimit kExtraBytes{"imageExtraBytes", &DeviceProfile::image_extra_bytes};

@@ -11,7 +11,8 @@ constexpr int64_t kFormatVersion = 1;
 constexpr int64_t kMaxJitter = 64;
 
 const std::vector<std::string>& import_kinds() {
-    static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube", "output", "turns"};
+    static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube",
+                                                "output",   "turns",  "views"};
     return kinds;
 }
 
@@ -91,6 +92,7 @@ constexpr std::array kPatchKeys{
     KeyRule<TierDesc>{"params", skip_object},    KeyRule<TierDesc>{"sizes", skip_object},
     KeyRule<TierDesc>{"resources", skip_object}, KeyRule<TierDesc>{"passes", skip_object},
     KeyRule<TierDesc>{"groups", skip_object},    KeyRule<TierDesc>{"debug", skip_object},
+    KeyRule<TierDesc>{"views", skip_object},
     KeyRule<TierDesc>{"jitter", skip_value},     KeyRule<TierDesc>{"frames", skip_value}};
 
 // Checks only which sections the patch of a tier has, not their content (see skip_object()).
@@ -130,6 +132,7 @@ constexpr std::array kTopKeys{
     KeyRule<GraphDesc>{"include", skip_include}, KeyRule<GraphDesc>{"tiers", read_tiers},
     KeyRule<GraphDesc>{"debug", parse_debug},    KeyRule<GraphDesc>{"tests", skip_tests},
     KeyRule<GraphDesc>{"jitter", read_jitter},   KeyRule<GraphDesc>{"groups", parse_groups},
+    KeyRule<GraphDesc>{"views", parse_views},
 };
 
 // Checks that no two entries of `sections` have the same name, even if they are in different sections. A
@@ -185,6 +188,7 @@ bool check_value_count(ParseContext& context, const GraphDesc& graph, SourceLoc 
 Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits) {
     static constexpr std::array<std::string_view, 3> kExpressionNames{"consts", "params", "sizes"};
     static constexpr std::array<std::string_view, 2> kReferenceNames{"imports", "resources"};
+    static constexpr std::array<std::string_view, 2> kViewNames{"imports", "views"};
     GraphDesc graph;
     graph.sources = document.sources;
     if (!graph.sources.files.empty()) graph.name = stem(graph.sources.files.front().path);
@@ -198,6 +202,7 @@ Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits) {
         check_shared_names(context, root, kExpressionNames, true);
         check_indices(context, graph);
         check_shared_names(context, root, kReferenceNames, false);
+        check_shared_names(context, root, kViewNames, false);
         check_groups(context, root, graph);
         if (const JsonNode* tests = root.find("tests")) {
             const PointerScope scope(context, "tests");

@@ -66,7 +66,8 @@ bool ParseContext::complete(Expr& expression) {
 bool ParseContext::complete(RefDesc& ref) {
     ref.name = resource_name(ref.name);
     ref.pass = pass_name(ref.pass);
-    for (std::optional<Expr>* part : {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
+    for (std::optional<Expr>* part : {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last,
+                                      &ref.element_first, &ref.element_last})
         if (*part && !complete(**part)) return false;
     return true;
 }

@@ -230,6 +230,13 @@ void parse_tests(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_groups(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+void parse_views(ParseContext& context, const JsonNode& node, GraphDesc& graph);
+// Parse the keys "view", "views" and "into" of a pass.
+void parse_view(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_pass_views(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_into(ParseContext& context, const JsonNode& node, PassDesc& pass);
+// Checks the keys of a pass that do not go together with "views". Call it after all keys are parsed.
+void check_pass_views(ParseContext& context, const JsonNode& node, const PassDesc& pass);
 // Checks names of groups against other sections of the graph, after all sections are parsed: "turns" must
 // name an import, and no resource or pass of a group may have the name of one outside the group.
 void check_groups(ParseContext& context, const JsonNode& root, const GraphDesc& graph);
@@ -263,6 +270,7 @@ void list_param_grammar(std::vector<GrammarTable>& lists);
 void list_resource_grammar(std::vector<GrammarTable>& lists);
 void list_pass_grammar(std::vector<GrammarTable>& lists);
 void list_group_grammar(std::vector<GrammarTable>& lists);
+void list_view_grammar(std::vector<GrammarTable>& lists);
 void list_port_grammar(std::vector<GrammarTable>& lists);
 void list_sampler_grammar(std::vector<GrammarTable>& lists);
 void list_state_grammar(std::vector<GrammarTable>& lists);

@@ -59,25 +59,6 @@ void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.draws, pass.draw_locs);
 }
 
-// Reads the view that a pass is drawn from: "camera", or a name with a number in parentheses, such as
-// "sun(i)".
-void read_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    pass.view_loc = node.loc;
-    if (!read_string(context, node, pass.view)) return;
-    const size_t open = pass.view.find('(');
-    if (open == std::string::npos) return;
-    const LocatedText text{node.string, node.loc};
-    size_t end = open + 1;
-    Result<Expr> number = parse_expression_at(text, end, context.sources());
-    if (!number) return context.add(number.take_errors());
-    if (!context.complete(*number)) return;
-    if (text.text.substr(end) != ")")
-        return context.error(text.at(end, 1), "W106", "the number of a view needs ')' as its last character",
-                             "write the view as \"" + pass.view.substr(0, open) + "(i)\"");
-    pass.view.resize(open);
-    pass.view_number = std::move(*number);
-}
-
 // Reads one to three counts, for x, y and z. The JSON value is an array of expressions or a single
 // expression. If a single expression has a size as its value, the size sets both x and y.
 void read_counts(ParseContext& context, const JsonNode& node, std::vector<Expr>& out) {
@@ -158,11 +139,13 @@ constexpr std::array kPassKeys{
     PassKey{"depth", kDrawing, parse_depth},
     PassKey{"resolve", kDrawing, parse_resolves},
     PassKey{"draws", kRaster, read_draws},
-    PassKey{"view", kShaded, read_view},
+    PassKey{"view", kShaded, parse_view},
     PassKey{"params", kShaded | kCustom, parse_pass_params},
     PassKey{"constants", kShaded, parse_constants},
     PassKey{"if", kAll, read_if},
     PassKey{"repeat", kAll, parse_repeat},
+    PassKey{"views", kDrawing, parse_pass_views},
+    PassKey{"into", kDrawing, parse_into},
     PassKey{"perFrame", kAll & ~kReadback, read_per_frame},
     PassKey{"rest", kShaded | kTransfer | kClear, read_rest},
     PassKey{"groups", kCompute, read_groups},
@@ -346,6 +329,7 @@ void read_pass(ParseContext& context, const JsonMember& member, const JsonNode& 
     check_dispatch(context, member.value);
     check_procedural(context, member.value, pass);
     check_port_names(context, pass);
+    check_pass_views(context, member.value, pass);
     if ((mask & kDrawing) == mask) complete_depth(context, member, pass);
 }
 

@@ -192,18 +192,17 @@ void settle_kind(ParseContext& context, const JsonNode& node, ResourceDesc& reso
                  "remove \"mips\", or resolve into an image with mips");
 }
 
-// Checks the keys that concern content of earlier frames. "history" and "keep" exclude each other.
-// "firstFrame" and "onResize" need one of the two.
+// Checks the keys that concern content of earlier frames. "firstFrame" and "onResize" need "history" or
+// "keep". A resource with "history" cannot be shared.
 void check_persistence(ParseContext& context, const JsonNode& node, const ResourceDesc& resource) {
     const auto complain = [&](std::string_view key, const std::string& message, const std::string& help) {
         const PointerScope scope(context, key);
         context.error(node.find(key)->loc, "W109", message, help);
     };
     const JsonNode* history = node.find("history");
-    if (history != nullptr && history->number != 0 && resource.keep != KeepMode::none)
-        complain(
-            "keep", "a resource cannot have both \"history\" and \"keep\"",
-            "remove one of the two: \"history\" uses a new copy in each frame, \"keep\" keeps a single copy");
+    if (history != nullptr && history->number != 0 && resource.keep == KeepMode::shared)
+        complain("keep", "a resource with \"history\" cannot be shared by all tiers",
+                 "write \"keep\": true: Weft then copies its content when the tier changes");
     const bool lasting = resource.keep != KeepMode::none || history != nullptr;
     for (const std::string_view key : {"firstFrame", "onResize"})
         if (!lasting && node.find(key) != nullptr)

@@ -31,7 +31,9 @@ class ReferenceParser {
         if (error_) return false;
         error_ = sources_.error(text_.at(offset, length), "W106", message);
         error_->help.push_back(
-            help.empty() ? "write name@pass[-N].mip(e).layer(e).depth; only the name is required" : help);
+            help.empty()
+                ? "write name@pass[-N].mip(e).layer(e).depth or name.range(a..b); only the name is required"
+                : help);
         return false;
     }
     bool fail_at(size_t offset, const std::string& wanted) {
@@ -111,15 +113,18 @@ class ReferenceParser {
         const std::string name = word();
         if (name == "mip") return range(begin, name, ref_.mip_first, ref_.mip_last);
         if (name == "layer") return range(begin, name, ref_.layer_first, ref_.layer_last);
+        if (name == "range") return range(begin, name, ref_.element_first, ref_.element_last);
         if (name == "depth" || name == "stencil") {
             if (ref_.aspects != 0) return fail(begin, name.size(), "the reference selects two aspects");
             ref_.aspects = name == "depth" ? aspect::kDepth : aspect::kStencil;
             return true;
         }
-        if (name.empty()) return fail_at(begin, "mip, layer, depth or stencil");
-        const std::string near = did_you_mean_text(name, {"mip", "layer", "depth", "stencil"});
+        if (name.empty()) return fail_at(begin, "mip, layer, range, depth or stencil");
+        const std::string near = did_you_mean_text(name, {"mip", "layer", "range", "depth", "stencil"});
         return fail(begin, name.size(), "unknown selector \"." + name + "\"",
-                    near.empty() ? "allowed selectors are .mip(e), .layer(e), .depth and .stencil" : near);
+                    near.empty()
+                        ? "allowed selectors are .mip(e), .layer(e), .range(a..b), .depth and .stencil"
+                        : near);
     }
 
     bool range(size_t begin, const std::string& name, std::optional<Expr>& first, std::optional<Expr>& last) {

@@ -1,5 +1,6 @@
 // Purpose: parses references to resources. Graphs, tests and the command line all use this grammar:
-//   name [@pass] [[-N]] [.mip(e) | .mip(a..b)] [.layer(e) | .layer(a..b)] [.depth | .stencil]
+//   name [@pass] [[-N]] [.mip(e) | .mip(a..b)] [.layer(e) | .layer(a..b)] [.range(e) | .range(a..b)]
+//        [.depth | .stencil]
 // The name of a resource or pass of a group begins with the group, as in "relight::raw@relight::light".
 // Each part in square brackets is optional; only the inner brackets of [[-N]] are written. e, a and b are
 // expressions. The parts after the name come in any order, each at most once. For example, "hdr[-1].mip(2)"

@@ -18,6 +18,10 @@ void visit_fields(V& v, const SubresourceRange& x) {
     v("mip", x.mip), v("mips", x.mips), v("layer", x.layer), v("layers", x.layers), v("aspects", x.aspects);
 }
 template <class V>
+void visit_fields(V& v, const ByteRange& x) {
+    v("offsetBytes", x.offset_bytes), v("sizeBytes", x.size_bytes);
+}
+template <class V>
 void visit_fields(V& v, const AccessState& x) {
     v("stages", x.stages), v("access", x.access), v("layout", x.layout);
 }
@@ -31,7 +35,7 @@ void visit_fields(V& v, const ResourceDecl& x) {
     v("format", x.format), v("extent", x.extent), v("mips", x.mips), v("layers", x.layers),
         v("samples", x.samples);
     v("aspects", x.aspects), v("sizeBytes", x.size_bytes), v("strideBytes", x.stride_bytes),
-        v("usage", x.usage);
+        v("cutsBytes", x.cuts_bytes), v("usage", x.usage);
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
     v("onResize", x.on_resize), v("preExposed", x.pre_exposed), v("import", x.import), v("clear", x.clear);
 }
@@ -47,8 +51,8 @@ void visit_fields(V& v, const SamplerDecl& x) {
 }
 template <class V>
 void visit_fields(V& v, const UseDecl& x) {
-    v("port", x.port), v("resource", x.resource), v("range", x.range), v("access", x.access),
-        v("state", x.state);
+    v("port", x.port), v("resource", x.resource), v("range", x.range), v("bytes", x.bytes),
+        v("access", x.access), v("state", x.state);
     v("history", x.history), v("isOutput", x.is_output), v("sources", x.sources), v("binding", x.binding);
     v("sampler", x.sampler), v("wakes", x.wakes), v("latest", x.latest), v("each", x.each);
 }
@@ -89,8 +93,7 @@ template <class V>
 void visit_fields(V& v, const ParamWrite& x) {
     v("member", x.member), v("offsetBytes", x.offset_bytes), v("scalar", x.scalar),
         v("components", x.components);
-    v("builtin", x.builtin), v("resource", x.resource), v("use", x.use),
-        v("value", x.value);
+    v("builtin", x.builtin), v("resource", x.resource), v("use", x.use), v("value", x.value);
 }
 template <class V>
 void visit_fields(V& v, const SpecValue& x) {
@@ -115,7 +118,7 @@ void visit_fields(V& v, const PassDecl& x) {
     v("state", x.state), v("drawLists", x.draw_lists), v("vertices", x.vertices), v("instances", x.instances),
         v("view", x.view), v("clear", x.clear), v("flops", x.flops);
     v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use), v("frameSlice", x.frame_slice),
-        v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit);
+        v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit), v("carries", x.carries);
 }
 template <class V>
 void visit_fields(V& v, const GroupDecl& x) {
@@ -123,10 +126,15 @@ void visit_fields(V& v, const GroupDecl& x) {
     v("warmUp", x.warm_up), v("rests", x.rests), v("settle", x.settle), v("turns", x.turns);
 }
 template <class V>
+void visit_fields(V& v, const ViewListDecl& x) {
+    v("name", x.name), v("source", x.source), v("count", x.count), v("of", x.of), v("first", x.first);
+    v("plane", x.plane), v("at", x.at), v("nearM", x.near_m);
+}
+template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {
     v("name", x.name), v("outputExtent", x.output_extent), v("resources", x.resources), v("passes", x.passes);
     v("edges", x.edges), v("output", x.output), v("params", x.params), v("restUnitCount", x.rest_unit_count);
-    v("groups", x.groups);
+    v("groups", x.groups), v("views", x.views);
 }
 template <class V>
 void visit_fields(V& v, const LiveGraph& x) {

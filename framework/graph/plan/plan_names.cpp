@@ -60,6 +60,10 @@ const char* enum_name(BarrierReason value) {
                                   "release_queue", "acquire_queue", "prologue"});
 }
 
+const char* enum_name(ViewSource value) {
+    return pick(value, std::array{"program", "mirror", "cube"});
+}
+
 const char* enum_name(OnResize value) {
     return pick(value, std::array{"clear", "resample", "refill"});
 }

@@ -29,7 +29,8 @@ std::string grey_unless(bool live) {
 
 std::string use_edge(const FramePlan& plan, PassId pass, const UseDecl& use) {
     const bool whole = use.range == plan.graph.resources[use.resource].whole();
-    const std::string label = use.port + (whole ? "" : range_text(use.range));
+    const std::string label =
+        use.port + (whole ? "" : range_text(plan.graph.resources[use.resource], use.range));
     const std::string style =
         " [label=" + dot_string(label) + grey_unless(plan.live.live_passes[pass] != 0) + "];\n";
     std::string text;

@@ -63,7 +63,7 @@ std::string describe_resource(const FramePlan& plan, ResourceId resource) {
 
 std::string describe_part(const FramePlan& plan, ResourceId resource, const SubresourceRange& range) {
     const ResourceDecl& decl = plan.graph.resources[resource];
-    return quoted(decl.name + (range == decl.whole() ? "" : range_text(range)));
+    return quoted(decl.name + (range == decl.whole() ? "" : range_text(decl, range)));
 }
 
 const char* access_verb(Access access) {

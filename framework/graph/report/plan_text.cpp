@@ -36,7 +36,9 @@ class PlanText {
     // Returns the name of the resource. A range that is not the whole resource is appended, such as
     // "bloom.mip(2)".
     std::string part(ResourceId id, const SubresourceRange& range) const {
-        return resource(id) + (range == plan_.graph.resources[id].whole() ? "" : range_text(range));
+        return resource(id) + (range == plan_.graph.resources[id].whole()
+                                   ? ""
+                                   : range_text(plan_.graph.resources[id], range));
     }
 
     std::string state(const AccessState& s, bool image) const {
@@ -119,6 +121,9 @@ class PlanText {
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
             text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
         if (decl.rest_unit != kNoId) text_ += "    " + unit(s.pass) + "\n";
+        if (decl.carries)
+            text_ += "    Weft adds this pass, because a pass needs the content of the last frame in " +
+                     resource(decl.uses.back().resource) + "\n";
         for (const BarrierDecl& b : s.barriers) barrier(b);
         for (const AttachmentOps& ops : s.attachments) {
             const UseDecl& use = decl.uses[ops.use];

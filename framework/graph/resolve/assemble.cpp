@@ -1,5 +1,7 @@
 #include "graph/resolve/assemble.h"
 
+#include "graph/resolve/views/view_lists.h"
+
 namespace weft {
 namespace {
 
@@ -17,6 +19,7 @@ void add_attachments(const PassAttachments& attachments, PassDecl& pass) {
     pass.colors = attachments.colors;
     pass.depth = attachments.depth;
     pass.render_extent = attachments.render_extent;
+    if (attachments.rect) pass.state.viewport = pass.state.scissor = attachments.rect;
 }
 
 void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
@@ -53,6 +56,7 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
         add_dispatch(dispatches.passes[id], pass);
         add_block(blocks.passes[id], pass);
     }
+    resolved.views = used_view_lists(declared.values, resolved.passes);
     return resolved;
 }
 

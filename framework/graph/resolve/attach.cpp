@@ -5,6 +5,7 @@
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
 #include "graph/resolve/pass_stage.h"
+#include "graph/resolve/views/view_rects.h"
 
 namespace weft {
 namespace {
@@ -29,6 +30,7 @@ class PassAttacher : PassStage<Attachments> {
         check_agreement();
         check_stencil();
         check_viewport();
+        if (desc().view_target == ViewTarget::rects) find_rect();
         for (const ResolveDesc& resolve : desc().resolves) add_resolve(resolve);
     }
 
@@ -96,6 +98,20 @@ class PassAttacher : PassStage<Attachments> {
                   std::to_string(view.y),
               "the device allows " + std::to_string(side) + " px for each side, and positions from " +
                   std::to_string(-2 * side) + " to " + std::to_string(2 * side - 1));
+    }
+
+    void find_rect() {
+        const std::optional<double> view = draft_.indices.at(kViewIndex);
+        const ViewList& list = declared_.values.views.at(desc().view);
+        Result<RectPx> rect = view_rect(list, static_cast<uint32_t>(*view), result_.render_extent, evaluator_);
+        if (rect) {
+            result_.rect = *rect;
+            return;
+        }
+        if (rect.errors().empty()) return;
+        const Diagnostic& fault = rect.errors().front();
+        const SourceLoc loc = list.desc != nullptr && list.desc->rect ? list.desc->loc : desc().view_loc;
+        error(loc, "W192", "pass " + quote(desc().name) + ": " + fault.message, fault.help.front());
     }
 
     void add_resolve(const ResolveDesc& resolve) {

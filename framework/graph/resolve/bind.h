@@ -73,6 +73,8 @@ struct BoundPasses {
     // The bound ports of each pass, indexed by PassId.
     std::vector<BoundPass> passes;
     Suspects suspects;
+    // ResourceDecl::cuts_bytes of each resource, indexed by ResourceId. Empty: no buffer is divided.
+    std::vector<std::vector<uint64_t>> cuts_bytes = {};
 };
 [[nodiscard]] BoundPasses bind(const Declared& declared, Reporter& reporter);
 

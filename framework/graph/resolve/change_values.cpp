@@ -40,22 +40,40 @@ bool change_block(const Declared& declared, const PassDraft& draft, const Evalua
     return true;
 }
 
+// Returns the pass of the known graph for each pass of the expansion. A carry pass that nobody needs is not in
+// the known graph; its entry is kNoId. Returns nullopt if the passes differ otherwise.
+std::optional<std::vector<PassId>> find_known(const Expansion& expansion, const ResolvedGraph& known) {
+    std::vector<PassId> ids;
+    PassId next(0);
+    for (const PassDraft& draft : expansion.passes) {
+        const bool found = next < known.passes.size() && known.passes[next].name == draft.decl.name;
+        if (!found && !draft.decl.carries) return std::nullopt;
+        ids.push_back(found ? next : kNoId);
+        if (found) ++next;
+    }
+    if (next != known.passes.size()) return std::nullopt;
+    return ids;
+}
+
 // If a value has an error, returns nullopt or reports the error. The caller must check both.
 std::optional<ResolvedGraph> with_new_values(const ResolveInput& input, const ResolvedGraph& known,
                                              Reporter& reporter) {
     const Values values = evaluate(input, reporter);
     const Shapes shapes = shape_resources(input, values, reporter);
     const Expansion expansion = expand(input, values, shapes, reporter);
-    if (reporter.has_errors() || expansion.passes.size() != known.passes.size()) return std::nullopt;
+    const std::optional<std::vector<PassId>> ids = find_known(expansion, known);
+    if (reporter.has_errors() || !ids) return std::nullopt;
     const Declared declared{input, values, shapes, expansion};
     ResolvedGraph graph = known;
     for (size_t i = 0; i < graph.params.size(); ++i) graph.params[i].value = values.params[i].value;
     graph.frames = values.frames;
-    for (PassId id(0); id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < expansion.passes.size(); ++id) {
+        if ((*ids)[id] == kNoId) continue;
         const PassDraft& draft = expansion.passes[id];
-        graph.passes[id].flops = draft.decl.flops;
+        PassDecl& pass = graph.passes[(*ids)[id]];
+        pass.flops = draft.decl.flops;
         const Evaluator evaluator = declared.evaluator(id, expansion.suspects, reporter);
-        if (!change_block(declared, draft, evaluator, graph.passes[id].params)) return std::nullopt;
+        if (!change_block(declared, draft, evaluator, pass.params)) return std::nullopt;
     }
     return check_custom_passes(declared, std::move(graph), expansion.suspects, reporter);
 }

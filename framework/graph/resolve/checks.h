@@ -10,7 +10,7 @@ namespace weft {
 
 // Checks that the shaders' declarations fit the formats, dimensions and sizes of the bound resources, and
 // that each subresource has one layout and at most one writing port during a pass. Errors: W105, W163, W164,
-// W166, W172, W173, W182, W187.
+// W166, W172, W173, W182, W187, W194.
 [[nodiscard]] Suspects check_interfaces(const Declared& declared, const FormattedGraph& graph,
                                         Reporter& reporter);
 // Checks the passes with `perFrame`. The value is the number of passes of a repeat that run in each frame. So

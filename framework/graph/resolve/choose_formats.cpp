@@ -221,9 +221,7 @@ bool choose_format(const ResolveInput& input, const ResourceDesc& desc, const Ne
 }
 
 void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& use) {
-    if (resource.kind == ResourceKind::buffer) {
-        use.range.aspects = aspect::kColor;
-    } else if (use.range.aspects == aspect::kNone) {
+    if (resource.kind == ResourceKind::image && use.range.aspects == aspect::kNone) {
         use.range.aspects = resource.aspects;
         // A sampled image view of a depth-stencil format can only show one aspect; the default is depth.
         if (use.access == Access::sampled_read && (resource.aspects & aspect::kDepth))
@@ -272,6 +270,8 @@ FormattedGraph choose_formats(const Declared& declared, BoundPasses bound, Repor
     FormattedGraph graph{.resources = declared.shapes.resources,
                          .passes = std::move(bound.passes),
                          .suspects = std::move(bound.suspects)};
+    for (ResourceId id(0); id < bound.cuts_bytes.size(); ++id)
+        graph.resources[id].cuts_bytes = std::move(bound.cuts_bytes[id]);
     need_transfers(graph.resources);
     std::vector<Needs> needs = gather_needs(declared, graph);
     need_resampling(graph.resources, needs);

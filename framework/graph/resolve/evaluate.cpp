@@ -6,6 +6,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/resolve/evaluator.h"
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/views/view_lists.h"
 
 namespace weft {
 namespace {
@@ -66,12 +67,19 @@ void add_params(const ResolveInput& input, Values& values, Reporter& reporter) {
 // kept in a list instead of on the call stack.
 class NamedEvaluator {
  public:
-    NamedEvaluator(const GraphDesc& graph, Values& values, Reporter& reporter)
-        : graph_(graph), values_(values), evaluator_(values, reporter), reporter_(reporter) {}
+    // `counts` has the numbers of views of the lists that the graph describes.
+    NamedEvaluator(const GraphDesc& graph, const std::map<std::string, Expr>& counts, Values& values,
+                   Reporter& reporter)
+        : graph_(graph),
+          counts_(counts),
+          values_(values),
+          evaluator_(values, reporter),
+          reporter_(reporter) {}
 
     void evaluate_all() {
         for (const auto& [name, unused] : graph_.consts) evaluate_name(name);
         for (const auto& [name, unused] : graph_.sizes) evaluate_name(name);
+        for (const auto& [name, unused] : counts_) evaluate_name(name);
     }
 
  private:
@@ -83,12 +91,14 @@ class NamedEvaluator {
         size_t next = 0;
     };
 
-    // Returns the expression of a constant or size, or null if the name is neither.
+    // Returns the expression of a constant, a size or a number of views, or null if the name is none of them.
     const Expr* find(const std::string& name) const {
         const auto constant = graph_.consts.find(name);
         if (constant != graph_.consts.end()) return &constant->second;
         const auto size = graph_.sizes.find(name);
-        return size != graph_.sizes.end() ? &size->second : nullptr;
+        if (size != graph_.sizes.end()) return &size->second;
+        const auto count = counts_.find(name);
+        return count != counts_.end() ? &count->second : nullptr;
     }
 
     void evaluate_name(const std::string& name) {
@@ -162,6 +172,7 @@ class NamedEvaluator {
     }
 
     const GraphDesc& graph_;
+    const std::map<std::string, Expr>& counts_;
     Values& values_;
     Evaluator evaluator_;
     Reporter& reporter_;
@@ -220,7 +231,9 @@ Values evaluate(const ResolveInput& input, Reporter& reporter) {
     add_params(input, values, reporter);
     count_draws(input, values);
     add_offered_numbers(input, values);
-    NamedEvaluator(input.graph, values, reporter).evaluate_all();
+    const std::map<std::string, Expr> counts = count_views(input, values, reporter);
+    NamedEvaluator(input.graph, counts, values, reporter).evaluate_all();
+    values.views = list_views(input, values, reporter);
     if (const Expr& frames = input.graph.frames; !frames.empty())
         values.frames = static_cast<uint32_t>(
             Evaluator(values, reporter).number(frames, "\"frames\"", 1, kMaxFrames).value_or(1));

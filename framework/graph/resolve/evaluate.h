@@ -1,5 +1,6 @@
 // Purpose: the first stage of resolve(). Finds the values of parameters, constants and sizes, which all later
-// expressions can name. Errors: W106, W107, W109, W120.
+// expressions can name. Also finds the lists of views.
+// Errors: W106, W107, W109, W118, W120, W191.
 #pragma once
 
 #include <map>
@@ -13,6 +14,19 @@
 
 namespace weft {
 
+// A list of views that passes may use. View i of the list is view `first` + i of `base`, a list of the plan or a
+// single view: a list without a mirror or a cube is only a part of another one.
+struct ViewList {
+    std::string base;
+    uint32_t first = 0;
+    uint32_t count = 0;
+    bool single = false;  // True for a view without a number, such as "camera".
+    ViewListDecl decl;    // The list `base`; unused for a single view.
+    // Where the rectangles of the views come from; null: not from there.
+    const ViewListDesc* desc = nullptr;
+    const ImportDecl* import = nullptr;
+};
+
 struct Values {
     std::map<std::string, ExprValue> by_name;
     // Names without a value, because an error in their definition was reported.
@@ -20,6 +34,7 @@ struct Values {
     // The parameters of the graph, sorted by name. weigh_params() fills in their costs later.
     std::vector<GraphParam> params;
     uint32_t frames = 1;
+    std::map<std::string, ViewList, std::less<>> views;  // All lists of views, by name.
 };
 [[nodiscard]] Values evaluate(const ResolveInput& input, Reporter& reporter);
 

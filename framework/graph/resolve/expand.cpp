@@ -1,6 +1,7 @@
 #include "graph/resolve/expand.h"
 
 #include "graph/parse/reference.h"
+#include "graph/resolve/carry/carry_passes.h"
 #include "graph/resolve/expand/draft_pass.h"
 #include "graph/resolve/expand/expand_groups.h"
 #include "graph/resolve/expand/expand_repeat.h"
@@ -55,14 +56,15 @@ void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
 
 // Makes the passes of all descriptions. The key of the returned map is the name of the pass, such as
 // "blur#2".
-std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const Evaluator& evaluator,
+std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const Values& values,
+                                              const Evaluator& evaluator,
                                               const Shapes& shapes, Expansion& expansion,
                                               Reporter& reporter) {
     std::map<std::string, PassDraft> drafts;
     RepeatCounts counts;
     const auto add = [&](const PassDesc& desc, bool is_observer) {
         std::vector<PassInstance> found =
-            repeat_pass(input, evaluator, shapes, desc, counts, expansion, reporter);
+            repeat_pass(input, values, evaluator, shapes, desc, counts, expansion, reporter);
         expansion.instances[desc.name].assign(found.size(), kNoId);
         for (uint32_t i = 0; i < found.size(); ++i) {
             drafts[found[i].name] = {.decl = declare(desc, found[i].name),
@@ -74,6 +76,10 @@ std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const E
     };
     for (const auto& [name, desc] : input.graph.passes) add(desc, false);
     for (const auto& [name, desc] : expansion.observers) add(desc, true);
+    for (const auto& [name, desc] : expansion.carries) {
+        add(desc, false);
+        drafts[name].decl.carries = true;
+    }
     return drafts;
 }
 
@@ -96,8 +102,9 @@ Expansion expand(const ResolveInput& input, const Values& values, const Shapes& 
     expansion.too_large = shapes.too_large;
     if (expansion.too_large) return expansion;
     expansion.observers = find_observers(input, reporter);
+    expansion.carries = describe_carries(input, shapes);
     const Evaluator evaluator(values, shapes, expansion.suspects, reporter);
-    name_passes(evaluator, draft_passes(input, evaluator, shapes, expansion, reporter), expansion);
+    name_passes(evaluator, draft_passes(input, values, evaluator, shapes, expansion, reporter), expansion);
     if (!input.graph.groups.empty()) expand_groups(input, evaluator, expansion);
     PassReporter report(shapes, expansion, expansion.suspects, reporter);
     for (PassId id(0); id < expansion.passes.size(); ++id) {

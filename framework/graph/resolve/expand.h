@@ -54,6 +54,9 @@ struct Expansion {
     std::vector<GroupDecl> groups = {};
     // The descriptions of the passes that read back observed resources. PassDraft::desc points to them.
     std::map<std::string, PassDesc> observers = {};
+    // The descriptions of the passes that copy content of the last frame, for resources with `history` and
+    // `keep`.
+    std::map<std::string, PassDesc> carries = {};
     // Number of ports of all passes, including passes that `if` removes.
     uint64_t tried_ports = 0;
     // True if the graph has too many passes or ports. The error was reported.

@@ -33,6 +33,8 @@ std::string range_of(const ResourceDecl& resource, const SubresourceRange& range
         if (count > 1) written.append("..").append(std::to_string(first + count - 1));
         return written.append(")");
     };
+    if (resource.kind == ResourceKind::buffer)
+        return range == resource.whole() ? resource.name : resource.name + range_text(resource, range);
     std::string text = resource.name;
     if (range.mips != resource.mips) text += span("mip", range.mip, range.mips);
     if (range.layers != resource.layers) text += span("layer", range.layer, range.layers);

@@ -14,8 +14,8 @@ namespace weft {
 // Returns the names in quotes with commas between them: "a", "b", "c". Lists at most 64 names, then the
 // number of the others.
 [[nodiscard]] std::string quote_all(const std::vector<std::string>& names);
-// Returns a range in the syntax of graphs, such as "hiz.mip(0..2)". Mips or layers are left out if the range
-// includes all of them.
+// Returns a range in the syntax of graphs, such as "hiz.mip(0..2)" or "args.range(0..2)". Mips, layers or
+// elements are left out if the range includes all of them.
 [[nodiscard]] std::string range_of(const ResourceDecl& resource, const SubresourceRange& range);
 [[nodiscard]] std::string extent_text(const Extent3D& extent);
 // Returns the help for a missing port. `direction` is "in" or "out".

@@ -178,9 +178,12 @@ class BlockFiller : PassStage<Blocks> {
             const uint32_t words = (layers + kLayersPerWord - 1) / kLayersPerWord;
             error(shader_loc(),
                   "Params." + member.name + " of shader " + quote(draft_.desc->shader) +
-                      " must have one bit for each of the " + count_text(layers, "layer") + " of port " +
-                      quote(use->port),
-                  {words > 4 ? "select at most 128 layers in the reference of the port"
+                      " must have one bit for each of the " +
+                      count_text(layers, graph_.resources[use->resource].kind == ResourceKind::image
+                                             ? "layer"
+                                             : "piece") +
+                      " of port " + quote(use->port),
+                  {words > 4 ? "select at most 128 layers or pieces in the reference of the port"
                              : "declare it as `" + (words == 1 ? "uint" : "uvec" + std::to_string(words)) +
                                    " " + member.name + ";`"});
             return true;

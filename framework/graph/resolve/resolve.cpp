@@ -1,6 +1,7 @@
 #include "graph/resolve/resolve.h"
 
 #include "graph/resolve/assemble.h"
+#include "graph/resolve/carry/carry_passes.h"
 #include "graph/resolve/checks.h"
 
 namespace weft {
@@ -29,7 +30,7 @@ ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
     resolved.params = weigh_params(input, std::move(resolved.params), reporter);
     warn_useless(declared, graph, resolved, blocks.suspects, reporter);
     warn_restless(declared, resolved, reporter);
-    return resolved;
+    return remove_idle_carries(std::move(resolved));
 }
 
 }  // namespace

@@ -19,9 +19,10 @@ bool uses_mips_of(const ResourceDesc& desc) {
     return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
 }
 
-// Returns true if an import is an image or buffer. Draw lists and turns are imports, but not resources.
+// Returns true if an import is an image or buffer. Draw lists, lists of views and turns are imports, but not
+// resources.
 bool becomes_resource(const ImportDesc& import) {
-    return !is_draw_list(import) && !is_turns(import);
+    return !is_draw_list(import) && !is_view_list(import) && !is_turns(import);
 }
 
 // Returns the number of earlier frames that the resource keeps.
@@ -120,7 +121,8 @@ void tie_rings(const ResolveInput& input, const Evaluator& evaluator, Shapes& sh
         decl.ring = resource_id(shapes.resources, desc->name);
         if (desc->first_frame && decl.age == 0) decl.first_frame = evaluator.color(*desc->first_frame);
         decl.on_resize = desc->on_resize;
-        shapes.origins[id].has_content = (decl.age > 0 || copies == 0) && !observed;
+        const bool keeps = desc->keep != KeepMode::none;
+        shapes.origins[id].has_content = (decl.age > 0 || copies == 0 || keeps) && !observed;
     }
 }
 
@@ -148,7 +150,7 @@ Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter
     const Evaluator evaluator(values, shapes, shapes.suspects, reporter);
     name_resources(input, evaluator, shapes, reporter);
     tie_rings(input, evaluator, shapes);
-    check_draw_list_imports(input, reporter);
+    check_list_imports(input, reporter);
     shape_all_imports(input, shapes, reporter);
     // The first iteration handles the resources that do not use mips(); the second handles those whose size
     // depends on the mip count of another resource.

@@ -26,11 +26,12 @@ std::string declaration_hash(const FramePlan& plan, PassId id) {
         v("pass", pass);
         for (const UseDecl& use : uses) {
             const ResourceDecl& resource = plan.graph.resources[use.resource];
-            v("port", use.port), v("range", use.range), v("access", use.access), v("sampler", use.sampler),
-                v("wakes", use.wakes), v("each", use.each);
+            v("port", use.port), v("range", use.range), v("usedBytes", use.bytes), v("access", use.access),
+                v("sampler", use.sampler), v("wakes", use.wakes), v("each", use.each);
             v("name", resource.name), v("kind", resource.kind), v("imageKind", resource.image_kind);
             v("format", resource.format), v("extent", resource.extent), v("mips", resource.mips);
             v("layers", resource.layers), v("samples", resource.samples), v("bytes", resource.size_bytes);
+            v("cuts", resource.cuts_bytes);
             for (const VersionSource& source : use.sources) {
                 v("range", source.range);
                 v("producer",

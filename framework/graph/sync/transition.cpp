@@ -1,5 +1,6 @@
 #include "weft/transition.h"
 
+#include <algorithm>
 #include <string>
 
 #include "weft/format.h"
@@ -51,7 +52,7 @@ class Builder {
  private:
     void add(ResourceId id) {
         const ResourceDecl& decl = new_.graph.resources[id];
-        const ResourceId from = find_resource(old_.graph, decl.name);
+        const ResourceId from = find_content(decl);
         const bool lived = from != kNoId && old_.live.live_resources[from] != 0;
         const ContentAction action =
             lived ? choose_action(old_.graph.resources[from], decl) : ContentAction::clear;
@@ -69,6 +70,22 @@ class Builder {
         }
         if (action != ContentAction::clear && decl.ring != kNoId) plan_.keeps_validity[decl.ring] = 1;
         enter_new(id, written);
+    }
+
+    // Returns the resource of the old plan whose content the new resource continues, or kNoId. Between two
+    // frames, a resource with `history` has the content of the last frame in its copy of age 1. A resource
+    // with `keep` alone has it in its only copy.
+    [[nodiscard]] ResourceId find_content(const ResourceDecl& decl) const {
+        if (decl.ring == kNoId) return kNoId;
+        const ResourceId ring = find_resource(old_.graph, new_.graph.resources[decl.ring].name);
+        if (ring == kNoId) return kNoId;
+        const uint32_t old_history = old_.graph.resources[ring].history;
+        if ((old_history > 0) == (decl.history > 0)) return find_resource(old_.graph, decl.name);
+        if (old_history == 0) return decl.age == 1 ? ring : kNoId;
+        const auto last = std::ranges::find_if(old_.graph.resources, [&](const ResourceDecl& old) {
+            return old.ring == ring && old.age == 1;
+        });
+        return static_cast<ResourceId>(last - old_.graph.resources.begin());
     }
 
     void leave_old(ResourceId from, const AccessState& read) {

@@ -13,8 +13,10 @@
 #include "weft/access.h"
 #include "weft/device_profile.h"
 #include "weft/format.h"
+#include "weft/graph_param.h"
 #include "weft/id.h"
 #include "weft/raster_state.h"
+#include "weft/sampler.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
 
@@ -34,7 +36,7 @@ enum class ResourceKind : uint8_t { image, buffer };
 enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
 
 // A part of a resource: `mips` mip levels from `mip` on, `layers` layers from `layer` on, and the given
-// aspects. A buffer has one subresource: mip 0, layer 0, aspect kColor.
+// aspects. The layers of a buffer are its pieces (ResourceDecl::cuts_bytes); it has mip 0 and aspect kColor.
 struct SubresourceRange {
     uint32_t mip = 0;
     uint32_t mips = 1;
@@ -46,7 +48,14 @@ struct SubresourceRange {
 };
 [[nodiscard]] bool overlaps(const SubresourceRange& a, const SubresourceRange& b);
 [[nodiscard]] bool contains(const SubresourceRange& outer, const SubresourceRange& inner);
-[[nodiscard]] std::string range_text(const SubresourceRange& range);
+
+// A part of a buffer.
+struct ByteRange {
+    uint64_t offset_bytes = 0;
+    uint64_t size_bytes = 0;
+    [[nodiscard]] uint64_t end_bytes() const { return offset_bytes + size_bytes; }
+    bool operator==(const ByteRange&) const = default;
+};
 
 using UsageMask = uint32_t;
 namespace usage {
@@ -106,9 +115,12 @@ struct ResourceDecl {
     uint32_t layers = 1;
     uint32_t samples = 1;
     AspectMask aspects = aspect::kColor;
-    // The members size_bytes and stride_bytes describe a buffer. Images do not use them.
+    // The members from size_bytes to cuts_bytes describe a buffer. Images do not use them.
     uint64_t size_bytes = 0;
     uint32_t stride_bytes = 0;
+    // The offsets that divide the buffer into pieces, in ascending order, without 0 and the size. Each part
+    // that a pass uses consists of whole pieces. Empty: the buffer is one piece.
+    std::vector<uint64_t> cuts_bytes;
     // Union of the usage flags of all passes that use the resource, including culled passes.
     UsageMask usage = 0;
     // A resource with `history` n is a ring of n + 1 ResourceDecls. In a ring of 3, "color" (age 0) is the
@@ -133,6 +145,11 @@ struct ResourceDecl {
     [[nodiscard]] SubresourceRange whole() const;
 };
 
+// Returns the text of a part of a resource, such as ".mip(0).layer(1..2)", or ".range(0..63)" for elements 0
+// to 63 of a buffer. Empty for the whole of a buffer that has only one piece.
+[[nodiscard]] std::string range_text(const ResourceDecl& resource, const SubresourceRange& range);
+// Returns the bytes of the pieces in `range`.
+[[nodiscard]] ByteRange piece_bytes(const ResourceDecl& buffer, const SubresourceRange& range);
 // Returns the bytes of all texels in all mips and layers, without padding; for a buffer, its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
@@ -147,37 +164,14 @@ struct VersionSource {
     bool operator==(const VersionSource&) const = default;
 };
 
-enum class SamplerFilter : uint8_t { nearest, linear };
-enum class SamplerWrap : uint8_t { clamp, repeat, mirror, border };
-// The result of a lookup that touches several texels: their weighted average, or the least or greatest of
-// them.
-enum class SamplerReduction : uint8_t { average, min, max };
-// The value of SamplerDecl::max_lod that does not limit the mips.
-inline constexpr float kNoMaxLod = 1000;
-struct SamplerDecl {
-    SamplerFilter filter = SamplerFilter::linear;
-    SamplerFilter mip_filter = SamplerFilter::linear;
-    SamplerWrap wrap = SamplerWrap::clamp;
-    // The comparison of a sampler2DShadow. Absent: the sampler does not compare.
-    std::optional<CompareOp> compare;
-    SamplerReduction reduction = SamplerReduction::average;
-    // Greatest number of samples along the longer axis of a pixel's footprint, 1 to 16. 1: isotropic.
-    float anisotropy = 1;
-    // Level of detail: 0 is the first mip of the port, 1 the second. A lookup adds lod_bias to the level, and
-    // then clamps it to min_lod..max_lod.
-    float lod_bias = 0, min_lod = 0, max_lod = kNoMaxLod;
-    bool operator==(const SamplerDecl&) const = default;
-};
-
-// For a port that is an array in the shader: each element of the array is one mip, or one layer, of the
-// range.
-enum class EachPart : uint8_t { none, mip, layer };
-
 // Binds a port of a pass to a part of a resource, and tells how the pass accesses this part.
 struct UseDecl {
     std::string port;
     ResourceId resource = kNoId;
     SubresourceRange range;
+    // The bytes that the pass uses, if the port names elements of a buffer. Absent: the whole resource or,
+    // for an image, `range`.
+    std::optional<ByteRange> bytes;
     EachPart each = EachPart::none;
     Access access = Access::none;
     // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
@@ -200,6 +194,8 @@ struct UseDecl {
     bool latest = false;
     SourceLoc loc;
 };
+// Returns the bytes of a buffer that a use names: UseDecl::bytes, or the whole buffer.
+[[nodiscard]] ByteRange used_bytes(const ResourceDecl& buffer, const UseDecl& use);
 
 // Returns how many elements of the shader's array the range fills: its mips or layers; 1 if the port is not
 // an array.
@@ -277,20 +273,6 @@ struct NamedValue {
     double value = 0;
 };
 
-// The work that a change of a graph parameter causes. The list goes from the cheapest to the most expensive.
-enum class ParamCost : uint8_t {
-    nothing,   // No pass uses the parameter, so that nothing has to be done.
-    live,      // The parameter is used in `Params`, `frames` or `cost`: the next frame uses the new value.
-    pipeline,  // The parameter is a specialisation constant: pipelines are created again.
-    graph,     // The parameter changes sizes, ranges or conditions: the graph is compiled again.
-};
-
-struct GraphParam {
-    std::string name;
-    double value = 0;
-    ParamCost cost = ParamCost::nothing;
-};
-
 struct PassDecl {
     std::string name;
     std::string type;  // "compute", "raster" and so on, or the name of a pass type in C++.
@@ -324,7 +306,8 @@ struct PassDecl {
     uint32_t vertices = 0;
     // For a raster pass without draw lists: how many instances of its vertices are drawn.
     uint32_t instances = 0;
-    std::string view = "camera";  // The view from which the pass looks at the scene, such as a camera.
+    // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
+    std::string view = "camera";
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
     // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
@@ -336,6 +319,9 @@ struct PassDecl {
     // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
     // In each frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
+    // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
+    // last frame to the copy of this frame, before all other passes that use this copy.
+    bool carries = false;
     // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;
@@ -345,6 +331,25 @@ struct PassDecl {
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
+
+// program: the program gives the matrices. mirror: the views of another list in a mirror. cube: the faces of a
+// cube.
+enum class ViewSource : uint8_t { program, mirror, cube };
+
+// A list of views. View i has the name "list(i)".
+struct ViewListDecl {
+    std::string name;
+    ViewSource source = ViewSource::program;
+    uint32_t count = 1;
+    // For a mirror: the view i shows view `first` + i of the list `of`, which can also be "camera".
+    std::string of;
+    uint32_t first = 0;
+    // The plane of a mirror, (a, b, c, d): points with a x + b y + c z + d = 0. (a, b, c) is a unit vector.
+    std::array<double, 4> plane{0, 1, 0, 0};
+    // For a cube: its centre, and the distance of the near planes of its faces, in metres.
+    std::array<double, 3> at{0, 0, 0};
+    double near_m = 0;
+};
 
 // A group of passes. Its rounds are units, and each frame runs some of them, in any order.
 struct GroupDecl {
@@ -380,6 +385,8 @@ struct ResolvedGraph {
     std::vector<GraphParam> params;  // The graph's parameters with their values.
     uint32_t rest_unit_count = 0;    // Number of units; see PassDecl::rest_unit.
     std::vector<GroupDecl> groups;   // Sorted by name. Their units have the highest numbers.
+    // The lists of views that passes use, and the lists that these show in mirrors, sorted by name.
+    std::vector<ViewListDecl> views;
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };

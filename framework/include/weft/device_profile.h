@@ -107,6 +107,9 @@ struct DeviceProfile {
     uint64_t max_uniform_buffer_bytes = 65536;
     uint64_t max_storage_buffer_bytes = 134217728;
     uint64_t buffer_image_granularity_bytes = 64;
+    // A range of a buffer that a shader uses must begin at a multiple of these sizes.
+    uint64_t storage_offset_alignment_bytes = 256;
+    uint64_t uniform_offset_alignment_bytes = 256;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
     // The next members tell whether the device supports optional pipeline state: "fill" with the value "line"

@@ -61,8 +61,8 @@ struct ColorDesc {
     std::array<Expr, 4> channels;
 };
 
-// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth. Only the name is
-// required. The brackets of [-N] are written, as in "hdr[-1]".
+// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth, or .range(a..b)
+// for a buffer. Only the name is required. The brackets of [-N] are written, as in "hdr[-1]".
 struct RefDesc {
     std::string name;
     // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
@@ -70,7 +70,8 @@ struct RefDesc {
     uint32_t history = 0;  // N of [-N]: the content at the end of N frames ago; 0: the content of this frame.
     // The range of mips, as in ".mip(a..b)". If mip_last is absent, the range is the single mip mip_first.
     std::optional<Expr> mip_first, mip_last;
-    std::optional<Expr> layer_first, layer_last;  // The range of layers; absent like the range of mips.
+    std::optional<Expr> layer_first, layer_last;      // The range of layers; absent like the range of mips.
+    std::optional<Expr> element_first, element_last;  // The range of elements of a buffer, also absent so.
     AspectMask aspects = 0;  // The selected aspects, as in ".depth" or ".stencil"; 0: all aspects.
     std::string text;
     SourceLoc loc;
@@ -117,6 +118,32 @@ struct ImportDesc {
     std::string kind;
     SourceLoc loc;
 };
+
+// A list of views in the section "views". Its views are those of another list or the camera, either as they
+// are or seen in a mirror; or they are the six faces of a cube.
+struct ViewListDesc {
+    std::string name;
+    std::string of;  // Name of the other list, or "camera"; empty for a cube.
+    SourceLoc of_loc;
+    // The part of the other list: the number of its first view, and the number of views. Absent: all views.
+    Expr first, count;
+    // The plane of a mirror: the points (x, y, z) with a x + b y + c z + d = 0.
+    std::optional<std::array<Expr, 4>> plane;
+    // The centre of a cube in metres, in world space, and the distance of the near planes of its faces.
+    std::optional<std::array<Expr, 3>> at;
+    Expr near_m;
+    // The rectangle of a view for passes with "into": "rects": x, y, width and height in pixels. The
+    // expressions may name the index "view". Absent: the views form a grid.
+    std::optional<std::array<Expr, 4>> rect;
+    SourceLoc loc;
+};
+
+// How many views a pass draws, and where: one view, or all views of a list. layers: each view has a layer of
+// the attachments. rects: each view has a rectangle of the attachments.
+enum class ViewTarget : uint8_t { one, layers, rects };
+
+// Name of the index with the number of the view, in passes that draw all views of a list.
+inline constexpr const char* kViewIndex = "view";
 
 // Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames and
 // shared: from frame to frame, and into a new plan as transition() decides. The compiler treats `frames` and
@@ -215,6 +242,8 @@ struct PassDesc {
     std::string view;  // "camera", or the name of a numbered view without its number: "sun" for "sun(i)".
     Expr view_number;  // The number of a numbered view: i in "sun(i)"; absent: the view has no number.
     SourceLoc view_loc;
+    // With the key "views", `view` is a list, and the last index of `repeat` is kViewIndex.
+    ViewTarget view_target = ViewTarget::one;
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // Values of the shader's specialisation constants, by name.
     Expr condition;  // The key "if": the pass is removed if the value is 0; absent: it is never removed.
@@ -324,6 +353,7 @@ struct GraphDesc {
     std::map<std::string, ParamDesc> params;
     std::map<std::string, Expr> sizes;
     std::map<std::string, ImportDesc> imports;
+    std::map<std::string, ViewListDesc> views;
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
     std::map<std::string, GroupDesc> groups;

@@ -11,7 +11,7 @@
 
 namespace weft {
 
-enum class ImportKind : uint8_t { draw_list, buffer, image, cube, output };
+enum class ImportKind : uint8_t { draw_list, buffer, image, cube, output, views };
 
 // A variant of the pipelines that draw a list. Each list has a fixed set of variants, and each draw of the
 // list uses one of them.
@@ -40,10 +40,15 @@ struct ImportDecl {
     ImportKind kind = ImportKind::buffer;
     // For buffers and images: format, extent or size, and import states. The lifetime is `imported`.
     ResourceDecl resource;
+    bool read_only = false;  // True: passes must not write the buffer or image (W147).
     // The members from `variants` to `draws` describe a draw list.
     std::vector<DrawVariant> variants;
     VertexFormat vertex_format;
     uint32_t draws = 1;  // Number of draws in the list.
+    // The members `views` and `rects` describe a list of views: the number of its views, and for each view
+    // its rectangle in pixels for passes with "into": "rects". If `rects` is empty, the views form a grid.
+    uint32_t views = 0;
+    std::vector<RectPx> rects;
 };
 
 // A descriptor that the program binds itself, in addition to the ports of a pass: in set 0 for all passes
@@ -59,7 +64,8 @@ struct OfferedBinding {
 
 struct ImportCatalog {
     std::map<std::string, ImportDecl, std::less<>> imports;
-    // Names of the views that passes may use: "camera", "sun(0)", "sun(1)" and so on.
+    // Names that passes may use as a view without an import: single views such as "camera", and those lists of
+    // views in `imports` that are always offered, such as "sun".
     std::vector<std::string> views;
     // Numbers that expressions may use by name, such as "directionalLights".
     std::map<std::string, double, std::less<>> numbers;

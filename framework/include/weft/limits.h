@@ -37,6 +37,7 @@ struct GraphLimits {
     uint64_t image_side_px = 16'384;
     uint64_t mips = 15;
     uint64_t layers = 2048;
+    uint64_t buffer_pieces = 2048;
     uint64_t transient_bytes = 4ull << 30;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,35 @@ struct LightSource {
     std::optional<LightFunction> function;  // Light function. Its `picture` is the index of a glTF texture.
 };
 
+// Indices of the accessors of an animation's sampler; kNone after an error.
+struct AnimationSamplerSource {
+    uint32_t input = kNone;
+    uint32_t output = kNone;
+    Interpolation interpolation = Interpolation::linear;
+};
+
+struct AnimationChannelSource {
+    uint32_t node = 0;
+    MotionPath path = MotionPath::translation;
+    uint32_t sampler = 0;
+};
+
+// An animation that Weft plays.
+struct AnimationSource {
+    std::string name;
+    size_t index = 0;  // Index in the "animations" of the file.
+    std::vector<AnimationSamplerSource> samplers;
+    std::vector<AnimationChannelSource> channels;
+};
+
+// The accessors of EXT_mesh_gpu_instancing of one node. Those that are not kNone have the same number of
+// elements, and at least one is not kNone.
+struct InstancingSource {
+    uint32_t translation = kNone;
+    uint32_t rotation = kNone;
+    uint32_t scale = kNone;
+};
+
 struct CheckedJson {
     // The JSON without images, animations, skins, extras and unknown extensions. The URI of buffer i is the
     // text "i".
@@ -42,6 +72,8 @@ struct CheckedJson {
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
     std::vector<LightSource> lights;  // One entry per light of the glTF file; empty when no light has extras.
+    std::vector<AnimationSource> animations;
+    std::map<uint32_t, InstancingSource> instancing;  // Key: index of a node.
 };
 
 // Checks the JSON of a glTF file. Returns nullopt after errors were reported.

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/gltf/gltf_check.h"
 #include "weft/scene/scene.h"
 
 namespace weft::scene::gltf {
@@ -89,6 +90,10 @@ struct MeshSource {
 struct Node {
     std::string name;
     glm::mat4 local{1};
+    // The parts of `local`; for a node with a matrix, the identity. Such a node is never animated.
+    glm::vec3 translation{0};
+    glm::quat rotation{1, 0, 0, 0};
+    glm::vec3 scale{1};
     std::vector<uint32_t> children;
     uint32_t mesh = kNone;
     uint32_t camera = kNone;
@@ -121,6 +126,8 @@ struct Document {
     std::vector<std::optional<Camera>> cameras;
     std::vector<Node> nodes;
     std::vector<uint32_t> roots;
+    std::vector<AnimationSource> animations;
+    std::map<uint32_t, InstancingSource> instancing;
 };
 
 [[nodiscard]] inline std::span<const uint8_t> view_bytes(const Document& document, uint32_t view) {

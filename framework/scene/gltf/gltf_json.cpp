@@ -20,7 +20,7 @@ void normalise(json& value, bool in_extension) {
         for (auto& [key, member] : value.items()) {
             if (key == "extensions" && member.is_object()) {
                 for (auto it = member.begin(); it != member.end();) {
-                    it = is_known_extension(it.key()) ? std::next(it) : member.erase(it);
+                    it = is_kept_extension(it.key()) ? std::next(it) : member.erase(it);
                 }
             }
             normalise(member, in_extension || key == "extensions");
@@ -93,6 +93,8 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     check_nodes(c);
     check_light_extras(c, lights);
     check_motion(c);
+    check_animations(c);
+    check_instancing(c);
     if (report.failed()) return std::nullopt;
     for (const char* key : {"images", "animations", "skins"}) root->erase(key);
     for (size_t i = 0; i < c.out.buffers.size(); ++i) (*root)["buffers"][i]["uri"] = std::to_string(i);

@@ -16,6 +16,8 @@
 #define TINYGLTF_IMPLEMENTATION
 #include <tiny_gltf.h>
 
+#include "scene/model/node_placement.h"
+
 namespace weft::scene::gltf {
 namespace {
 
@@ -299,26 +301,27 @@ std::optional<Camera> convert(const tinygltf::Camera& source) {
     return out;
 }
 
-glm::mat4 local_transform(const tinygltf::Node& source) {
+void place(const tinygltf::Node& source, Node& out) {
     if (source.matrix.size() == 16) {
-        glm::mat4 matrix;
-        for (size_t i = 0; i < 16; ++i) glm::value_ptr(matrix)[i] = static_cast<float>(source.matrix[i]);
+        for (size_t i = 0; i < 16; ++i)
+            glm::value_ptr(out.local)[i] = static_cast<float>(source.matrix[i]);
         // The last row of an affine matrix is 0, 0, 0, 1. check_matrix() has warned if the file has other
         // numbers there.
-        for (int column = 0; column < 4; ++column) matrix[column][3] = column == 3 ? 1.0f : 0.0f;
-        return matrix;
+        for (int column = 0; column < 4; ++column) out.local[column][3] = column == 3 ? 1.0f : 0.0f;
+        return;
     }
-    const glm::vec4 xyzw = vector_or(source.rotation, glm::vec4(0, 0, 0, 1));
-    const glm::vec4 unit_xyzw = glm::length(xyzw) > 1e-6f ? xyzw / glm::length(xyzw) : glm::vec4(0, 0, 0, 1);
-    const glm::quat rotation(unit_xyzw.w, unit_xyzw.x, unit_xyzw.y, unit_xyzw.z);
-    const glm::mat4 moved = glm::translate(glm::mat4(1), vector_or(source.translation, glm::vec3(0)));
-    return glm::scale(moved * glm::mat4_cast(rotation), vector_or(source.scale, glm::vec3(1)));
+    const glm::vec4 xyzw = unit_quaternion(vector_or(source.rotation, glm::vec4(0, 0, 0, 1)));
+    out.rotation = glm::quat(xyzw.w, xyzw.x, xyzw.y, xyzw.z);
+    out.translation = vector_or(source.translation, glm::vec3(0));
+    out.scale = vector_or(source.scale, glm::vec3(1));
+    const glm::mat4 moved = glm::translate(glm::mat4(1), out.translation);
+    out.local = glm::scale(moved * glm::mat4_cast(out.rotation), out.scale);
 }
 
 Node convert(const tinygltf::Node& source) {
     Node out;
     out.name = source.name;
-    out.local = local_transform(source);
+    place(source, out);
     for (const int child : source.children) out.children.push_back(static_cast<uint32_t>(child));
     out.mesh = index_or_none(source.mesh);
     out.camera = index_or_none(source.camera);
@@ -383,7 +386,10 @@ std::optional<Document> parse_document(const CheckedJson& checked, Resources res
         report.error("S108", {}, "the file is not valid glTF: " + error, "export the scene again");
         return std::nullopt;
     }
-    return convert(model, std::move(resources.images), checked.lights);
+    Document document = convert(model, std::move(resources.images), checked.lights);
+    document.animations = checked.animations;
+    document.instancing = checked.instancing;
+    return document;
 }
 
 }  // namespace weft::scene::gltf

@@ -41,6 +41,8 @@ struct Checker {
 };
 
 [[nodiscard]] bool is_known_extension(std::string_view name);
+// True if the checks read the extension: it is known, or the messages name it.
+[[nodiscard]] bool is_kept_extension(std::string_view name);
 
 void check_header(Checker& c);     // Checks `asset`, the extensions, and the sizes of the arrays.
 void check_geometry(Checker& c);   // Checks buffers, buffer views, accessors and meshes.
@@ -49,7 +51,10 @@ void check_nodes(Checker& c);      // Checks lights, cameras, nodes and scenes.
 // Checks the objects `extras.weft` in the lights of the file. `objects` has one entry per light: this object, or
 // null if the light does not have it.
 void check_light_extras(Checker& c, const nlohmann::json& objects);
-// Warns that skins, morph targets and animations are ignored: the meshes are drawn in their rest pose.
+// Warns that skins and morph targets are ignored: the meshes are drawn in their rest pose.
 void check_motion(Checker& c);
+// Checks the animations. Warns of those that are not played, because an earlier one moves the same node.
+void check_animations(Checker& c);
+void check_instancing(Checker& c);  // Checks EXT_mesh_gpu_instancing of all nodes.
 
 }  // namespace weft::scene::gltf

@@ -7,10 +7,13 @@ namespace weft::scene::gltf {
 namespace {
 
 constexpr uint64_t kMaxExtensions = 1024;
-constexpr std::array<std::string_view, 8> kKnownExtensions{
-    "KHR_lights_punctual",   "KHR_materials_anisotropy", "KHR_materials_emissive_strength",
+constexpr std::array<std::string_view, 9> kKnownExtensions{
+    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",   "KHR_materials_anisotropy", "KHR_materials_emissive_strength",
     "KHR_materials_ior",     "KHR_materials_specular",   "KHR_materials_unlit",
     "KHR_mesh_quantization", "KHR_texture_transform"};
+
+// Weft reads this extension of textures only to name it in messages.
+constexpr std::string_view kBasisImages = "KHR_texture_basisu";
 
 constexpr const char* kConvertOldFile =
     "convert it to glTF 2.0, for example with `gltf-pipeline -i OLD -o NEW`, or export the scene as glTF 2.0";
@@ -57,12 +60,15 @@ void check_extensions(Checker& c) {
         if (is_known_extension(required[i])) continue;
         c.report.error("S105", "/extensionsRequired/" + std::to_string(i),
                        "the file requires the extension " + required[i] + ", which is not supported",
-                       "export without " + required[i] + "; Weft reads no compressed meshes and textures");
+                       required[i] == kBasisImages
+                           ? "convert the textures to PNG or JPEG"
+                           : "export without " + required[i] +
+                                 "; Weft reads no compressed meshes and textures");
     }
     const std::vector<std::string> used = c.root.texts("extensionsUsed", kMaxExtensions);
     for (size_t i = 0; i < used.size(); ++i) {
         const bool told = std::find(required.begin(), required.end(), used[i]) != required.end();
-        if (told || is_known_extension(used[i])) continue;
+        if (told || is_known_extension(used[i]) || used[i] == kBasisImages) continue;
         c.report.warn("S150", "/extensionsUsed/" + std::to_string(i),
                       "the extension " + used[i] + " is ignored",
                       "export without the extension if the scene does not look as intended");
@@ -73,6 +79,10 @@ void check_extensions(Checker& c) {
 
 bool is_known_extension(std::string_view name) {
     return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), name) != kKnownExtensions.end();
+}
+
+bool is_kept_extension(std::string_view name) {
+    return is_known_extension(name) || name == kBasisImages;
 }
 
 void check_header(Checker& c) {

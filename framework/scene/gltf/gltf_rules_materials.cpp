@@ -34,6 +34,12 @@ void check_texture(Checker& c, const Fields& texture) {
     texture.index("source", Need::optional, c.sizes["images"], "images");
     texture.index("sampler", Need::optional, c.sizes["samplers"], "samplers");
     if (texture.has("source")) return;
+    if (texture.extension("KHR_texture_basisu")) {
+        c.report.error("S117", texture.pointer_to("extensions/KHR_texture_basisu"),
+                       "the texture has only an image in the Basis format (KHR_texture_basisu)",
+                       "convert the texture to PNG or JPEG, or give it a \"source\" with a PNG or JPEG image");
+        return;
+    }
     c.report.warn("S153", texture.pointer(), "the texture has no PNG or JPEG image and is ignored",
                   "export textures as PNG or JPEG");
 }

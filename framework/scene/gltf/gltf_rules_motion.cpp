@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <set>
 
 #include "scene/gltf/gltf_rules.h"
 
 namespace weft::scene::gltf {
 namespace {
-
-constexpr size_t kMaxNamedNodes = 4;
 
 std::vector<std::string> labels_of(const Checker& c, const char* array, const char* kind) {
     std::vector<std::string> labels;
@@ -14,19 +11,6 @@ std::vector<std::string> labels_of(const Checker& c, const char* array, const ch
         labels.push_back(label(kind, labels.size(), item.text("name", Need::optional).value_or("")));
     });
     return labels;
-}
-
-// Returns the labels of the first kMaxNamedNodes nodes and the number of the others. Example: `node "hip",
-// node "knee", node "toe", node 7 and 3 more`.
-std::string first_of(const std::set<uint32_t>& nodes, const std::vector<std::string>& labels) {
-    std::string text;
-    size_t named = 0;
-    for (const uint32_t node : nodes) {
-        if (named == kMaxNamedNodes || node >= labels.size()) break;
-        text += (named++ == 0 ? "" : ", ") + labels[node];
-    }
-    if (nodes.size() > named) text += " and " + std::to_string(nodes.size() - named) + " more";
-    return text;
 }
 
 void check_skins(Checker& c, const std::vector<std::string>& nodes, const std::vector<std::string>& meshes) {
@@ -59,25 +43,6 @@ void check_morphs(Checker& c, const std::vector<std::string>& meshes) {
     });
 }
 
-void check_animations(Checker& c, const std::vector<std::string>& nodes) {
-    size_t self = 0;
-    c.root.each("animations", c.limits.array_items, [&](const Fields& animation) {
-        const std::string name =
-            label("animation", self++, animation.text("name", Need::optional).value_or(""));
-        std::set<uint32_t> moved;
-        animation.each("channels", c.limits.array_items, [&](const Fields& channel) {
-            const std::optional<Fields> target = channel.object("target", Need::required);
-            if (!target) return;
-            const uint32_t node = target->index("node", Need::optional, nodes.size(), "nodes");
-            if (node != kNone) moved.insert(node);
-        });
-        c.report.warn("S153", animation.pointer(),
-                      name + " is not played" +
-                          (moved.empty() ? "" : "; these nodes do not move: " + first_of(moved, nodes)),
-                      "apply the wanted pose before exporting");
-    });
-}
-
 }  // namespace
 
 void check_motion(Checker& c) {
@@ -88,7 +53,6 @@ void check_motion(Checker& c) {
     const std::vector<std::string> meshes = labels_of(c, "meshes", "mesh");
     check_skins(c, nodes, meshes);
     check_morphs(c, meshes);
-    check_animations(c, nodes);
 }
 
 }  // namespace weft::scene::gltf

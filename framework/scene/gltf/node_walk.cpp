@@ -1,96 +1,99 @@
 #include "scene/gltf/node_walk.h"
 
-#include <cmath>
-
+#include "scene/gltf/instancing_build.h"
+#include "scene/gltf/motion_build.h"
+#include "scene/model/node_placement.h"
 #include "weft/limits.h"
 
 namespace weft::scene::gltf {
 namespace {
 
-constexpr float kMaxEntry = 1e15f;
 // Memory per instance in bytes: the entry of Scene::instances, the entry of the GPU buffer (208), the draws
 // (96) and the draw command (20). Each counts twice: a vector that grows copies its elements, and a GPU
 // buffer needs a staging buffer.
 constexpr uint64_t kBytesPerInstance = 2 * sizeof(Instance) + 2 * 208 + 2 * 96 + 2 * 20;
+// If a file has animations, each frame in flight has its own entry of the GPU buffer.
+constexpr uint64_t kBytesPerInstanceOfFrames = 2 * 208;
+// Memory per moving node: a vector that grows, the copy for drawing, the copy that each frame makes, and the
+// transforms of the node and of its object, in this frame and the previous one.
+constexpr uint64_t kBytesPerMovingNode = 4 * sizeof(MovingNode) + 6 * sizeof(glm::mat4);
 
-bool is_usable_transform(const glm::mat4& m) {
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 4; ++row) {
-            if (!(std::abs(m[column][row]) <= kMaxEntry)) return false;
-        }
-    }
-    return true;
+std::string pointer_of(uint32_t node) {
+    return "/nodes/" + std::to_string(node);
 }
 
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
-    const float length = glm::length(v);
-    return std::isfinite(length) && length > 1e-20f ? v / length : fallback;
-}
-
-// Returns the part of `v` perpendicular to the unit vector `direction`, normalised. If this part is zero, the
-// result is any unit vector perpendicular to `direction`.
-glm::vec3 across_or(const glm::vec3& v, const glm::vec3& direction) {
-    const glm::vec3 unit = unit_or(v, {1, 0, 0});
-    const glm::vec3 steep = std::abs(direction.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 across = unit - direction * glm::dot(unit, direction);
-    return glm::length(across) > 1e-3f ? glm::normalize(across)
-                                       : glm::normalize(glm::cross(direction, steep));
-}
-
-// Returns the transform without scale and shear. A camera looks along the direction of its -z axis, and the
-// scale of its parent nodes must not distort the picture.
-glm::mat4 rigid(const glm::mat4& world) {
-    const glm::vec3 back = unit_or(glm::vec3(world[2]), {0, 0, 1});
-    const glm::vec3 steep = std::abs(back.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
-    const glm::vec3 right =
-        unit_or(glm::cross(glm::vec3(world[1]), back), unit_or(glm::cross(steep, back), {1, 0, 0}));
-    return {glm::vec4(right, 0), glm::vec4(glm::cross(back, right), 0), glm::vec4(back, 0), world[3]};
-}
+// The place of a node: its transform at rest, and its index in Motion::nodes if it moves.
+struct Place {
+    glm::mat4 world{1};
+    uint32_t moving = kNone;
+};
 
 class Walk {
  public:
-    Walk(const Document& document, const BuiltMeshes& meshes, uint32_t default_material, Scene& scene)
-        : document_(document), meshes_(meshes), default_material_(default_material), scene_(scene) {}
+    Walk(const Document& document, const BuiltMeshes& meshes, uint32_t default_material,
+         const SceneLimits& limits, Report& report, Scene& scene)
+        : document_(document),
+          meshes_(meshes),
+          default_material_(default_material),
+          limits_(limits),
+          report_(report),
+          scene_(scene),
+          animated_(animated_nodes(document)),
+          moving_(document.nodes.size(), kNone) {}
 
-    // Returns the memory in bytes of the objects that place() adds to the scene for this node. Every
-    // instance, light and camera has its own copy of a name.
-    [[nodiscard]] uint64_t memory_bytes(const Node& node) const {
-        uint64_t bytes = 0;
-        if (node.mesh != kNone) {
-            for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
-                const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
-                bytes += kBytesPerInstance + name.size();
-            }
+    [[nodiscard]] const std::vector<uint32_t>& moving() const { return moving_; }
+
+    // Takes the memory for the objects of a node, and checks the number of instances. `copies` is the number
+    // of instances per mesh. Returns false after an error.
+    [[nodiscard]] bool take_room(uint32_t index, const Place& parent, uint64_t copies, MemoryBudget& memory) {
+        const Node& node = document_.nodes[index];
+        const uint64_t added =
+            node.mesh == kNone ? 0 : saturating_mul(copies, meshes_.of_gltf_mesh[node.mesh].size());
+        if (saturating_add(scene_.instances.size(), added) > limits_.instances) {
+            report_.error("S107", pointer_of(index),
+                          "the scene has more than " + std::to_string(limits_.instances) + " instances",
+                          "join meshes or split the scene, " + raise_limit_text("scene.instances"));
+            return false;
         }
-        if (node.light != kNone)
-            bytes += 3 * sizeof(Light) + node.name.size() + 2 * document_.lights[node.light].name.size();
-        if (node.camera != kNone) bytes += 2 * sizeof(Camera) + node.name.size();
-        return bytes;
+        const uint64_t bytes = memory_bytes(node, copies, moves(index, parent));
+        return take_memory(memory, {bytes, "S107", pointer_of(index), "the node"}, report_);
     }
 
-    void place(const Node& node, const glm::mat4& world) {
-        if (node.mesh != kNone) {
-            for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
-                const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
-                const uint32_t material =
-                    primitive.material == kNone ? default_material_ : primitive.material;
-                scene_.instances.push_back({name, primitive.mesh, material, world});
-            }
+    // Returns the place of a node below `parent`. A node that moves is added to the motion of the scene.
+    Place enter(uint32_t index, const Place& parent) {
+        const Node& node = document_.nodes[index];
+        Place place{parent.world * node.local, kNone};
+        if (!moves(index, parent)) return place;
+        MovingNode moving;
+        moving.parent = parent.moving;
+        if (moving.parent == kNone) moving.before = parent.world;
+        if (animated_[index]) {
+            moving.translation = node.translation;
+            moving.rotation = node.rotation;
+            moving.scale = node.scale;
+        } else {
+            moving.before = moving.before * node.local;
         }
+        place.moving = add(moving);
+        moving_[index] = place.moving;
+        return place;
+    }
+
+    void place(const Node& node, const Place& place, const InstanceTransforms* copies) {
+        if (node.mesh != kNone && copies == nullptr) place_mesh(node, place);
+        if (node.mesh != kNone && copies != nullptr)
+            for (uint64_t i = 0; i < copies->count(); ++i) place_mesh(node, below(place, copies->transform(i)));
         if (node.light != kNone) {
             Light light = document_.lights[node.light];
-            light.position = glm::vec3(world[3]);
-            // The shape of a light extends along the node's x axis. The light faces along the node's −z axis.
-            const glm::vec3 forward = unit_or(-glm::vec3(world[2]), {0, 0, -1});
-            const glm::vec3 width = across_or(glm::vec3(world[0]), forward);
-            light.direction = light.type == LightType::capsule ? width : forward;
-            light.side = light.type == LightType::capsule ? forward : width;
+            place_light(place.world, light);
+            light.node = place.moving;
             if (!node.name.empty() && light.name.empty()) light.name = node.name;
             scene_.lights.push_back(std::move(light));
         }
         if (node.camera != kNone && document_.cameras[node.camera]) {
             Camera camera = *document_.cameras[node.camera];
-            camera.transform = rigid(world);
+            camera.transform = rigid_transform(place.world);
+            camera.node = place.moving;
             // Files often have a useful name only for the node, not for the camera. So the camera takes the
             // name of its node.
             if (!node.name.empty()) camera.name = node.name;
@@ -99,10 +102,60 @@ class Walk {
     }
 
  private:
+    // Returns the memory in bytes of the objects that place() adds to the scene for this node. Every
+    // instance, light and camera has its own copy of a name.
+    [[nodiscard]] uint64_t memory_bytes(const Node& node, uint64_t copies, bool moves) const {
+        uint64_t bytes = moves ? kBytesPerMovingNode : 0;
+        if (node.mesh != kNone) {
+            for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
+                const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
+                uint64_t each = kBytesPerInstance + name.size();
+                if (!document_.animations.empty()) each += kBytesPerInstanceOfFrames;
+                bytes = saturating_add(bytes, saturating_mul(copies, each));
+            }
+            if (moves) bytes = saturating_add(bytes, saturating_mul(copies, kBytesPerMovingNode));
+        }
+        if (node.light != kNone)
+            bytes = saturating_add(
+                bytes, 3 * sizeof(Light) + node.name.size() + 2 * document_.lights[node.light].name.size());
+        if (node.camera != kNone) bytes = saturating_add(bytes, 2 * sizeof(Camera) + node.name.size());
+        return bytes;
+    }
+
+    [[nodiscard]] bool moves(uint32_t index, const Place& parent) const {
+        return parent.moving != kNone || animated_[index];
+    }
+
+    uint32_t add(const MovingNode& node) {
+        scene_.motion.nodes.push_back(node);
+        return static_cast<uint32_t>(scene_.motion.nodes.size() - 1);
+    }
+
+    // Returns the place of an instance with its own transform below a node. An instance with a transform that
+    // is not usable is invisible.
+    Place below(const Place& node, const glm::mat4& transform) {
+        Place place{node.world * transform, kNone};
+        if (!is_usable_transform(place.world)) place.world = invisible_transform();
+        if (node.moving != kNone) place.moving = add({node.moving, transform});
+        return place;
+    }
+
+    void place_mesh(const Node& node, const Place& place) {
+        for (const BuiltPrimitive& primitive : meshes_.of_gltf_mesh[node.mesh]) {
+            const std::string& name = node.name.empty() ? meshes_.meshes[primitive.mesh].name : node.name;
+            const uint32_t material = primitive.material == kNone ? default_material_ : primitive.material;
+            scene_.instances.push_back({name, primitive.mesh, material, place.world, place.moving});
+        }
+    }
+
     const Document& document_;
     const BuiltMeshes& meshes_;
     uint32_t default_material_;
+    const SceneLimits& limits_;
+    Report& report_;
     Scene& scene_;
+    std::vector<bool> animated_;
+    std::vector<uint32_t> moving_;  // For each node of the document, its index in Motion::nodes.
 };
 
 }  // namespace
@@ -111,39 +164,38 @@ void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t d
                  const SceneLimits& limits, MemoryBudget& memory, Report& report, Scene& scene) {
     struct Visit {
         uint32_t node;
-        glm::mat4 parent;
+        Place parent;
     };
-    Walk walk(document, meshes, default_material, scene);
+    Walk walk(document, meshes, default_material, limits, report, scene);
     std::vector<Visit> stack;
     // The roots are pushed in reverse order. The stack returns the last entry first, so the nodes are visited
     // in the order of the file.
-    for (size_t i = document.roots.size(); i-- > 0;) stack.push_back({document.roots[i], glm::mat4(1)});
+    for (size_t i = document.roots.size(); i-- > 0;) stack.push_back({document.roots[i], {}});
     while (!stack.empty()) {
         const Visit visit = stack.back();
         stack.pop_back();
         const Node& node = document.nodes[visit.node];
-        const glm::mat4 world = visit.parent * node.local;
-        if (!is_usable_transform(world)) {
-            report.warn("S152", "/nodes/" + std::to_string(visit.node),
+        if (!is_usable_transform(visit.parent.world * node.local)) {
+            report.warn("S152", pointer_of(visit.node),
                         label("node", visit.node, node.name) +
                             ": the transform in the scene is too large or not finite; the node and its "
                             "descendants are ignored",
                         "correct the matrix or scale of the node or of one of its parents");
             continue;
         }
-        if (!take_memory(
-                memory, {walk.memory_bytes(node), "S107", "/nodes/" + std::to_string(visit.node), "the node"},
-                report))
-            return;
-        walk.place(node, world);
-        if (scene.instances.size() > limits.instances) {
-            report.error("S107", "/nodes/" + std::to_string(visit.node),
-                         "the scene has more than " + std::to_string(limits.instances) + " instances",
-                         "join meshes or split the scene, " + raise_limit_text("scene.instances"));
-            return;
+        std::optional<InstanceTransforms> copies;
+        if (document.instancing.contains(visit.node)) {
+            copies = InstanceTransforms::open(document, visit.node, report);
+            if (!copies) return;
         }
-        for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], world});
+        if (!walk.take_room(visit.node, visit.parent, copies ? copies->count() : 1, memory)) return;
+        const Place place = walk.enter(visit.node, visit.parent);
+        walk.place(node, place, copies ? &*copies : nullptr);
+        for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], place});
     }
+    build_animations(document, walk.moving(), memory, report, scene.motion);
+    if (!report.failed() && !scene.motion.nodes.empty())
+        apply_pose(transforms_at(scene.motion, 0), scene);
 }
 
 }  // namespace weft::scene::gltf

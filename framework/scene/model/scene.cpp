@@ -35,15 +35,14 @@ void grow(Bounds& bounds, const glm::mat4& transform, const glm::vec3& position)
     bounds.max = glm::max(bounds.max, world);
 }
 
-}  // namespace
-
-Bounds world_bounds(const Scene& scene) {
+// Returns the bounds of all instances, or without `moving` of those that do not move.
+std::optional<Bounds> bounds_of(const Scene& scene, bool moving) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Bounds bounds{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
     const bool exact = instanced_vertices(scene) <= kMaxExactVertices;
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[instance.mesh];
-        if (mesh.positions.empty()) continue;
+        if (mesh.positions.empty() || (!moving && instance.node != kNone)) continue;
         if (exact) {
             for (const glm::vec3& position : mesh.positions) grow(bounds, instance.transform, position);
             continue;
@@ -55,8 +54,18 @@ Bounds world_bounds(const Scene& scene) {
                   (corner & 4) != 0 ? mesh.bounds.max.z : mesh.bounds.min.z});
         }
     }
-    if (!(bounds.min.x <= bounds.max.x)) return {};
+    if (!(bounds.min.x <= bounds.max.x)) return std::nullopt;
     return bounds;
+}
+
+}  // namespace
+
+Bounds world_bounds(const Scene& scene) {
+    return bounds_of(scene, true).value_or(Bounds{});
+}
+
+std::optional<Bounds> fixed_bounds(const Scene& scene) {
+    return bounds_of(scene, false);
 }
 
 Camera framing_camera(const Scene& scene, float aspect) {

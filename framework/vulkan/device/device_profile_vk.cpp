@@ -60,6 +60,8 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_uniform_buffer_bytes = limits.maxUniformBufferRange;
     profile.max_storage_buffer_bytes = limits.maxStorageBufferRange;
     profile.buffer_image_granularity_bytes = limits.bufferImageGranularity;
+    profile.storage_offset_alignment_bytes = limits.minStorageBufferOffsetAlignment;
+    profile.uniform_offset_alignment_bytes = limits.minUniformBufferOffsetAlignment;
 }
 
 namespace sc = shader_capability;

@@ -39,12 +39,13 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
         const UseDecl& use = pass.uses[0];
         const ResourceDecl& decl = plan.graph.resources[use.resource];
         size_bytes = aligned_place(size_bytes);
-        Place place{position, size_bytes, 0, {}};
+        Place place{position, size_bytes, {}, {}};
         if (decl.kind == ResourceKind::buffer)
-            place.buffer_bytes = decl.size_bytes;
+            place.buffer = used_bytes(decl, use);
         else
             place.regions = image_regions(decl, use.range, size_bytes);
-        size_bytes += decl.kind == ResourceKind::buffer ? decl.size_bytes : place.regions.staging_bytes;
+        size_bytes +=
+            decl.kind == ResourceKind::buffer ? place.buffer.size_bytes : place.regions.staging_bytes;
         memory.places_.push_back(std::move(place));
     }
     Status made = create_slot_buffers(memory.memory_, device, size_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
@@ -58,8 +59,8 @@ void ReadbackMemory::record(const Device& device, VkCommandBuffer commands, Posi
     const UseDecl& use = plan.graph.passes[plan.schedule.order[position]].uses[0];
     for (const Place& place : places_) {
         if (place.position != position) continue;
-        if (place.buffer_bytes != 0) {
-            const VkBufferCopy copy{0, place.offset_bytes, place.buffer_bytes};
+        if (place.buffer.size_bytes != 0) {
+            const VkBufferCopy copy{place.buffer.offset_bytes, place.offset_bytes, place.buffer.size_bytes};
             device.fn().vkCmdCopyBuffer(commands, resources.buffer(use.resource), memory_[slot].handle(), 1,
                                         &copy);
             continue;
@@ -88,8 +89,8 @@ void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t fram
         data.pass = pass.name;
         data.frame_index = frame_index;
         const std::span<const std::byte> staging = memory_[slot].mapped();
-        if (place.buffer_bytes != 0) {
-            const auto bytes = staging.subspan(place.offset_bytes, place.buffer_bytes);
+        if (place.buffer.size_bytes != 0) {
+            const auto bytes = staging.subspan(place.offset_bytes, place.buffer.size_bytes);
             data.bytes.assign(bytes.begin(), bytes.end());
         } else {
             data.format = decl.format;

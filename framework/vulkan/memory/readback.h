@@ -33,8 +33,8 @@ class ReadbackMemory {
     struct Place {
         Position position = 0;
         uint64_t offset_bytes = 0;
-        // Size of the buffer that the pass reads, in bytes; 0 if the pass reads an image.
-        uint64_t buffer_bytes = 0;
+        // The part of the buffer that the pass reads; its size is 0 if the pass reads an image.
+        ByteRange buffer;
         // Copy regions of the image that the pass reads; empty if the pass reads a buffer.
         ImageRegions regions;
     };

@@ -23,7 +23,7 @@ Rings::Rings(const FramePlan& plan) {
     }
     for (const PassId pass : plan.schedule.order)
         for (const UseDecl& use : plan.graph.passes[pass].uses)
-            if (writes(use.access)) written_[use.resource] = 1;
+            if (writes(use.access) && !plan.graph.passes[pass].carries) written_[use.resource] = 1;
 }
 
 ResourceId Rings::copy(ResourceId resource, uint64_t frame) const {
@@ -49,17 +49,21 @@ uint64_t Rings::period(const PassDecl& pass) const {
 void Rings::inherit(const Rings& old, uint64_t frames, const TransitionPlan& transition) {
     for (const ContentCopy& carry : transition.carried) {
         const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
-        if (transition.keeps_validity[ring] == 0 || old.written_[old_ring] == 0) continue;
-        // An old ring of N + 1 copies has the contents of at most N past frames. If the new history is longer
-        // than N, its ages above N are not valid yet.
-        inherited_[ring] =
-            std::min<uint64_t>(frames + old.inherited_[old_ring], old.roles_[old_ring].size() - 1);
+        if (transition.keeps_validity[ring] == 0) continue;
+        if (old.written_[old_ring] == 0 && old.inherited_[old_ring] == 0) continue;
+        // An old ring of N + 1 copies has the contents of at most N past frames, and a ring of one copy that of
+        // the last frame. If the new history is longer, its higher ages are not valid yet.
+        inherited_[ring] = std::min<uint64_t>(frames + old.inherited_[old_ring],
+                                              std::max<uint64_t>(old.roles_[old_ring].size() - 1, 1));
     }
 }
 
 bool Rings::valid(ResourceId role, uint64_t frame) const {
     const ResourceId ring = all_[role].ring;
-    return ring != kNoId && written_[ring] != 0 && frame + inherited_[ring] >= all_[role].age;
+    if (ring == kNoId) return false;
+    // Without a writer, a ring with `keep` still has the contents of an old plan.
+    const bool has_content = written_[ring] != 0 || inherited_[ring] != 0;
+    return has_content && frame + inherited_[ring] >= all_[role].age;
 }
 
 }  // namespace weft::vk

@@ -69,7 +69,7 @@ class CommandRecorder final : public Recorder {
         const UseDecl& use = target_.pass.uses[place.use];
         const DeviceFunctions& fn = target_.device.fn();
         if (place.regions.copies.empty()) {
-            const VkBufferCopy copy{place.offset_bytes, 0, bytes};
+            const VkBufferCopy copy{place.offset_bytes, place.target.offset_bytes, bytes};
             fn.vkCmdCopyBuffer(target_.commands, target_.memory, target_.resources.buffer(use.resource), 1,
                                &copy);
             return;
@@ -81,8 +81,10 @@ class CommandRecorder final : public Recorder {
     void fill_buffer(std::string_view port, uint32_t word) override {
         for (const UseDecl& use : target_.pass.uses) {
             const VkBuffer buffer = target_.resources.buffer(use.resource);
-            if (use.port == port && use.is_output && buffer != VK_NULL_HANDLE)
-                target_.device.fn().vkCmdFillBuffer(target_.commands, buffer, 0, VK_WHOLE_SIZE, word);
+            if (use.port != port || !use.is_output || buffer == VK_NULL_HANDLE) continue;
+            const ByteRange bytes = use.bytes.value_or(ByteRange{0, VK_WHOLE_SIZE});
+            target_.device.fn().vkCmdFillBuffer(target_.commands, buffer, bytes.offset_bytes,
+                                                bytes.size_bytes, word);
         }
     }
 
@@ -94,7 +96,8 @@ UploadPlace make_place(const FramePlan& plan, const PassDecl& pass, uint32_t use
                        uint64_t offset_bytes) {
     const UseDecl& use = pass.uses[use_index];
     const ResourceDecl& decl = plan.graph.resources[use.resource];
-    UploadPlace place{use.port, use_index, offset_bytes, decl.size_bytes, {}};
+    const ByteRange target = used_bytes(decl, use);
+    UploadPlace place{use.port, use_index, offset_bytes, target.size_bytes, target, {}};
     if (decl.kind == ResourceKind::image) {
         place.regions = image_regions(decl, use.range, offset_bytes);
         place.capacity_bytes = place.regions.staging_bytes;

@@ -23,6 +23,7 @@ struct UploadPlace {
     uint32_t use = kNoId;
     uint64_t offset_bytes = 0;
     uint64_t capacity_bytes = 0;
+    ByteRange target;  // The part of the port's buffer; not used for an image.
     // Copy regions of the port's image; empty if the port is a buffer.
     ImageRegions regions;
 };

@@ -52,7 +52,7 @@ Result<VkImageView> ViewCache::get(ResourceId copy, const SubresourceRange& rang
     info.subresourceRange = to_vk(range);
     VkImageView view = VK_NULL_HANDLE;
     const VkResult result = device_->fn().vkCreateImageView(device_->handle(), &info, nullptr, &view);
-    const std::string name = decl.name + " " + range_text(range);
+    const std::string name = decl.name + " " + range_text(decl, range);
     if (result != VK_SUCCESS) return failed_call("V411", "creating a view of image \"" + name + "\"", result);
     device_->name(VK_OBJECT_TYPE_IMAGE_VIEW, reinterpret_cast<uint64_t>(view), name);
     views_.emplace(key, ImageViewHandle(*device_, view));

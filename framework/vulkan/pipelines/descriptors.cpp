@@ -53,9 +53,11 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
 
 Result<VkDescriptorBufferInfo> buffer_info(DescriptorSources& sources, const UseDecl* use,
                                            const ShaderBinding& binding) {
-    if (use != nullptr)
-        return VkDescriptorBufferInfo{sources.resources.buffer(use->resource), 0,
-                                      sources.plan.graph.resources[use->resource].size_bytes};
+    if (use != nullptr) {
+        const ByteRange bytes = used_bytes(sources.plan.graph.resources[use->resource], *use);
+        return VkDescriptorBufferInfo{sources.resources.buffer(use->resource), bytes.offset_bytes,
+                                      bytes.size_bytes};
+    }
     Result<VkBuffer> dummy = sources.dummies.buffer(binding.block_bytes);
     if (!dummy) return dummy.take_errors();
     return VkDescriptorBufferInfo{*dummy, 0, VK_WHOLE_SIZE};

@@ -50,11 +50,14 @@ VkImageMemoryBarrier2 image_barrier(const BarrierDecl& barrier, VkImage image, c
     return out;
 }
 
-VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, VkBuffer buffer, const Families& families) {
+VkBufferMemoryBarrier2 buffer_barrier(const BarrierDecl& barrier, const ResourceDecl& decl, VkBuffer buffer,
+                                      const Families& families) {
     auto out =
         make_barrier<VkBufferMemoryBarrier2>(VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER_2, barrier, families);
+    const ByteRange bytes = piece_bytes(decl, barrier.range);
     out.buffer = buffer;
-    out.size = VK_WHOLE_SIZE;
+    out.offset = bytes.offset_bytes;
+    out.size = barrier.range == decl.whole() ? VK_WHOLE_SIZE : bytes.size_bytes;
     return out;
 }
 
@@ -87,7 +90,7 @@ void record_barriers(const Device& device, VkCommandBuffer commands, std::span<c
         if (is_image)
             images.push_back(image_barrier(barrier, resources.image(barrier.resource), families));
         else if (barrier.aliased_from.empty())
-            buffers.push_back(buffer_barrier(barrier, resources.buffer(barrier.resource), families));
+            buffers.push_back(buffer_barrier(barrier, decl, resources.buffer(barrier.resource), families));
     }
     if (memory.empty() && images.empty() && buffers.empty()) return;
     VkDependencyInfo info{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};

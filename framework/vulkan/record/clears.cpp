@@ -16,7 +16,9 @@ void record_clear_of(const Device& device, VkCommandBuffer commands, const Frame
         const float value = target.value[0];
         const uint32_t word =
             value < 0 ? static_cast<uint32_t>(saturated<int32_t>(value)) : saturated<uint32_t>(value);
-        fn.vkCmdFillBuffer(commands, resources.buffer(target.resource), 0, VK_WHOLE_SIZE, word);
+        const ByteRange bytes = piece_bytes(decl, target.range);
+        fn.vkCmdFillBuffer(commands, resources.buffer(target.resource), bytes.offset_bytes,
+                           bytes.end_bytes() == decl.size_bytes ? VK_WHOLE_SIZE : bytes.size_bytes, word);
         return;
     }
     const VkImage image = resources.image(target.resource);

@@ -10,8 +10,8 @@
 namespace weft::vk {
 
 // A range of a resource, and the value that fills it. An image must be in `layout`. For a colour image,
-// `value` is the colour. For a depth-stencil image, value[0] is the depth and value[1] the stencil. A buffer
-// is filled as a whole: each 32-bit word is value[0] as an integer, for example 7.0 becomes the integer 7.
+// `value` is the colour. For a depth-stencil image, value[0] is the depth and value[1] the stencil. In a
+// buffer, each 32-bit word becomes value[0] as an integer, for example 7.0 becomes the integer 7.
 struct ClearTarget {
     ResourceId resource = kNoId;
     SubresourceRange range;

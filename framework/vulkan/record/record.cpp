@@ -33,6 +33,10 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
                           bytes.data());
 }
 
+FrontFace opposite(FrontFace face) {
+    return face == FrontFace::clockwise ? FrontFace::counter_clockwise : FrontFace::clockwise;
+}
+
 // Draws a number of vertices without vertex buffers. The shader gets only the vertex and instance indices.
 void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                    uint32_t vertices, uint32_t instances) {
@@ -40,6 +44,10 @@ void draw_vertices(const RecordContext& context, const PassDecl& pass, const Pre
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                          prepared.pipelines[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    // The triangle of a fullscreen pass is the same in every view.
+    const DrawSource* draws = context.objects.draws;
+    if (pass.kind == PassKind::raster && draws != nullptr && draws->is_mirrored(pass.view))
+        fn.vkCmdSetFrontFace(context.commands, to_vk(opposite(pass.state.front_face)));
     fn.vkCmdDraw(context.commands, vertices, instances, 0, 0);
 }
 
@@ -55,6 +63,7 @@ void draw_list(const RecordContext& context, const PassDecl& pass, const Prepare
     draws.commands = context.commands;
     draws.layout = prepared.layout.pipeline.get();
     draws.list = draw.list;
+    draws.view = pass.view;
     draws.variant = draw.variant;
     draws.cull = pass.state.cull;
     draws.frame_slot = context.slot;

@@ -73,9 +73,10 @@ void record_copy(const RecordContext& context, const PassDecl& pass) {
     if (from.access == Access::blit_read) return blit_images(context, from, to);
     if (plan.graph.resources[from.resource].kind == ResourceKind::image)
         return copy_images(context, from, to);
-    const VkBufferCopy copy{0, 0,
-                            std::min(plan.graph.resources[from.resource].size_bytes,
-                                     plan.graph.resources[to.resource].size_bytes)};
+    const ByteRange source = used_bytes(plan.graph.resources[from.resource], from);
+    const ByteRange target = used_bytes(plan.graph.resources[to.resource], to);
+    const VkBufferCopy copy{source.offset_bytes, target.offset_bytes,
+                            std::min(source.size_bytes, target.size_bytes)};
     context.device.fn().vkCmdCopyBuffer(context.commands, context.resources.buffer(from.resource),
                                         context.resources.buffer(to.resource), 1, &copy);
 }

@@ -11,8 +11,8 @@ struct Instance {
     mat4 normal_to_world;    // Matrix for normals: cofactors of the upper 3×3, with the sign of the determinant.
     int color_offset;        // gl_VertexIndex + this = index of the vertex colour; kNoStream: no vertex colours.
     int second_uv_offset;    // gl_VertexIndex + this = index of the second uv; kNoStream: no second uv.
-    int reserved0;
-    int reserved1;
+    uint mesh;               // Index in the import `meshes`.
+    uint material;           // Index in the import `materials`.
 };
 
 #include "end.glsl"

@@ -44,7 +44,7 @@ class Layouts {
             Layout entry = decl.import ? decl.import->entry.layout : Layout::undefined;
             if (decl.lifetime == ResourceLifetime::persistent) entry = rest_layout(decl);
             const bool transient = decl.lifetime == ResourceLifetime::transient;
-            current_[r].assign(size_t{decl.mips} * decl.layers, {entry, transient});
+            current_[r].assign(size_t{decl.mips} * decl.whole().layers, {entry, transient});
         }
     }
 

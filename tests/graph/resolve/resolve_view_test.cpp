@@ -10,7 +10,8 @@ class ResolveView : public ResolveTest {
  protected:
     ResolveView() {
         shaders["mesh"] = fragment({});
-        imports.views = {"camera", "sun(0)", "sun(1)", "sun(2)"};
+        imports.views = {"camera", "sun"};
+        imports.imports["sun"] = {.name = "sun", .kind = ImportKind::views, .views = 3};
         imports.numbers = {{"suns", 2}};
     }
     static std::string graph(const std::string& view, const std::string& keys = "",

@@ -29,7 +29,7 @@ class Versions {
  public:
     explicit Versions(ResolvedGraph& graph) : graph_(graph), cells_(graph.resources.size()) {
         for (size_t r = 0; r < cells_.size(); ++r)
-            cells_[r].resize(size_t{graph.resources[r].mips} * graph.resources[r].layers);
+            cells_[r].resize(size_t{graph.resources[r].whole().mips} * graph.resources[r].whole().layers);
     }
 
     void add(PassId pass) {
@@ -212,6 +212,7 @@ PassDecl& GraphBuilder::pass(std::string name, PassKind kind, const std::vector<
         use.port = u.port;
         use.resource = u.resource;
         use.range = u.range.value_or(resource.whole());
+        if (!image && use.range != resource.whole()) use.bytes = piece_bytes(resource, use.range);
         use.access = u.access;
         use.state = access_state(u.access, shaders, image ? resource.aspects : aspect::kNone);
         use.is_output = writes(u.access);

@@ -28,6 +28,11 @@ class GraphBuilder {
     ResourceId image(std::string name, Format format = Format::r32u, uint32_t side_px = 16, uint32_t mips = 1,
                      uint32_t layers = 1);
     ResourceId buffer(std::string name, uint64_t size_bytes = 1024);
+    // Divides a buffer into pieces at these offsets. A pass that uses piece i has the range one_cell(0, i).
+    // Call cut() before a pass uses the buffer.
+    void cut(ResourceId buffer, std::vector<uint64_t> cuts_bytes) {
+        graph_.resources[buffer].cuts_bytes = std::move(cuts_bytes);
+    }
     // Returns the declaration of the resource. A test can change properties in it for which the builder has
     // no function, such as the number of samples. Call edit() before a pass uses the resource.
     [[nodiscard]] ResourceDecl& edit(ResourceId id) { return graph_.resources[id]; }

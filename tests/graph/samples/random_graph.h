@@ -42,7 +42,7 @@ struct RandomGraphOptions {
     // Adds passes that write an image mip by mip, from the largest mip to the smallest and sometimes back. If
     // the image has two layers, the passes of layer 0 come first.
     bool chains = false;
-    // Adds clears and copies of several mips and layers at once.
+    // Adds clears and copies of several mips and layers at once, and passes that use ranges of buffers.
     bool ranges = false;
     // Adds passes that use the same depth image as attachment and as input.
     bool depth_input = false;

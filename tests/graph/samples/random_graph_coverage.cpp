@@ -46,11 +46,17 @@ void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     });
     history += any_live_use(plan, [](const ResourceDecl& r) { return r.age > 0; });
     kept += any_live_use(plan, [](const ResourceDecl& r) { return r.ring != kNoId && r.history == 0; });
-    ranges += any(plan.barriers.steps, [&](const PassStep& step) {
-        return any(step.barriers, [&](const BarrierDecl& b) {
-                   return b.range != plan.graph.resources[b.resource].whole();
-               }) != 0;
-    });
+    carried += any_live_pass(plan, [](const PassDecl& pass) { return pass.carries; });
+    const auto has_barrier_on_part = [&](ResourceKind kind) {
+        return any(plan.barriers.steps, [&](const PassStep& step) {
+            return any(step.barriers, [&](const BarrierDecl& b) {
+                       const ResourceDecl& resource = plan.graph.resources[b.resource];
+                       return resource.kind == kind && b.range != resource.whole();
+                   }) != 0;
+        });
+    };
+    ranges += has_barrier_on_part(ResourceKind::image);
+    buffer_ranges += has_barrier_on_part(ResourceKind::buffer);
     const auto is_round = [](const PassDecl& pass) { return pass.name.find('#') != std::string::npos; };
     repeats += any_live_pass(plan, is_round);
     chains += any_live_pass(plan, [&](const PassDecl& pass) {
@@ -78,7 +84,9 @@ std::string GraphCoverage::text() const {
     share("family transfers", transfers);
     share("history", history);
     share("kept", kept);
+    share("carried", carried);
     share("subresource ranges", ranges);
+    share("buffer ranges", buffer_ranges);
     share("repeats", repeats);
     share("mip chains made in memory", chains);
     share("conditionals", conditionals);

@@ -22,8 +22,12 @@ struct GraphCoverage {
     uint32_t history = 0;
     // Frames in which a live pass uses a resource that keeps its content from frame to frame without history.
     uint32_t kept = 0;
+    // Frames in which a pass copies the content of the last frame (PassDecl::carries).
+    uint32_t carried = 0;
     // Frames with a barrier on a part of an image.
     uint32_t ranges = 0;
+    // Frames with a barrier on a part of a buffer.
+    uint32_t buffer_ranges = 0;
     // Frames with a live iteration of a repeated pass.
     uint32_t repeats = 0;
     // Frames with a live pass of a mip chain that the class RandomFeatures made. A mip chain of random_text()

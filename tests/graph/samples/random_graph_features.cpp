@@ -12,7 +12,9 @@ bool RandomFeatures::add_feature() {
     if (options_.chains)
         features.insert(features.end(), {&RandomFeatures::mip_chain, &RandomFeatures::mip_chain});
     if (options_.ranges)
-        features.insert(features.end(), {&RandomFeatures::clear_range, &RandomFeatures::copy_range});
+        features.insert(features.end(), {&RandomFeatures::clear_range, &RandomFeatures::copy_range,
+                                         &RandomFeatures::divide_buffer, &RandomFeatures::divide_buffer,
+                                         &RandomFeatures::divide_buffer});
     if (options_.depth_input) features.push_back(&RandomFeatures::test_against_input);
     if (options_.layers)
         features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers});
@@ -70,7 +72,7 @@ void RandomFeatures::remember_buffer() {
     uses.push_back(destination(cell, Access::storage_write));
     PassDecl& pass = add("recallwords", PassKind::compute,
                          inputs.size() == 1 ? "mix_buffer_1.comp" : "mix_buffer_2.comp", uses);
-    pass.groups = {(words(cell.resource) + 63) / 64, 1, 1};
+    pass.groups = {(words(cell) + 63) / 64, 1, 1};
     draw_builtin_seed(pass, roles[history]);
     buffers_.push_back(cell);
 }
@@ -97,7 +99,7 @@ void RandomFeatures::keep_buffer() {
     if (chance(50)) buffer_to_image(cell);
     add("changewords", PassKind::compute, "update_buffer.comp",
         {inputs_of({other}, Access::storage_read).front(), destination(cell, Access::storage_read_write)})
-        .groups = {(words(kept) + 63) / 64, 1, 1};
+        .groups = {(words(cell) + 63) / 64, 1, 1};
     buffers_.push_back(cell);
 }
 
@@ -155,6 +157,44 @@ void RandomFeatures::copy_range() {
         unwritten_.push_back({to, one_cell(0, layer), false});
         for (uint32_t mip = 1; mip < 3; ++mip) images_.push_back({to, one_cell(mip, layer), mip + layer > 1});
     }
+}
+
+// Adds passes that write disjoint ranges of one buffer, in any order. Then a pass modifies a range that
+// overlaps several of them, and a pass reads another range.
+void RandomFeatures::divide_buffer() {
+    constexpr uint32_t kPieceBytes = 256;  // Every device accepts this alignment.
+    const uint32_t pieces = between(2, 5);
+    ResourceId id = builder_.buffer(fresh_name("divided"), uint64_t{kPieceBytes} * pieces * between(1, 2));
+    std::vector<uint64_t> cuts;
+    for (uint32_t piece = 1; piece < pieces; ++piece) cuts.push_back(uint64_t{kPieceBytes} * piece);
+    builder_.cut(id, cuts);
+    if (options_.keep && chance(40)) id = builder_.ring(id, options_.history ? below(2) : 0).front();
+    const auto cell = [&](uint32_t first, uint32_t count) {
+        return RandomCell{id, {0, 1, first, count, aspect::kColor}, true};
+    };
+    const auto write = [&](const char* what, const char* shader, const RandomCell& to, Access access) {
+        const BuilderUse input =
+            buffers_.empty() ? BuilderUse{} : inputs_of(take(buffers_, 1), Access::storage_read).front();
+        if (input.resource == kNoId || input.resource == id) {
+            add("clearpart", PassKind::clear, nullptr, {{"dst", id, Access::clear_write, to.range, kNoId}})
+                .clear = {static_cast<float>(below(1000)), 0, 0, 0};
+            return;
+        }
+        add(what, PassKind::compute, shader, {input, destination(to, access)}).groups = {
+            (words(to) + 63) / 64, 1, 1};
+    };
+    for (uint32_t piece = 0; piece < pieces;) {
+        const uint32_t count = std::min(between(1, 2), pieces - piece);
+        write("part", "mix_buffer_1.comp", cell(piece, count), Access::storage_write);
+        piece += count;
+    }
+    const uint32_t first = below(pieces), count = between(1, pieces - first);
+    write("overpart", "update_buffer.comp", cell(first, count), Access::storage_read_write);
+    const uint32_t begin = below(pieces);
+    RandomCell seen = cell(begin, between(1, pieces - begin));
+    buffer_to_image(seen);
+    seen.read = false;
+    buffers_.push_back(seen);
 }
 
 void RandomFeatures::test_against_input() {

@@ -27,6 +27,7 @@ class RandomFeatures : public RandomPasses {
     void mip_chain();
     void clear_range();
     void copy_range();
+    void divide_buffer();
     void test_against_input();
     void draw_layers();
     void draw_depth_layers();

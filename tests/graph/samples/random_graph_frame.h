@@ -20,7 +20,8 @@ inline constexpr AccessState kReadImport{stage::kComputeShader, access::kStorage
 inline constexpr AccessState kStateImport{stage::kComputeShader, access::kStorageRead | access::kStorageWrite,
                                           Layout::undefined};
 
-// Content that a pass reads or writes: a range of an image (usually one mip of one layer) or a whole buffer.
+// Content that a pass reads or writes: a range of an image (usually one mip of one layer), or pieces of a
+// buffer (usually all).
 struct RandomCell {
     ResourceId resource = kNoId;
     SubresourceRange range;
@@ -51,8 +52,9 @@ class RandomFrame {
     uint32_t side_px(const RandomCell& cell) const {
         return mip_extent(builder_.resource(cell.resource).extent, cell.range.mip).width;
     }
-    uint32_t words(ResourceId buffer) const {
-        return static_cast<uint32_t>(builder_.resource(buffer).size_bytes / 4);
+    uint32_t words(const RandomCell& cell) const {
+        return static_cast<uint32_t>(piece_bytes(builder_.resource(cell.resource), cell.range).size_bytes /
+                                     4);
     }
 
     void add_imports() {
@@ -76,8 +78,8 @@ class RandomFrame {
         if (state_words_ != kNoId) builder_.make_concurrent(state_words_);
     }
 
-    // Returns a random queue hint: graphics for a fullscreen pass, graphics or compute for a compute pass, and
-    // any queue for other kinds. The compiler may choose a more capable queue.
+    // Returns a random queue hint: graphics for a fullscreen pass, graphics or compute for a compute pass,
+    // and any queue for other kinds. The compiler may choose a more capable queue.
     QueueKind queue_hint(PassKind kind) {
         const uint32_t roll = below(100);
         if (kind == PassKind::fullscreen || roll < 35) return QueueKind::graphics;

@@ -54,7 +54,7 @@ class RandomPasses : public RandomFrame {
         std::vector<BuilderUse> uses = inputs_of(inputs, Access::storage_read);
         uses.push_back(destination(cell, Access::storage_write));
         const char* shader = inputs.size() == 1 ? "mix_buffer_1.comp" : "mix_buffer_2.comp";
-        add("mixwords", PassKind::compute, shader, uses).groups = {(words(cell.resource) + 63) / 64, 1, 1};
+        add("mixwords", PassKind::compute, shader, uses).groups = {(words(cell) + 63) / 64, 1, 1};
         buffers_.push_back(cell);
     }
 
@@ -89,7 +89,7 @@ class RandomPasses : public RandomFrame {
         if (cell.resource == input.resource || decl.lifetime != ResourceLifetime::transient) return;
         add("updatewords", PassKind::compute, "update_buffer.comp",
             {inputs_of({input}, Access::storage_read).front(), destination(cell, Access::storage_read_write)})
-            .groups = {(words(cell.resource) + 63) / 64, 1, 1};
+            .groups = {(words(cell) + 63) / 64, 1, 1};
         cell.read = false;
     }
 
@@ -98,7 +98,7 @@ class RandomPasses : public RandomFrame {
         const RandomCell cell = new_buffer();
         add("towords", PassKind::compute, "image_to_buffer.comp",
             {inputs_of({input}, Access::sampled_read).front(), destination(cell, Access::storage_write)})
-            .groups = {(words(cell.resource) + 63) / 64, 1, 1};
+            .groups = {(words(cell) + 63) / 64, 1, 1};
         buffers_.push_back(cell);
     }
 
@@ -148,10 +148,9 @@ class RandomPasses : public RandomFrame {
         RandomCell& source = buffers_[pick(buffers_.size())];
         if (builder_.resource(source.resource).lifetime != ResourceLifetime::transient) return;
         source.read = true;
-        const RandomCell cell{
-            builder_.buffer(fresh_name("words"), builder_.resource(source.resource).size_bytes), {}, false};
+        const RandomCell cell{builder_.buffer(fresh_name("words"), uint64_t{words(source)} * 4), {}, false};
         add("copywords", PassKind::copy, nullptr,
-            {{"src", source.resource, Access::copy_read, {}, kNoId},
+            {{"src", source.resource, Access::copy_read, source.range, kNoId},
              {"dst", cell.resource, Access::copy_write, {}, kNoId}});
         buffers_.push_back(cell);
     }

@@ -27,6 +27,29 @@ class RandomTextPasses : public RandomTextFrame {
                 if (mip + layer > 0) unwritten_.push_back({image, part_of(mips, mip, layers, layer), mip});
         return add_value(image, part_of(mips, 0, layers, 0));
     }
+    // Returns a buffer to write, or a range of a buffer whose other ranges further passes may write.
+    size_t words_target() {
+        constexpr uint32_t kPartWords = 64;  // Ranges of 256 bytes: every device accepts this alignment.
+        if (!unwritten_words_.empty() && chance(70)) {
+            const uint32_t i = below(static_cast<uint32_t>(unwritten_words_.size()));
+            const auto [resource, part, unused] = unwritten_words_[i];
+            unwritten_words_.erase(unwritten_words_.begin() + i);
+            return add_value(resource, part);
+        }
+        const size_t words = new_words();
+        if (chance(40)) return add_value(words);
+        const auto part = [&](uint32_t first, uint32_t last) {
+            return ".range(" + std::to_string(first * kPartWords) + ".." +
+                   std::to_string(last * kPartWords + kPartWords - 1) + ")";
+        };
+        const uint32_t parts = model_.resources[words].words / kPartWords;
+        for (uint32_t first = 1; first < parts;) {
+            const uint32_t last = std::min(parts - 1, first + below(3));
+            unwritten_words_.push_back({words, part(first, last), 0});
+            first = last + 1;
+        }
+        return add_value(words, part(0, 0));
+    }
     static std::string part_of(uint32_t mips, uint32_t mip, uint32_t layers, uint32_t layer) {
         return (mips > 1 ? ".mip(" + std::to_string(mip) + ")" : "") +
                (layers > 1 ? ".layer(" + std::to_string(layer) + ")" : "");
@@ -253,7 +276,7 @@ class RandomTextPasses : public RandomTextFrame {
         if (words == kNone || roll == 0) {
             add_pass("pack", "compute", "pack.comp").more += ", \"groups\": 4";
             read_colors(1);
-            return write("dst", add_value(new_words()));
+            return write("dst", words_target());
         }
         if (roll == 1 && !model_.values[words].closed && model_.values[words].fresh) {
             add_pass("slice", "compute", "slice_words.comp").more += ", \"groups\": 4";
@@ -265,7 +288,7 @@ class RandomTextPasses : public RandomTextFrame {
         add_pass("words", "compute", roll == 2 ? "words.comp" : "unpack.comp");
         if (roll == 2) model_.passes.back().more += ", \"groups\": 4";
         model_.passes.back().in = {{"a", last_version(from), {}, false, {}}};
-        write("dst", roll == 2 ? add_value(new_words()) : target());
+        write("dst", roll == 2 ? words_target() : target());
     }
 
     void read_back() {
@@ -280,6 +303,7 @@ class RandomTextPasses : public RandomTextFrame {
         uint32_t mip;
     };
     std::vector<Part> unwritten_;
+    std::vector<Part> unwritten_words_;
 };
 
 }  // namespace weft::test

@@ -127,7 +127,12 @@ class RandomTextRepeats : public RandomTextPasses {
         const size_t kept = words ? new_words() : new_image("kept");
         if (!words) model_.resources[kept].format = chance(50) ? "rgba16f" : "r32f";
         TextResource& r = model_.resources[kept];
-        r.more = std::string(", \"keep\": ") + (chance(70) ? "true" : "\"shared\"");
+        const bool shared = !chance(70);
+        r.more = std::string(", \"keep\": ") + (shared ? "\"shared\"" : "true");
+        if (!shared && chance(50)) {
+            r.more += ", \"history\": 1";
+            if (!words) memories_.push_back({r.name + "[-1]", kept});
+        }
         if (chance(20)) {
             add_closed_value(kept);
             return;

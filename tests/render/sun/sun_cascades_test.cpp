@@ -1,5 +1,5 @@
 // Tests the positions, ranges and matrices of the sun's shadow maps, mostly with random cameras.
-#include "render/sun_cascades.h"
+#include "render/views/sun_cascades.h"
 
 #include <gtest/gtest.h>
 

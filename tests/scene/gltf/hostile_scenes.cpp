@@ -37,11 +37,13 @@ Json whole_scene() {
     scene::test::append<uint16_t>(bytes, {0, 1, 2, 2, 1, 3, 0, 0});
     // Colours of four vertices, 8 bits per channel.
     scene::test::append<uint8_t>(bytes, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 9, 9, 9});
+    scene::test::append<float>(bytes, {0, 0.5f, 1, 2});  // Times of four keys.
     Json root = Json::parse(R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,3]},{"nodes":[3]}],
       "nodes":[{"mesh":0,"children":[1,2],"name":"root","scale":[1,2,1]},
         {"camera":0,"translation":[0,0,3],"rotation":[0,0,0,1]},
         {"extensions":{"KHR_lights_punctual":{"light":0}}},
-        {"mesh":1,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,2,0,0,1]}],
+        {"mesh":1,"matrix":[1,0,0,0,0,1,0,0,0,0,1,0,2,0,0,1],
+         "extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":1,"SCALE":5}}}}],
       "cameras":[{"type":"perspective","perspective":{"yfov":0.8,"znear":0.1,"zfar":100}}],
       "meshes":[{"name":"a","primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"COLOR_0":4},"indices":3,"material":0}]},
         {"primitives":[{"mode":5,"attributes":{"POSITION":5},"material":1},{"mode":6,"attributes":{"POSITION":6}}]}],
@@ -55,10 +57,11 @@ Json whole_scene() {
         {"bufferView":1,"componentType":5126,"count":4,"type":"VEC3"},{"bufferView":2,"componentType":5126,"count":4,"type":"VEC2"},
         {"bufferView":3,"componentType":5123,"count":6,"type":"SCALAR"},{"bufferView":4,"componentType":5121,"normalized":true,"count":4,"type":"VEC4"},
         {"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":2,"indices":{"bufferView":3,"componentType":5123},"values":{"bufferView":0}}},
-        {"componentType":5126,"count":5,"type":"VEC3"}],
+        {"componentType":5126,"count":5,"type":"VEC3"},{"bufferView":5,"componentType":5126,"count":4,"type":"SCALAR"}],
       "bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48},{"buffer":0,"byteOffset":96,"byteLength":32},
-        {"buffer":0,"byteOffset":128,"byteLength":16},{"buffer":0,"byteOffset":144,"byteLength":16}],
-      "animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],"samplers":[{"input":0,"output":1}]}],
+        {"buffer":0,"byteOffset":128,"byteLength":16},{"buffer":0,"byteOffset":144,"byteLength":16},{"buffer":0,"byteOffset":160,"byteLength":16}],
+      "animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}},{"sampler":1,"target":{"node":1,"path":"scale"}}],
+        "samplers":[{"input":7,"output":1},{"input":7,"output":5,"interpolation":"STEP"}]}],
       "skins":[{"joints":[0,1]}],
       "extensionsUsed":["KHR_lights_punctual","KHR_texture_transform","KHR_materials_unlit"],
       "extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":4,"spot":{"outerConeAngle":0.5},

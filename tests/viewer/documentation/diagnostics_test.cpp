@@ -32,6 +32,7 @@ constexpr size_t kCodeLength = 4;
 const std::map<std::string, std::string> kWithoutFile{
     {"W162", "a validation message is a fault of Weft or of the driver: plans are proved not to cause any"},
     {"W189", "a difference comes from a shader that reads more than its inputs, not from the graph file"},
+    {"W193", "the program gives the views of a frame, not the graph file"},
     {"W177", "of files, W108 and W201 come first; a program may hand in shaders that it compiled itself"},
 };
 

@@ -102,7 +102,7 @@ std::map<std::string, std::string> members_of(const std::string& file, const std
 
 TEST(Documentation, EveryMemberOfTheSetsHasARow) {
     const std::string page = read_text(kRoot / "docs/shaders.md");
-    static const std::regex row(R"(\n\| `(frame|view|material|instance)\.(\w+)` \| `([^`]+)` \|)");
+    static const std::regex row(R"(\n\| `(frame|view|material|instance|bounds|mesh)\.(\w+)` \| `([^`]+)` \|)");
     std::map<std::string, std::string> documented;
     for (auto it = std::sregex_iterator(page.begin(), page.end(), row); it != std::sregex_iterator(); ++it)
         documented[(*it)[1].str() + "." + (*it)[2].str()] = (*it)[3];
@@ -110,7 +110,9 @@ TEST(Documentation, EveryMemberOfTheSetsHasARow) {
     for (const auto& [prefix, file, name] : {std::array{"frame", "frame.glsl", "FrameConstants"},
                                              std::array{"view", "frame.glsl", "ViewConstants"},
                                              std::array{"material", "material.glsl", "Material"},
-                                             std::array{"instance", "instance.glsl", "Instance"}})
+                                             std::array{"instance", "instance.glsl", "Instance"},
+                                             std::array{"bounds", "bounds.glsl", "Bounds"},
+                                             std::array{"mesh", "mesh.glsl", "Mesh"}})
         for (const auto& [member, type] : members_of(file, name))
             declared[std::string(prefix) + "." + member] = type;
     EXPECT_GT(declared.size(), 40u);

@@ -209,6 +209,12 @@ void layers(const ScratchFolder& folder, uint64_t count) {
     write_image(folder, "\"size\": 4, \"mips\": \"full\", \"layers\": " + std::to_string(count));
 }
 
+void buffer_pieces(const ScratchFolder& folder, uint64_t count) {
+    write_graph(folder, "", "\"x\": { \"buffer\": \"u32\", \"count\": " + std::to_string(count) + " }",
+                "\"p\": { \"type\": \"clear\", \"out\": [\"x.range(i)\"], \"repeat\": { \"i\": \"0.." +
+                    std::to_string(count - 1) + "\" } }");
+}
+
 void transient_bytes(const ScratchFolder& folder, uint64_t count) {
     const uint64_t width = std::min<uint64_t>(count, 16'384);
     const uint64_t height = std::min<uint64_t>((count + width - 1) / width, 16'384);
@@ -253,6 +259,7 @@ constexpr std::array kEdges{
     LimitEdge{"graph.imageSidePx", 128, true, image_side},
     LimitEdge{"graph.mips", 5, true, mips},
     LimitEdge{"graph.layers", 16, true, layers},
+    LimitEdge{"graph.bufferPieces", 16, true, buffer_pieces},
     LimitEdge{"graph.transientBytes", 4096, true, transient_bytes},
 };
 

@@ -30,7 +30,7 @@ void write_uses(const FramePlan& plan, PassId pass, Markup& out) {
         for (const UseDecl& use : plan.graph.passes[pass].uses) {
             if (use.is_output != output) continue;
             const ResourceDecl& resource = plan.graph.resources[use.resource];
-            std::string more = use.range == resource.whole() ? "" : range_text(use.range) + " ";
+            std::string more = use.range == resource.whole() ? "" : range_text(resource, use.range) + " ";
             more += std::string("port ") + use.port + ", " + access_name(use.access);
             links.push_back({resource_key(use.resource), resource.name, more});
         }

@@ -152,10 +152,11 @@ void write_barrier_article(const PlanPage& page, size_t barrier, Markup& out) {
     const BarrierDecl& b = *item.barrier;
     open_article(out, barrier_key(barrier), barrier_label(page, barrier), "");
     out.leaf("p", {{"class", "why"}}, std::string("Reason: ") + describe_reason(b.reason) + ".");
-    write_links(
-        out, "Resource",
-        {{resource_key(b.resource), plan.graph.resources[b.resource].name,
-          b.range == plan.graph.resources[b.resource].whole() ? "the whole resource" : range_text(b.range)}});
+    write_links(out, "Resource",
+                {{resource_key(b.resource), plan.graph.resources[b.resource].name,
+                  b.range == plan.graph.resources[b.resource].whole()
+                      ? "the whole resource"
+                      : range_text(plan.graph.resources[b.resource], b.range)}});
     std::vector<ArticleLink> owners;
     for (const ResourceId id : b.aliased_from)
         owners.push_back({resource_key(id), plan.graph.resources[id].name,

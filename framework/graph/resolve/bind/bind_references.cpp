@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graph/parse/reference.h"
+#include "graph/resolve/bind/divide_buffers.h"
 #include "graph/resolve/bind/find_range.h"
 #include "graph/resolve/bind/find_role.h"
 #include "graph/resolve/bind/presence.h"
@@ -43,6 +44,7 @@ class ReferenceBinder {
             store_ports(id, inputs[id]);
             store_ports(id, outputs[id]);
         }
+        divide_buffers(declared_, result_, reporter_);
         return std::move(result_);
     }
 
@@ -103,12 +105,15 @@ class ReferenceBinder {
         const std::string who = name_reader(declared_.expansion.passes[pass]) + verb;
         const auto import = declared_.input.graph.imports.find(ref.name);
         if (import != declared_.input.graph.imports.end()) {
-            const bool turns = is_turns(import->second);
-            Diagnostic& d = report_.error(
-                pass, ref.loc, "W103",
-                who + quote(ref.name) + ", which is " + (turns ? "a list of turns" : "a draw list"));
-            add_help(d, turns ? "name lists of turns in \"turns\" of a group"
-                              : "name draw lists in \"draws\" of a raster pass");
+            const bool turns = is_turns(import->second), views = is_view_list(import->second);
+            Diagnostic& d = report_.error(pass, ref.loc, "W103",
+                                          who + quote(ref.name) + ", which is " +
+                                              (turns   ? "a list of turns"
+                                               : views ? "a list of views"
+                                                       : "a draw list"));
+            add_help(d, turns   ? "name lists of turns in \"turns\" of a group"
+                        : views ? "name lists of views in \"view\" or \"views\" of a pass"
+                                : "name draw lists in \"draws\" of a raster pass");
             return kNoId;
         }
         Diagnostic& d = report_.error(pass, ref.loc, "W103", who + "unknown resource " + quote(ref.name));
@@ -165,7 +170,7 @@ class ReferenceBinder {
             if (is_output) result_.suspects.writers[resource] = 1;
             return std::nullopt;
         }
-        const std::optional<SubresourceRange> range =
+        const std::optional<FoundRange> range =
             find_range(pass, ref, declared_.shapes.resources[resource],
                        declared_.evaluator(pass, result_.suspects, reporter_), result_.suspects, report_);
         if (!range) {
@@ -176,7 +181,8 @@ class ReferenceBinder {
         bound.draft.desc = &port;
         bound.use.port = port.port;
         bound.use.resource = resource;
-        bound.use.range = *range;
+        bound.use.range = range->range;
+        bound.use.bytes = range->bytes;
         bound.use.each = port.each;
         bound.use.history = ref.history;
         bound.use.is_output = is_output;
@@ -184,6 +190,36 @@ class ReferenceBinder {
         if (port.sampler) bound.use.sampler = *port.sampler;
         bound.use.wakes = port.wakes;
         return bound;
+    }
+
+    // Selects the layer of the pass's view, if the port is an attachment of a pass with "views". A reference that
+    // selects layers itself keeps them. Returns false after reporting an error.
+    bool select_layer(PassId pass, BoundPort& port) {
+        const PassDraft& draft = declared_.expansion.passes[pass];
+        const std::string& name = port.use.port;
+        const bool is_color =
+            draft.shader != nullptr && std::ranges::any_of(draft.shader->fragment_outputs, [&](const auto& output) {
+                return output.name == name;
+            });
+        if (!is_color && !port.draft.is_depth_port && !port.draft.is_resolve) return true;
+        const ResourceDecl& resource = declared_.shapes.resources[port.use.resource];
+        if (resource.kind != ResourceKind::image || port.draft.desc->ref.layer_first) return true;
+        const auto view = static_cast<uint32_t>(draft.indices.at(kViewIndex));
+        if (view < resource.layers) {
+            port.use.range.layer = view;
+            port.use.range.layers = 1;
+            return true;
+        }
+        Diagnostic& d = report_.error(
+            pass, port.use.loc, "W192",
+            "pass " + quote(draft.desc->name) + " draws " +
+                std::to_string(declared_.values.views.at(draft.desc->view).count) + " views, but " +
+                quote(resource.name) + " has only " + std::to_string(resource.layers) +
+                (resource.layers == 1 ? " layer" : " layers"));
+        add_help(d, "give the image one layer for each view: \"layers\": \"" + draft.desc->view + "Views\"");
+        add_help(d, "or let each view draw to a rectangle of the image: \"into\": \"rects\"");
+        result_.suspects.writers[port.use.resource] = 1;
+        return false;
     }
 
     std::vector<BoundPort> bind_outputs(PassId id) {
@@ -195,6 +231,7 @@ class ReferenceBinder {
             bound->draft.is_depth_port = desc.depth && port == &*desc.depth;
             bound->draft.is_resolve = std::ranges::any_of(
                 desc.resolves, [&](const ResolveDesc& resolve) { return port == &resolve.target; });
+            if (desc.view_target == ViewTarget::layers && !select_layer(id, *bound)) continue;
             ports.push_back(std::move(*bound));
         }
         return ports;

@@ -134,7 +134,15 @@ class ShaderBinder {
                !s.depth_test && !s.stencil_test && !s.scissor && !s.viewport && !s.alpha_to_coverage;
     }
 
-    bool clears(const std::string& port) const { return desc().clear || desc().clear_ports.contains(port); }
+    // Returns true if a pass with "into": "rects" draws a view other than the first. It keeps the rectangles of the
+    // other views, so only the first view clears.
+    bool is_later_rect() const {
+        return desc().view_target == ViewTarget::rects && at_.draft.indices.at(kViewIndex) > 0;
+    }
+
+    bool clears(const std::string& port) const {
+        return (desc().clear || desc().clear_ports.contains(port)) && !is_later_rect();
+    }
 
     void bind_depth(UseDecl& use, PortDraft& port) {
         const RasterState& s = desc().state;
@@ -158,7 +166,7 @@ class ShaderBinder {
         use.access = Access::depth_write;
         port.rank = WriteRank::resumes;
         if (desc().partial || port.pinned()) port.rank = WriteRank::in_place;
-        if (desc().clear_ports.contains(use.port)) port.rank = WriteRank::fresh;
+        if (desc().clear_ports.contains(use.port) && !is_later_rect()) port.rank = WriteRank::fresh;
     }
 
     bool check_direction(const UseDecl& use, const ShaderBinding& binding) {

@@ -1,5 +1,6 @@
 #include "graph/resolve/bind/find_range.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "graph/diagnostics/quantity_text.h"
@@ -14,33 +15,61 @@ struct Span {
     uint32_t count = 1;
 };
 
+// One dimension of a resource, in which a reference can select a range.
+struct Dimension {
+    const char* what;  // "mip", "layer" or "element".
+    const std::optional<Expr>& first;
+    const std::optional<Expr>& last;
+};
+
 class RangeFinder {
  public:
     RangeFinder(PassId pass, const RefDesc& ref, const Evaluator& evaluator, Suspects& suspects,
                 PassReporter& report)
         : pass_(pass), ref_(ref), evaluator_(evaluator), suspects_(suspects), report_(report) {}
 
-    std::optional<SubresourceRange> find(const ResourceDecl& resource) const {
-        if (resource.kind == ResourceKind::buffer) {
-            if (!ref_.mip_first && !ref_.layer_first && ref_.aspects == 0) return SubresourceRange{};
-            Diagnostic& d = report_.error(pass_, ref_.loc, "W105",
-                                          quote(ref_.name) +
-                                              " is a buffer, and buffers have no mips, "
-                                              "layers or aspects");
-            add_help(d, "write " + quote(ref_.name));
+    std::optional<FoundRange> find(const ResourceDecl& resource) const {
+        if (resource.kind == ResourceKind::buffer) return find_elements(resource);
+        if (ref_.element_first) {
+            fail(quote(ref_.name) + " is an image, and only buffers have elements",
+                 "select mips or layers: " + quote(ref_.name + ".mip(0)"));
             return std::nullopt;
         }
-        const std::optional<Span> mips = subresource_span("mip", resource.mips);
-        const std::optional<Span> layers = subresource_span("layer", resource.layers);
+        const std::optional<Span> mips = span({"mip", ref_.mip_first, ref_.mip_last}, resource.mips);
+        const std::optional<Span> layers =
+            span({"layer", ref_.layer_first, ref_.layer_last}, resource.layers);
         if (!mips || !layers) return std::nullopt;
-        return SubresourceRange{mips->first, mips->count, layers->first, layers->count, ref_.aspects};
+        return FoundRange{{mips->first, mips->count, layers->first, layers->count, ref_.aspects}, {}};
     }
 
  private:
-    // Evaluates the index of a mip or layer, which must be a whole number in [0, count). `what` is "mip" or
-    // "layer". Returns nullopt after reporting an error.
-    std::optional<uint32_t> subresource_index(const Expr& expression, const char* what,
-                                              uint32_t count) const {
+    void fail(const std::string& message, const std::string& help) const {
+        add_help(report_.error(pass_, ref_.loc, "W105", message), help);
+    }
+
+    std::optional<FoundRange> find_elements(const ResourceDecl& buffer) const {
+        if (ref_.mip_first || ref_.layer_first || ref_.aspects != 0) {
+            fail(quote(ref_.name) + " is a buffer, and buffers have no mips, layers or aspects",
+                 "write " + quote(ref_.name) + ", or select elements: " + quote(ref_.name + ".range(0..3)"));
+            return std::nullopt;
+        }
+        if (!ref_.element_first) return FoundRange{};
+        const uint64_t stride = buffer.stride_bytes;
+        if (stride == 0) {
+            fail("the size of the elements of " + quote(ref_.name) + " is unknown",
+                 "name the whole buffer: " + quote(ref_.name) +
+                     "; or let the program set the stride of its buffer");
+            return std::nullopt;
+        }
+        const auto count = static_cast<uint32_t>(std::min<uint64_t>(buffer.size_bytes / stride, UINT32_MAX));
+        const std::optional<Span> elements = span({"element", ref_.element_first, ref_.element_last}, count);
+        if (!elements) return std::nullopt;
+        return FoundRange{{}, ByteRange{elements->first * stride, elements->count * stride}};
+    }
+
+    // Evaluates the index of a mip, layer or element, which must be a whole number in [0, count). Returns
+    // nullopt after reporting an error.
+    std::optional<uint32_t> index(const Expr& expression, const char* what, uint32_t count) const {
         const std::optional<ExprValue> value = evaluator_.value(expression);
         if (!value) {
             suspects_.passes[pass_] = 1;
@@ -61,20 +90,15 @@ class RangeFinder {
         return std::nullopt;
     }
 
-    std::optional<Span> subresource_span(const char* what, uint32_t count) const {
-        const bool is_mip = what[0] == 'm';
-        const std::optional<Expr>& first = is_mip ? ref_.mip_first : ref_.layer_first;
-        const std::optional<Expr>& last = is_mip ? ref_.mip_last : ref_.layer_last;
-        if (!first) return Span{0, count};
-        const std::optional<uint32_t> from = subresource_index(*first, what, count);
-        if (!from || !last) return from ? std::optional(Span{*from, 1}) : std::nullopt;
-        const std::optional<uint32_t> to = subresource_index(*last, what, count);
+    std::optional<Span> span(const Dimension& in, uint32_t count) const {
+        if (!in.first) return Span{0, count};
+        const std::optional<uint32_t> from = index(*in.first, in.what, count);
+        if (!from || !in.last) return from ? std::optional(Span{*from, 1}) : std::nullopt;
+        const std::optional<uint32_t> to = index(*in.last, in.what, count);
         if (!to) return std::nullopt;
         if (*to >= *from) return Span{*from, *to - *from + 1};
-        Diagnostic& d =
-            report_.error(pass_, ref_.loc, "W105",
-                          std::string("the ") + what + "s of " + quote(ref_.text) + " are in reverse order");
-        add_help(d, "write the smaller number first: a..b with a <= b");
+        fail(std::string("the ") + in.what + "s of " + quote(ref_.text) + " are in reverse order",
+             "write the smaller number first: a..b with a <= b");
         return std::nullopt;
     }
 
@@ -87,9 +111,8 @@ class RangeFinder {
 
 }  // namespace
 
-std::optional<SubresourceRange> find_range(PassId pass, const RefDesc& ref, const ResourceDecl& resource,
-                                           const Evaluator& evaluator, Suspects& suspects,
-                                           PassReporter& report) {
+std::optional<FoundRange> find_range(PassId pass, const RefDesc& ref, const ResourceDecl& resource,
+                                     const Evaluator& evaluator, Suspects& suspects, PassReporter& report) {
     return RangeFinder(pass, ref, evaluator, suspects, report).find(resource);
 }
 

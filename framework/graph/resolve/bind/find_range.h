@@ -1,5 +1,5 @@
-// Purpose: finds the mips, layers and aspects that a reference such as "hiz.mip(1..3)" selects. Private to
-// bind().
+// Purpose: finds the mips, layers and aspects that a reference such as "hiz.mip(1..3)" selects, or the bytes
+// that "args.range(0..2)" selects. Private to bind().
 #pragma once
 
 #include <optional>
@@ -8,10 +8,15 @@
 
 namespace weft {
 
+struct FoundRange {
+    // For an image. The range of a buffer is found when all references are known; see divide_buffers().
+    SubresourceRange range;
+    std::optional<ByteRange> bytes =
+        {};  // The bytes of the named elements; absent: the reference names none.
+};
 // Returns the range, or nullopt if an error in the reference was reported, now or earlier. Errors: W105.
-[[nodiscard]] std::optional<SubresourceRange> find_range(PassId pass, const RefDesc& ref,
-                                                         const ResourceDecl& resource,
-                                                         const Evaluator& evaluator, Suspects& suspects,
-                                                         PassReporter& report);
+[[nodiscard]] std::optional<FoundRange> find_range(PassId pass, const RefDesc& ref,
+                                                   const ResourceDecl& resource, const Evaluator& evaluator,
+                                                   Suspects& suspects, PassReporter& report);
 
 }  // namespace weft

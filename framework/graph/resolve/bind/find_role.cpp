@@ -68,7 +68,8 @@ ResourceId RoleFinder::find(PassId pass, const RefDesc& ref, ResourceId resource
                         ", or copy that version to another resource with a history");
         return kNoId;
     }
-    if (!written_by_any_pass(ref.name)) {
+    const bool keeps = declared_.shapes.origins[resource].desc->keep != KeepMode::none;
+    if (!keeps && !written_by_any_pass(ref.name)) {
         Diagnostic& d =
             report_.error(pass, ref.loc, "W110",
                           who + " reads " + quote(ref.text) + ", but no pass writes " + quote(ref.name));

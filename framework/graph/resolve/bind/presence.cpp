@@ -31,7 +31,13 @@ const std::string* own_pin(const PassDesc& desc, const std::string& name) {
     return nullptr;
 }
 
-bool share_mips_and_layers(const SubresourceRange& a, const SubresourceRange& b) {
+// Returns true if both uses, which belong to one resource, use the same mip and layer, or the same bytes.
+bool share_a_part(const UseDecl& one, const UseDecl& other) {
+    if (one.bytes && other.bytes)
+        return one.bytes->offset_bytes < other.bytes->end_bytes() &&
+               other.bytes->offset_bytes < one.bytes->end_bytes();
+    const SubresourceRange& a = one.range;
+    const SubresourceRange& b = other.range;
     return a.mip < b.mip + b.mips && b.mip < a.mip + a.mips && a.layer < b.layer + b.layers &&
            b.layer < a.layer + a.layers;
 }
@@ -42,6 +48,7 @@ std::set<std::string> Presence::writers_of(const std::string& resource, PassId e
     std::set<std::string> names;
     for (PassId pass(0); pass < outputs_.size(); ++pass) {
         if (declared_.author_name(pass) == declared_.author_name(except)) continue;
+        if (declared_.expansion.passes[pass].decl.carries) continue;
         for (const BoundPort& port : outputs_[pass]) {
             if (declared_.resource_name(port.use.resource) == resource)
                 names.insert(declared_.author_name(pass));
@@ -89,8 +96,7 @@ bool Presence::is_present(PassId pass, const BoundPort& input) const {
         reporter_.spend(1 + outputs_[writer].size(), input.use.loc);
         if (writer == pass) continue;
         for (const BoundPort& output : outputs_[writer]) {
-            if (output.use.resource == resource && share_mips_and_layers(output.use.range, input.use.range))
-                return true;
+            if (output.use.resource == resource && share_a_part(output.use, input.use)) return true;
         }
     }
     return false;

@@ -10,7 +10,8 @@ namespace {
 
 std::string shape_text(const std::vector<ResourceDecl>& resources, const UseDecl& use) {
     const ResourceDecl& resource = resources[use.resource];
-    if (resource.kind == ResourceKind::buffer) return std::to_string(resource.size_bytes) + " bytes";
+    if (resource.kind == ResourceKind::buffer)
+        return std::to_string(used_bytes(resource, use).size_bytes) + " bytes";
     return extent_text(use_extent(resources, use)) + ", " + std::to_string(use.range.mips) + " mips, " +
            std::to_string(use.range.layers) + " layers, " + std::string(format_info(resource.format).name);
 }
@@ -19,7 +20,8 @@ bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, co
     const ResourceDecl& from = resources[a.resource];
     const ResourceDecl& to = resources[b.resource];
     if (from.kind != to.kind) return false;
-    if (from.kind == ResourceKind::buffer) return from.size_bytes == to.size_bytes;
+    if (from.kind == ResourceKind::buffer)
+        return used_bytes(from, a).size_bytes == used_bytes(to, b).size_bytes;
     const FormatInfo& f = format_info(from.format);
     const FormatInfo& t = format_info(to.format);
     const bool formats =

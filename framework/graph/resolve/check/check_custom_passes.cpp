@@ -95,12 +95,13 @@ void run_type_check(const CustomPass& pass, const ResolvedGraph& graph, const Su
 ResolvedGraph check_custom_passes(const Declared& declared, ResolvedGraph graph, Suspects suspects,
                                   Reporter& reporter) {
     PassReporter report(declared.shapes, declared.expansion, suspects, reporter);
-    for (PassId id(0); id < graph.passes.size(); ++id) {
+    for (PassId id(0); id < declared.expansion.passes.size(); ++id) {
         const PassDraft& draft = declared.expansion.passes[id];
         if (!draft.custom) continue;
         const Evaluator evaluator = declared.evaluator(id, suspects, reporter);
         const CustomPass pass{id, draft, evaluator, report};
-        graph.passes[id].custom_params = evaluate_params(pass);
+        // A known graph may lack carry passes, so its ids may differ.
+        graph.passes[find_pass(graph, draft.decl.name)].custom_params = evaluate_params(pass);
         run_type_check(pass, graph, suspects);
     }
     return graph;

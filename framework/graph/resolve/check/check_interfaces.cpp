@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/resolve/check/check_buffer_use.h"
 #include "graph/resolve/check/check_sampler.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
@@ -40,6 +41,7 @@ class InterfaceCheck {
             const UseDecl& use = pass.uses[i];
             const ResourceDecl& resource = graph_.resources[use.resource];
             if (suspects_.shapes[use.resource]) continue;
+            check_writable(use, resource);
             if (resource.kind == ResourceKind::image && !check_aspects(use, resource))
                 suspects_.uses[pass_][i] = 1;
             else
@@ -51,8 +53,10 @@ class InterfaceCheck {
     void check_use(const UseDecl& use, const ResourceDecl& resource, const PortDraft& port) {
         if (port.color_output) return check_color(use, resource, *port.color_output);
         if (port.is_depth_port) return check_depth(use, resource);
-        if (!port.binding || use.access == Access::none) return;
-        if (resource.kind == ResourceKind::buffer) return check_buffer(use, resource, *port.binding);
+        if (use.access == Access::none) return;
+        if (resource.kind == ResourceKind::buffer)
+            return check_buffer_use(declared_, pass_, use, resource, port.binding, report_);
+        if (!port.binding) return;
         if (!check_numbers(use, resource, *port.binding)) return;
         if (port.binding->kind == BindingKind::storage_image && resource.samples > 1) {
             error(use, "W173",
@@ -65,6 +69,20 @@ class InterfaceCheck {
         check_filter(use, resource);
         if (use.access == Access::sampled_read)
             check_sampler(declared_.input.profile, pass_, *port.desc, *port.binding, port_text(use), report_);
+    }
+
+    // The state of a read-only import before and after a frame describes no writes, so a write would change
+    // the import for all later frames without synchronisation.
+    void check_writable(const UseDecl& use, const ResourceDecl& resource) {
+        if (!writes(use.access)) return;
+        const auto import = declared_.input.imports.imports.find(resource.name);
+        if (resource.lifetime != ResourceLifetime::imported || import == declared_.input.imports.imports.end() ||
+            !import->second.read_only)
+            return;
+        error(use, "W147",
+              "pass " + quote(declared_.pass_name(pass_)) + " writes " + quote(resource.name) +
+                  ", which the program only lets passes read",
+              "copy the import to a resource of the graph with a pass of type \"copy\", and write that resource");
     }
 
     void error(const UseDecl& use, const char* code, const std::string& message, const std::string& help) {
@@ -222,37 +240,6 @@ class InterfaceCheck {
               "use \"sampler\": { \"filter\": \"nearest\", \"mipFilter\": \"nearest\" }");
     }
 
-    void check_buffer(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
-        if (binding.block_bytes > resource.size_bytes) {
-            error(use, "W166",
-                  port_text(use) + " needs " + std::to_string(binding.block_bytes) + " bytes, but " +
-                      quote(resource.name) + " has " + std::to_string(resource.size_bytes),
-                  "increase \"count\" of the buffer, or correct the block in the shader");
-            return;
-        }
-        const bool uniform = binding.kind == BindingKind::uniform_buffer;
-        if (uniform && resource.size_bytes > declared_.input.profile.max_uniform_buffer_bytes) {
-            error(use, "W166",
-                  port_text(use) + " is a uniform buffer of " + std::to_string(resource.size_bytes) +
-                      " bytes; the device allows at most " +
-                      std::to_string(declared_.input.profile.max_uniform_buffer_bytes),
-                  "declare the block as a storage buffer: `readonly buffer`");
-            return;
-        }
-        if (binding.members.empty() || !binding.members.back().is_runtime_array || resource.stride_bytes == 0)
-            return;
-        // The shader may declare elements of another size than those of the buffer, for example read a buffer
-        // of vec4 as floats. But one of the two sizes must be a multiple of the other, so that no element
-        // crosses the border of another element.
-        const uint32_t step = binding.members.back().array_stride_bytes;
-        if (step == 0 || step % resource.stride_bytes == 0 || resource.stride_bytes % step == 0) return;
-        error(use, "W166",
-              port_text(use) + " has elements of " + std::to_string(step) +
-                  " bytes in the shader, but elements of " + quote(resource.name) + " have " +
-                  std::to_string(resource.stride_bytes),
-              "use the same struct in the graph and in the shader");
-    }
-
     const Declared& declared_;
     const FormattedGraph& graph_;
     PassId pass_;
@@ -287,7 +274,7 @@ void check_layouts(const Declared& declared, const FormattedGraph& graph, PassId
                                  (both_write ? " both write " : " need different layouts of ") +
                                  quote(range_of(graph.resources[uses[j].resource], uses[j].range)));
             if (both_write) {
-                add_help(d, "give each port its own mips, layers or resource");
+                add_help(d, "give each port its own mips, layers, elements or resource");
             } else {
                 add_help(d, "use storage images for both ports, read a copy, or use other mips and layers");
                 if (declared.expansion.passes[pass].group != kNoId)

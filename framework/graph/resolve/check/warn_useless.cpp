@@ -82,6 +82,7 @@ class UselessSearch {
         const auto is_culled = [&](PassId id) { return live_.live_passes[id] == 0; };
         const auto is_cause = [&](PassId id) { return live_.reasons[id] == CullReason::unused_output; };
         if (ids.empty() || !std::ranges::all_of(ids, is_culled)) return;
+        if (declared_.expansion.carries.contains(name)) return;
         const auto cause = std::ranges::find_if(ids, is_cause);
         if (cause == ids.end() || is_for_other_times(*declared_.expansion.passes[*cause].desc)) return;
         reporter_.warn(declared_.expansion.passes[*cause].desc->loc, "W136",

@@ -20,6 +20,7 @@ class ParamCosts {
         for (const auto& [name, group] : graph_.groups)
             for (const Expr* expression : {&group.per_frame, &group.warm_up, &group.settle})
                 add(*expression, ParamCost::graph);
+        for (const auto& [name, list] : graph_.views) add_view_list(list);
         for (const auto& [name, view] : graph_.debug) add_view(view);
         add(graph_.frames, ParamCost::live);
     }
@@ -50,12 +51,15 @@ class ParamCosts {
         const char* output = import_kind_name(ImportKind::output);
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
+                !costs_.contains(name + "Views") &&
                 !is_included(graph_.sources, import.loc))
                 reporter.warn(import.loc, "W134",
                               (import.kind == "turns" ? "no group" : "no pass") +
                                   std::string(" uses the import ") + quote(name),
                               import.kind == "turns"
                                   ? "remove the import, or use it in \"turns\" of a group"
+                                  : import.kind == import_kind_name(ImportKind::views)
+                                  ? "remove the import, or use it in \"view\" or \"views\" of a pass"
                                   : "remove the import, or use it in a port or in \"draws\"");
     }
 
@@ -83,8 +87,8 @@ class ParamCosts {
     }
 
     void add(const RefDesc& ref) {
-        for (const std::optional<Expr>* bound :
-             {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last})
+        for (const std::optional<Expr>* bound : {&ref.mip_first, &ref.mip_last, &ref.layer_first,
+                                                 &ref.layer_last, &ref.element_first, &ref.element_last})
             if (*bound) add(**bound, ParamCost::graph);
     }
 
@@ -147,6 +151,18 @@ class ParamCosts {
             if (!given(pass.constants, constant.name)) add_name(constant.name, ParamCost::pipeline);
     }
 
+    void add_view_list(const ViewListDesc& list) {
+        for (const Expr* expression : {&list.first, &list.count, &list.near_m})
+            add(*expression, ParamCost::graph);
+        const auto add_all = [&](const auto& expressions) {
+            if (!expressions) return;
+            for (const Expr& expression : *expressions) add(expression, ParamCost::graph);
+        };
+        add_all(list.plane);
+        add_all(list.at);
+        add_all(list.rect);
+    }
+
     void add_view(const DebugViewDesc& view) {
         add(view.show);
         if (!view.range) return;
@@ -166,7 +182,9 @@ class ParamCosts {
             for (const PortDesc* port : written_ports(pass)) add_named(*port);
             if (pass.indirect) add_named(*pass.indirect);
             named.insert(pass.draws.begin(), pass.draws.end());
+            named.insert(pass.view);
         }
+        for (const auto& [name, list] : graph_.views) named.insert(list.of);
         for (const auto& [name, group] : graph_.groups) named.insert(group.turns);
         return named;
     }

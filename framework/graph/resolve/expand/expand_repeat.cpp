@@ -7,6 +7,7 @@
 #include "graph/diagnostics/whole_number.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
+#include "graph/resolve/views/view_lists.h"
 
 namespace weft {
 namespace {
@@ -17,9 +18,10 @@ constexpr uint64_t kMostStepsPerPass = 16;
 
 class PassRepeater {
  public:
-    PassRepeater(const ResolveInput& input, const Evaluator& evaluator, const Shapes& shapes,
-                 const PassDesc& desc, RepeatCounts& counts, Expansion& expansion, Reporter& reporter)
+    PassRepeater(const ResolveInput& input, const Values& values, const Evaluator& evaluator,
+                 const Shapes& shapes, const PassDesc& desc, RepeatCounts& counts, Expansion& expansion, Reporter& reporter)
         : input_(input),
+          values_(values),
           evaluator_(evaluator),
           shapes_(shapes),
           desc_(desc),
@@ -42,7 +44,8 @@ class PassRepeater {
         if (level == desc_.repeat.size()) return add();
         const RepeatDesc& repeat = desc_.repeat[level];
         const std::optional<double> first = whole(repeat.first);
-        const std::optional<double> last = whole(repeat.last);
+        const bool views = desc_.view_target != ViewTarget::one && repeat.index == kViewIndex;
+        const std::optional<double> last = views ? last_view() : whole(repeat.last);
         const std::optional<double> step = repeat.step.empty() ? 1.0 : whole(repeat.step);
         if (!first || !last || !step) return false;
         if (*step == 0) {
@@ -63,6 +66,12 @@ class PassRepeater {
         indices_.erase(repeat.index);
         if (!any) expansion_.dropped[desc_.name] = &desc_;
         return true;
+    }
+
+    // Returns the number of the last view of a pass with "views"; -1 if the list is empty.
+    std::optional<double> last_view() {
+        const ViewList* list = find_view_list(input_, values_, desc_, reporter_);
+        return list != nullptr ? std::optional(list->count - 1.0) : std::nullopt;
     }
 
     bool add() {
@@ -150,6 +159,7 @@ class PassRepeater {
     }
 
     const ResolveInput& input_;
+    const Values& values_;
     const Evaluator& evaluator_;
     const Shapes& shapes_;
     const PassDesc& desc_;
@@ -164,10 +174,11 @@ class PassRepeater {
 
 }  // namespace
 
-std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Evaluator& evaluator,
-                                      const Shapes& shapes, const PassDesc& desc, RepeatCounts& counts,
+std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
+                                      const Evaluator& evaluator, const Shapes& shapes,
+                                      const PassDesc& desc, RepeatCounts& counts,
                                       Expansion& expansion, Reporter& reporter) {
-    return PassRepeater(input, evaluator, shapes, desc, counts, expansion, reporter).run();
+    return PassRepeater(input, values, evaluator, shapes, desc, counts, expansion, reporter).run();
 }
 
 }  // namespace weft

@@ -22,8 +22,9 @@ struct RepeatCounts {
 
 // Returns the passes that one description results in. After reporting an error, returns none. Updates
 // `counts` and these members of the expansion: `dropped`, `faulty`, `tried_ports`, `too_large`, `suspects`.
-[[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Evaluator& evaluator,
-                                                    const Shapes& shapes, const PassDesc& desc,
+[[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
+                                                    const Evaluator& evaluator, const Shapes& shapes,
+                                                    const PassDesc& desc,
                                                     RepeatCounts& counts, Expansion& expansion,
                                                     Reporter& reporter);
 

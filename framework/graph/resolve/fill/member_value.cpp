@@ -9,6 +9,7 @@ namespace weft {
 namespace {
 
 constexpr std::string_view kDrawsSuffix = "Draws";
+constexpr std::string_view kViewsSuffix = "Views";
 
 // Returns true if the name stands for the number of draws in an imported draw list. Example: "opaqueDraws"
 // for the list "opaque". Returns false if the graph defines a size with this name.
@@ -17,6 +18,14 @@ bool counts_draws(const GraphDesc& graph, std::string_view name) {
     name.remove_suffix(kDrawsSuffix.size());
     const auto import = graph.imports.find(std::string(name));
     return import != graph.imports.end() && import->second.kind == import_kind_name(ImportKind::draw_list);
+}
+
+// Returns true if the name stands for the number of views in a list, for example "lampFacesViews".
+bool counts_views(const Declared& declared, std::string_view name) {
+    if (!name.ends_with(kViewsSuffix) || declared.input.graph.sizes.contains(std::string(name))) return false;
+    name.remove_suffix(kViewsSuffix.size());
+    const auto list = declared.values.views.find(name);
+    return list != declared.values.views.end() && !list->second.single;
 }
 
 std::vector<double> evaluate_components(const ParamValueDesc& param, const Evaluator& evaluator) {
@@ -39,7 +48,7 @@ std::optional<MemberValue> member_value(const Declared& declared, const PassDraf
         return MemberValue{&*param, evaluate_components(*param, evaluator)};
     const GraphDesc& graph = declared.input.graph;
     const bool named = draft.indices.contains(member) || graph.params.contains(member) ||
-                       graph.consts.contains(member) || counts_draws(graph, member);
+                       graph.consts.contains(member) || counts_draws(graph, member) || counts_views(declared, member);
     if (!named) return std::nullopt;
     const std::optional<ExprValue> value = evaluator.find(member);
     if (!value) return std::nullopt;

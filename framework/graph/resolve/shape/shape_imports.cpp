@@ -45,6 +45,10 @@ bool is_draw_list(const ImportDesc& import) {
     return import.kind == import_kind_name(ImportKind::draw_list);
 }
 
+bool is_view_list(const ImportDesc& import) {
+    return import.kind == import_kind_name(ImportKind::views);
+}
+
 bool is_turns(const ImportDesc& import) {
     return import.kind == "turns";
 }
@@ -72,9 +76,9 @@ void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId 
     shapes.origins[id].has_content = has_content(decl);
 }
 
-void check_draw_list_imports(const ResolveInput& input, Reporter& reporter) {
+void check_list_imports(const ResolveInput& input, Reporter& reporter) {
     for (const auto& [name, import] : input.graph.imports) {
-        if (is_draw_list(import)) find_offered(input, import, reporter);
+        if (is_draw_list(import) || is_view_list(import)) find_offered(input, import, reporter);
     }
 }
 

@@ -47,6 +47,8 @@ class SlicedCell {
     void check() {
         const auto is_sliced = [&](const CellUse& w) { return slice_of(declared_, w.pass) != FrameSlice{}; };
         if (!cell_.ordered || std::ranges::none_of(cell_.writers, is_sliced)) return;
+        // check_frame_slices() has reported an error if a pass with `perFrame` writes a resource with history.
+        if (graph_.resources[cell_.resource].history > 0) return;
         const auto changes = [&](const CellUse& w) { return source_of(w) != nullptr; };
         if (std::ranges::all_of(cell_.writers, changes)) return;
         for (const CellUse& reader : cell_.readers) check_read(reader);
@@ -92,9 +94,11 @@ class SlicedCell {
                               " wrote it, but in frames without that pass, pass " +
                               quote(declared_.pass_name(other.pass)) + " has overwritten this content");
         add_note(d, reporter_.sources(), use(other).loc, "the other pass writes here");
-        if (resource.kind == ResourceKind::image)
-            add_help(d, "let each iteration write its own layer or mip, and read this part: " +
-                            quote(resource.name + ".layer(i)"));
+        add_help(d, resource.kind == ResourceKind::image
+                        ? "let each iteration write its own layer or mip, and read this part: " +
+                              quote(resource.name + ".layer(i)")
+                        : "let each iteration write its own elements, and read this part: " +
+                              quote(resource.name + ".range(64*i..64*i+63)"));
         add_help(d, "or add \"partial\": true, if each iteration changes only its own part of the content");
         add_help(d, "or run all iterations in every frame: remove \"perFrame\" from " +
                         quote(declared_.author_name(wanted.pass)));

@@ -17,7 +17,8 @@ struct Seen {
     std::vector<VersionSource> sources;
     // The cells that have no content; `producer` has no meaning for these.
     std::vector<VersionSource> nothing;
-    // True if the use sees content that a pass of this frame has written.
+    // True if the use sees content that a pass of this frame has written. A pass that carries the content of
+    // the last frame does not count.
     bool this_frame = false;
     // True if the order of the writers is unknown in some cell of the use's range. An error about that was
     // reported.
@@ -69,7 +70,7 @@ class VersionConnector {
         if (version >= 0) {
             const PassId producer = cell.writers[static_cast<size_t>(version)].pass;
             seen.sources.push_back({cell.range, producer});
-            seen.this_frame = true;
+            seen.this_frame |= !declared_.expansion.passes[producer].decl.carries;
         } else if (declared_.shapes.origins[cell.resource].has_content) {
             seen.sources.push_back({cell.range, kNoId});
         } else {
@@ -193,7 +194,8 @@ class VersionConnector {
                             "\"repeat\" is empty");
         } else if (written_at_all(use(u).resource, u.pass)) {
             add_help(d,
-                     "check the mips, the layers and the @pass of the reference: passes write other parts or "
+                     "check the mips, layers, elements and the @pass of the reference: passes write other "
+                     "parts or "
                      "later versions");
         } else if (resource.lifetime == ResourceLifetime::imported) {
             add_help(d, "write the import in an earlier pass: it has no content when the frame begins");

@@ -152,6 +152,7 @@ class RestUnitFinder {
     }
 
     void check_writer(const Cell& cell, const CellUse& writer) {
+        if (draft(writer.pass).decl.carries) return;  // The other writers get report_not_kept().
         if (!has_unit(writer.pass)) return report_other_writer(cell, writer);
         if (!is_kept(cell) && resource(cell).lifetime != ResourceLifetime::transient)
             return report_not_kept(cell, writer);
@@ -236,10 +237,10 @@ class RestUnitFinder {
                               "has \"rest\" and writes " + what(cell) + ", but pass " + name +
                                   " writes this part, too, and in every frame");
         add_note(d, reporter_.sources(), use(writer).loc, "the other pass writes here");
-        add_help(
-            d,
-            "let the two passes write different resources, mips or layers; or add \"rest\": true to pass " +
-                name);
+        add_help(d,
+                 "let the two passes write different resources, mips, layers or elements; or add \"rest\": "
+                 "true to pass " +
+                     name);
     }
 
     void report_not_kept(const Cell& cell, const CellUse& writer) {

@@ -174,14 +174,24 @@ class WriterOrder {
     // without an earlier version (WriteRank::resumes), adds such arcs for that writer.
     void add_base(const Cell& cell) {
         if (cell.writers.size() < 2) return;
-        const auto rank = [this](const CellUse& w) { return port(w).rank; };
-        const auto base = std::ranges::min_element(cell.writers, {}, rank);
-        if (rank(*base) == WriteRank::in_place || std::ranges::count(cell.writers, rank(*base), rank) != 1)
-            return;
-        for (const CellUse& writer : cell.writers) {
-            const EdgeKind kind = EdgeKind::waw;
-            add_arc({base->pass, writer.pass, kind, cell.resource, use(writer).loc});
+        // A carry pass runs before all other writers. Among the others, there may be a base, too.
+        std::vector<CellUse> writers = cell.writers;
+        const auto carries = [this](const CellUse& w) { return drafts()[w.pass].decl.carries; };
+        if (const auto carry = std::ranges::find_if(writers, carries); carry != writers.end()) {
+            add_first(cell, carry->pass, writers);
+            writers.erase(carry);
         }
+        const auto rank = [this](const CellUse& w) { return port(w).rank; };
+        const auto base = std::ranges::min_element(writers, {}, rank);
+        if (rank(*base) == WriteRank::in_place || std::ranges::count(writers, rank(*base), rank) != 1) return;
+        add_first(cell, base->pass, writers);
+    }
+
+    // Adds arcs so that the pass `first` runs before all other writers in `writers`.
+    void add_first(const Cell& cell, PassId first, const std::vector<CellUse>& writers) {
+        for (const CellUse& writer : writers)
+            if (writer.pass != first)
+                add_arc({first, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc});
     }
 
     // Resolves references x@p where pass p does not write x. The reference means the version of the last

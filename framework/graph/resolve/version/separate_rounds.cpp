@@ -85,6 +85,7 @@ class RoundSeparator {
     bool check_writers(const Cell& cell, const CellUse& first) {
         for (const CellUse& writer : cell.writers) {
             const PassDraft& other = draft(writer.pass);
+            if (other.decl.carries) continue;  // find_rest_units() reports it.
             if (other.group == draft(first.pass).group && other.round == draft(first.pass).round) continue;
             report_writers(cell, first, writer);
             return false;
@@ -112,16 +113,19 @@ class RoundSeparator {
                          ", and pass " + quote(b.desc->name) +
                          " writes this part, too, so its content would depend on which rounds run");
         if (rounds) {
-            add_help(d, "let each round write a layer or mip of its own, such as " +
-                            quote(declared_.resource_name(cell.resource) + ".layer(" +
-                                  draft(first.pass).desc->repeat.front().index + ")"));
+            const std::string& index = draft(first.pass).desc->repeat.front().index;
+            const bool image = graph_.resources[cell.resource].kind == ResourceKind::image;
+            const std::string part =
+                image ? ".layer(" + index + ")" : ".range(64*" + index + "..64*" + index + "+63)";
+            add_help(d, std::string("let each round write ") + (image ? "a layer or mip" : "elements") +
+                            " of its own, such as " + quote(declared_.resource_name(cell.resource) + part));
             add_help(d,
                      "or declare the resource in the \"resources\" of the group, if only one round needs "
                      "its content");
             return;
         }
         add_note(d, reporter_.sources(), use(other).loc, "the other pass writes here");
-        add_help(d, "let the two passes write different resources, mips or layers");
+        add_help(d, "let the two passes write different resources, mips, layers or elements");
     }
 
     void report_outside(const Cell& cell, const CellUse& u, const std::string& group) {

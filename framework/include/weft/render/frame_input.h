@@ -12,7 +12,18 @@
 
 namespace weft::render {
 
+// The matrices of one view of the program. Clip space is Vulkan's, with y down; depth is 1 at the near plane and falls
+// with the distance.
+struct ViewInput {
+    glm::mat4 view{1};        // From world space to view space.
+    glm::mat4 projection{1};  // From view space to clip space.
+};
+
+// Views by the name of an import of kind "views".
+using ViewLists = std::map<std::string, std::vector<ViewInput>, std::less<>>;
+
 struct FrameInput {
+    // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
     float exposure_ev = 0;
     double time_s = 0;
@@ -21,6 +32,8 @@ struct FrameInput {
     // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
     // entry, the group itself chooses: its rounds run in turn.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
+    // The views of this frame for each list in SessionInput::views that the graph uses.
+    ViewLists views = {};
 };
 
 }  // namespace weft::render

@@ -1,8 +1,10 @@
 // Purpose: lists the imports that a scene offers to graphs; needs no device. Three draw lists, "opaque",
 // "masked" and "transparent", together contain all draws of the scene. The draw list "anisotropic" repeats
 // some draws of "opaque" and "masked". Further imports: a buffer with the draw commands of each list
-// (opaqueCommands, …), and the output image. Graphs may also use the element types Light and DrawCommand, the
-// views "camera" and "sun(0)" to "sun(3)", and the numbers directionalLights and environmentPictures.
+// (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes, materials), and the
+// output image. The lists of views "sun" and "lampFaces" have the cascades of the sun and the views of the
+// scene's lamps. Graphs may also use the view "camera", the element types Light and DrawCommand and those of
+// the buffers, and the numbers directionalLights and environmentPictures.
 #pragma once
 
 #include <array>
@@ -20,9 +22,12 @@ inline constexpr std::array kDrawLists{"opaque", "masked", "transparent", "aniso
 // buffer with a shared::DrawCommand for each draw. For an empty list it has one element.
 [[nodiscard]] std::string commands_of(std::string_view list);
 
+// Returns an import of kind "views" with `count` views.
+[[nodiscard]] ImportDecl view_list(const std::string& name, uint32_t count);
+
 // Returns the imports of a scene. The output is a UNORM image; the last pass of the graph writes encoded
 // colours to it, and after the frame the program copies, blits or reads it. If `scene` is null, each list has
-// one draw, and there is one directional light and one environment picture.
+// one draw, and there is one view of a lamp, one directional light and one environment picture.
 [[nodiscard]] ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene = nullptr);
 
 }  // namespace weft::render

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -37,6 +38,9 @@ struct SessionInput {
     const PassCatalog* passes = nullptr;
     const ParsedGraph* parsed = nullptr;  // The parsed graph of the request; null: create() parses it.
     VkImage output = VK_NULL_HANDLE;      // The embedder's output image; see Selection::output.
+    // The program's own lists of views: the number of views of each, by name. A graph imports them with the kind
+    // "views", and FrameInput::views has their matrices.
+    std::map<std::string, uint32_t, std::less<>> views = {};
     // Number of logical queues. The device must have been created with at least as many.
     uint32_t queues = 1;
     bool check_plan = false;  // True: the plan is checked before it runs. Debug builds always check it.

@@ -12,10 +12,9 @@
 #include <vector>
 
 #include "weft/scene/environment.h"
+#include "weft/scene/motion.h"
 
 namespace weft::scene {
-
-inline constexpr uint32_t kNone = UINT32_MAX;
 
 struct Bounds {
     glm::vec3 min{0};
@@ -101,8 +100,10 @@ struct Instance {
     std::string name;
     uint32_t mesh = 0;
     uint32_t material = 0;
-    // Transforms object space to world space. If the determinant is negative, the winding is reversed.
+    // Transforms object space to world space. If the determinant is negative, the winding is reversed. A
+    // moving instance has its transform at time 0 here.
     glm::mat4 transform{1};
+    uint32_t node = kNone;  // The node of Scene::motion that moves the instance; kNone: it does not move.
 };
 
 enum class LightType : uint8_t { directional, point, spot, capsule, rectangle };
@@ -162,6 +163,7 @@ struct Light {
     glm::vec2 half_size_m{0};
     // Light function: an index into Scene::light_functions; kNone: no light function.
     uint32_t function = kNone;
+    uint32_t node = kNone;  // The node of Scene::motion that moves the light; kNone: only `path` moves it.
 };
 
 // A camera with perspective projection. It looks along −z of `transform`; y is up.
@@ -170,6 +172,7 @@ struct Camera {
     glm::mat4 transform{1};  // Transforms camera space to world space. It contains no scale.
     float fov_y_rad = 0.8f;
     float near_m = 0.05f;
+    uint32_t node = kNone;  // The node of Scene::motion that moves the camera; kNone: it does not move.
 };
 
 struct Scene {
@@ -181,7 +184,8 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<LightFunction> light_functions;
     std::vector<Camera> cameras;
-    Bounds bounds;  // Bounding box of all instances, in world space.
+    Motion motion;
+    Bounds bounds;  // Bounding box of all instances, in world space, at time 0.
     // Radiance of the sky at the zenith in cd/m². It changes gradually to sky_horizon at the horizon. Both
     // are 0 with `--env none`.
     glm::vec3 sky_zenith{0};
@@ -196,6 +200,8 @@ struct Scene {
 [[nodiscard]] glm::vec3 position_at(const Light& light, double time_s);
 
 [[nodiscard]] Bounds world_bounds(const Scene& scene);
+// The same for the instances that do not move; nullopt if there are none with a vertex.
+[[nodiscard]] std::optional<Bounds> fixed_bounds(const Scene& scene);
 
 // Returns a camera for a scene that has none. It looks at the centre of the bounds from the direction (0.9,
 // 0.75, 1.3), normalised, at a distance of 1.9 × the bounding radius. `aspect` is width / height. If `aspect`

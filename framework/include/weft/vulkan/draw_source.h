@@ -21,10 +21,12 @@ struct DrawContext {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     std::string_view list;  // Name of the draw list, such as "opaque".
+    std::string_view view;  // The view of the pass, such as "camera".
     // Index into ImportDecl::variants of the list. The executor has bound the pipeline of this variant.
     uint32_t variant = 0;
     // If `cull` is `material`, the draw source sets the cull mode of each draw. For every value of `cull` it
-    // sets the front face of each draw, because mirrored objects have the opposite winding.
+    // sets the front face of each draw, because mirrored objects have the opposite winding, and so have
+    // all objects in a mirrored view.
     CullMode cull = CullMode::material;
     uint32_t frame_slot = 0;  // Less than kFramesInFlight.
     // A buffer with one packed VkDrawIndexedIndirectCommand for each draw of the list, in the order of the
@@ -42,6 +44,9 @@ class DrawSource {
     [[nodiscard]] virtual VkDescriptorSetLayout set_layout(uint32_t set) const = 0;
     // Returns descriptor set 0 of a frame slot for the view with the name `view`, such as "camera".
     [[nodiscard]] virtual VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const = 0;
+    // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the opposite
+    // winding.
+    [[nodiscard]] virtual bool is_mirrored(std::string_view /*view*/) const { return false; }
     // Records every draw of `context.list` that uses `context.variant`. The executor has bound sets 0 and 1.
     // The source binds sets 2 and 3 if the pipeline layout has them. It binds vertex buffers in the order of
     // the streams in the import's vertex format.

@@ -1,4 +1,4 @@
-#include "render/sun_cascades.h"
+#include "render/views/sun_cascades.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,11 +170,16 @@ float finite(double x) {
     return static_cast<float>(std::min(x, 1e30));
 }
 
-// Returns the index i of the view "sun(i)", or kNoId if `view` is another view.
-uint32_t cascade_of(const std::string& view) {
+// Returns the index i if `view` is "sun(i)" or shows this view in a mirror, or kNoId if it is another view.
+uint32_t cascade_of(const ResolvedGraph& graph, const std::string& view) {
     for (uint32_t i = 0; i < shared::kMostSunCascades; ++i)
         if (view == sun_view_name(i)) return i;
-    return kNoId;
+    const size_t open = view.find('(');
+    if (open == std::string::npos) return kNoId;
+    const auto list = std::ranges::find(graph.views, view.substr(0, open), &ViewListDecl::name);
+    if (list == graph.views.end() || list->source != ViewSource::mirror) return kNoId;
+    const unsigned long number = list->first + std::stoul(view.substr(open + 1));
+    return cascade_of(graph, list->of + "(" + std::to_string(number) + ")");
 }
 
 }  // namespace
@@ -186,11 +191,12 @@ std::string sun_view_name(uint32_t cascade) {
 SunMaps sun_maps_of(const FramePlan& plan) {
     SunMaps maps;
     for (const PassDecl& pass : plan.graph.passes) {
-        const uint32_t i = cascade_of(pass.view);
+        const uint32_t i = cascade_of(plan.graph, pass.view);
         if (i == kNoId) continue;
         maps.count = std::max(maps.count, i + 1);
         if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
-            maps.size_px[i] = std::max(maps.size_px[i], pass.render_extent.width);
+            maps.size_px[i] = std::max(
+                maps.size_px[i], pass.state.viewport ? pass.state.viewport->width : pass.render_extent.width);
     }
     return maps;
 }

@@ -1,0 +1,191 @@
+// Parses the section "views", and the keys of a pass that choose its views: "view", "views" and "into". A pass
+// with "views" is parsed as a repeat: its last index, kViewIndex, counts the views of the list.
+#include <algorithm>
+
+#include "graph/parse/expression.h"
+#include "graph/parse/parse_context.h"
+
+namespace weft {
+namespace {
+
+void read_of(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
+    list.of_loc = node.loc;
+    read_string(context, node, list.of);
+}
+
+// Reads an array of exactly N expressions.
+template <size_t N>
+void read_expressions(ParseContext& context, const JsonNode& node, const char* form,
+                      std::optional<std::array<Expr, N>>& out) {
+    if (!expect(context, node, JsonKind::array)) return;
+    if (node.items.size() != N)
+        return context.error(node.loc, "W109",
+                             "found " + std::to_string(node.items.size()) + " values, wanted " +
+                                 std::to_string(N),
+                             std::string("write ") + form);
+    out.emplace();
+    for (size_t i = 0; i < N; ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        read_expression(context, node.items[i], (*out)[i]);
+    }
+}
+
+constexpr std::array kCubeKeys{
+    KeyRule<ViewListDesc>{
+        "at",
+        [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
+            read_expressions(c, n, "[x, y, z], the centre of the cube in metres", list.at);
+        }},
+    KeyRule<ViewListDesc>{"near", [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
+                              read_expression(c, n, list.near_m);
+                          }}};
+
+void read_cube(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
+    if (!read_object(context, node, "a cube of views", kCubeKeys, list)) return;
+    if (node.find("at") == nullptr)
+        missing_key(context, node.loc, "a cube of views", "at", "write the centre: \"at\": [x, y, z]");
+}
+
+constexpr std::array kViewListKeys{
+    KeyRule<ViewListDesc>{"of", read_of},
+    KeyRule<ViewListDesc>{
+        "first",
+        [](ParseContext& c, const JsonNode& n, ViewListDesc& list) { read_expression(c, n, list.first); }},
+    KeyRule<ViewListDesc>{
+        "count",
+        [](ParseContext& c, const JsonNode& n, ViewListDesc& list) { read_expression(c, n, list.count); }},
+    KeyRule<ViewListDesc>{"plane",
+                          [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
+                              read_expressions(c, n, "[a, b, c, d] for the plane a x + b y + c z + d = 0",
+                                               list.plane);
+                          }},
+    KeyRule<ViewListDesc>{"cube", read_cube},
+    KeyRule<ViewListDesc>{"rect", [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
+                              read_expressions(c, n, "[x, y, width, height] in pixels", list.rect);
+                          }}};
+
+// Checks that a list has either "of" or "cube", and no key that belongs to the other of the two.
+void check_list_kind(ParseContext& context, const JsonMember& member) {
+    const JsonNode* cube = member.value.find("cube");
+    if (cube == nullptr) {
+        if (member.value.find("of") == nullptr)
+            missing_key(context, member.key_loc, "a list of views", "of",
+                        "name a list or the camera, \"of\": \"camera\"; or write "
+                        "\"cube\": { \"at\": [x, y, z] }");
+        return;
+    }
+    for (const char* key : {"of", "first", "count", "plane"}) {
+        if (member.value.find(key) == nullptr) continue;
+        const PointerScope scope(context, key);
+        context.error(member.value.find(key)->loc, "W109",
+                      std::string("the list has both \"cube\" and \"") + key + "\"",
+                      "remove one of the two; a second list can show the faces of the cube in a mirror");
+    }
+}
+
+constexpr std::array kTargets{Choice<ViewTarget>{"layers", ViewTarget::layers},
+                              Choice<ViewTarget>{"rects", ViewTarget::rects}};
+
+Expr name_expression(const std::string& name, SourceLoc loc) {
+    Expr expression;
+    expression.postfix.push_back({ExprOp::name, 0, name, loc});
+    expression.text = name;
+    expression.loc = loc;
+    return expression;
+}
+
+}  // namespace
+
+void list_view_grammar(std::vector<GrammarTable>& lists) {
+    list_keys(lists, "viewList", kViewListKeys);
+    list_keys(lists, "viewCube", kCubeKeys);
+    list_choices(lists, "viewTarget", kTargets);
+}
+
+void parse_views(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
+    read_named(context, node, "a list of views", [&](const JsonMember& member) {
+        ViewListDesc list;
+        list.name = member.key;
+        list.loc = member.key_loc;
+        if (!read_object(context, member.value, "a list of views", kViewListKeys, list)) return;
+        check_list_kind(context, member);
+        graph.views.emplace(member.key, std::move(list));
+    });
+}
+
+// Reads the view that a pass is drawn from: "camera", or a name with a number in parentheses, such as
+// "sun(i)".
+void parse_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.view_loc = node.loc;
+    if (!read_string(context, node, pass.view)) return;
+    const size_t open = pass.view.find('(');
+    if (open == std::string::npos) return;
+    const LocatedText text{node.string, node.loc};
+    size_t end = open + 1;
+    Result<Expr> number = parse_expression_at(text, end, context.sources());
+    if (!number) return context.add(number.take_errors());
+    if (!context.complete(*number)) return;
+    if (text.text.substr(end) != ")")
+        return context.error(text.at(end, 1), "W106", "the number of a view needs ')' as its last character",
+                             "write the view as \"" + pass.view.substr(0, open) + "(i)\"");
+    pass.view.resize(open);
+    pass.view_number = std::move(*number);
+}
+
+void parse_pass_views(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    if (!read_string(context, node, pass.view)) return;
+    if (!context.within(pass.repeat.size() + 1, context.limits().repeat_indices, node.loc,
+                        "indices in a repeat", "graph.repeatIndices", "combine several indices into one"))
+        return;
+    if (std::ranges::find(pass.repeat, kViewIndex, &RepeatDesc::index) != pass.repeat.end())
+        return context.error(node.loc, "W109",
+                             "the pass has \"views\", whose index is \"view\", and a repeat with this index",
+                             "choose another name for the index of the repeat");
+    pass.view_loc = node.loc;
+    pass.view_target = ViewTarget::layers;
+    pass.view_number = name_expression(kViewIndex, node.loc);
+    RepeatDesc& repeat = pass.repeat.emplace_back();
+    repeat.index = kViewIndex;
+    repeat.first = number_expression(0, node.loc);
+    // resolve() counts the views, because some counts are known only to the program.
+    repeat.last = number_expression(0, node.loc);
+    repeat.loc = repeat.range_loc = node.loc;
+}
+
+void parse_into(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    ViewTarget target = ViewTarget::one;
+    if (!read_choice(context, node, kTargets, target)) return;
+    if (pass.view_target == ViewTarget::one)
+        return context.error(node.loc, "W109", "the pass draws only one view, but has \"into\"",
+                             "remove \"into\", or draw all views of a list with \"views\"");
+    pass.view_target = target;
+    if (target == ViewTarget::rects) pass.partial = true;
+}
+
+void check_pass_views(ParseContext& context, const JsonNode& node, const PassDesc& pass) {
+    if (pass.view_target == ViewTarget::one) return;
+    const auto refuse = [&](const JsonNode& value, std::string_view key, const char* code,
+                            const std::string& reason, const char* help) {
+        const PointerScope scope(context, key);
+        context.error(value.loc, code, "a pass with \"views\" cannot have \"" + std::string(key) + "\"" + reason,
+                      help);
+    };
+    if (const JsonNode* view = node.find("view"))
+        refuse(*view, "view", "W109", "", "remove one of the two: \"view\" is for passes that draw one view");
+    if (pass.view_target != ViewTarget::rects) return;
+    const char* const rects = ", because each view has its own rectangle";
+    const JsonNode* state = node.find("state");
+    for (const char* key : {"viewport", "scissor"})
+        if (const JsonNode* rect = state == nullptr ? nullptr : state->find(key)) {
+            const PointerScope scope(context, "state");
+            refuse(*rect, key, "W192", rects, "remove it, or use \"into\": \"layers\"");
+        }
+    const bool clears = pass.clear || !pass.clear_ports.empty();
+    if (const JsonNode* slices = clears ? node.find("perFrame") : nullptr)
+        refuse(*slices, "perFrame", "W192", ", \"clear\" and \"into\": \"rects\"",
+               "remove \"clear\", because it clears the rectangles of all views; or use \"into\": \"layers\"");
+    if (const JsonNode* covers = node.find("covers"))
+        refuse(*covers, "covers", "W192", ", because each view writes only its own rectangle", "remove it");
+}
+
+}  // namespace weft

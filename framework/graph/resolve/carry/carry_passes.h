@@ -1,0 +1,22 @@
+// Purpose: resources with both `history` and `keep`. The copy of the current frame ("x") begins a frame with
+// the content of the last frame ("x[-1]"). Weft adds the pass "carry:x", which copies this content before
+// all other passes that write or read "x". If each part of "x" is overwritten before it is read, the copy is
+// not needed, and the pass is removed again. Private to resolve().
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "graph/resolve/resolve.h"
+#include "graph/resolve/shape_resources.h"
+
+namespace weft {
+
+// Returns the carry passes of the graph, by their names.
+[[nodiscard]] std::map<std::string, PassDesc> describe_carries(const ResolveInput& input,
+                                                               const Shapes& shapes);
+// Removes the carry passes whose copies nobody needs. The others copy only the needed mips and layers, and
+// what lies between them.
+[[nodiscard]] ResolvedGraph remove_idle_carries(ResolvedGraph graph);
+
+}  // namespace weft

@@ -1,0 +1,30 @@
+// Purpose: finds the lists of views that passes may use: those that the program offers, and those in the section
+// "views" of the graph. Part of evaluate(), because expressions can name the numbers of views.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "graph/resolve/evaluator.h"
+
+namespace weft {
+
+// Returns the expressions for the numbers of views of the lists in the section "views", by name: "mirrorViews"
+// for the list "mirror". Adds the numbers of views of the program's lists to `values`. Errors: W109, W118, W191.
+[[nodiscard]] std::map<std::string, Expr> count_views(const ResolveInput& input, Values& values,
+                                                      Reporter& reporter);
+// Returns all lists of views, by name. Call it when all names have their values. Errors: W109.
+[[nodiscard]] std::map<std::string, ViewList, std::less<>> list_views(const ResolveInput& input,
+                                                                      Values& values, Reporter& reporter);
+// Returns the list that a pass names in "view" or "views". Returns null after reporting an error, now or
+// earlier. Errors: W118.
+[[nodiscard]] const ViewList* find_view_list(const ResolveInput& input, const Values& values,
+                                             const PassDesc& pass, Reporter& reporter);
+// Returns the name of a view of a list: "sun(1)", or "camera".
+[[nodiscard]] std::string view_name(const ViewList& list, uint32_t number);
+// Returns those lists that the passes of the graph use, sorted by name. With a mirror, this includes the list
+// that it shows.
+[[nodiscard]] std::vector<ViewListDecl> used_view_lists(const Values& values,
+                                                        const std::vector<PassDecl>& passes);
+
+}  // namespace weft

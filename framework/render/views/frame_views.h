@@ -1,0 +1,62 @@
+// Purpose: the views that the passes of a plan use in a frame, with their constants for shaders. The matrices come
+// from the camera, the sun, the lamps, the program, or from other views. Errors: W193 (the program gives too few
+// views).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/views/sun_cascades.h"
+#include "render/views/view_matrices.h"
+#include "weft/plan.h"
+#include "weft/result.h"
+
+namespace weft::render {
+
+// Name of the list with the views of the scene's lamps.
+inline constexpr const char* kLampViews = "lampFaces";
+
+struct FrameView {
+    std::string name;  // "camera", "sun(1)" and so on.
+    shared::ViewConstants constants{};
+    bool mirrored = false;  // True if the picture is a mirror image.
+};
+
+// What the views of a frame are made from.
+struct ViewSources {
+    const shared::ViewConstants& camera;
+    const SunCascades& sun;
+    std::span<const shared::Light> lights;
+    const ViewLists& program;
+};
+
+class FrameViews {
+ public:
+    // Finds the views that the live passes of a plan use, and the sizes at which they draw them.
+    void set_plan(const FramePlan& plan);
+    // Computes all views of the next frame.
+    [[nodiscard]] Status update(const ViewSources& sources);
+    // Returns the views of the frame. The first is the camera.
+    [[nodiscard]] const std::vector<FrameView>& views() const { return views_; }
+
+ private:
+    struct Frame {
+        const ViewSources& sources;
+        std::vector<ViewInput> lamps;
+    };
+    // Returns the constants of a view, but without its own size and previous matrix.
+    [[nodiscard]] Result<shared::ViewConstants> make(const Frame& frame, const std::string& list,
+                                                     uint32_t index) const;
+    [[nodiscard]] Result<shared::ViewConstants> make_given(const Frame& frame, const ViewListDecl& list,
+                                                           uint32_t index) const;
+
+    std::vector<ViewListDecl> lists_;
+    std::vector<FrameView> views_;
+    // The size of each view in pixels; 0 if no raster or fullscreen pass draws it.
+    std::vector<glm::uvec2> sizes_px_;
+    // The matrices of the previous frame, without jitter, by the name of the view.
+    std::map<std::string, glm::mat4> before_;
+};
+
+}  // namespace weft::render
