@@ -7,14 +7,14 @@ namespace {
 
 using test::GraphBuilder;
 
-constexpr uint32_t kSide = 8, kMips = 3, kLayers = 3;
+constexpr uint32_t kArraySide = 8, kArrayMips = 3, kArrayLayers = 3;
 
 class ExecutorArraysVk : public ExecutorTest {
  protected:
     // Adds an image in which each texel of mip m and layer l has the value 10 m + l.
     ResourceId add_image(GraphBuilder& builder) {
-        const ResourceId image = builder.image("x", Format::r32f, kSide, kMips, kLayers);
-        for (uint32_t mip = 0; mip < kMips; ++mip) {
+        const ResourceId image = builder.image("x", Format::r32f, kArraySide, kArrayMips, kArrayLayers);
+        for (uint32_t mip = 0; mip < kArrayMips; ++mip) {
             const std::string name = "fill" + std::to_string(mip);
             write_shader(name + ".comp",
                          "layout(local_size_x = 1) in;\nlayout(r32f) uniform writeonly image2DArray dst;\n"
@@ -22,8 +22,8 @@ class ExecutorArraysVk : public ExecutorTest {
                              std::to_string(10 * mip) + ".0 + gl_GlobalInvocationID.z)); }");
             PassDecl& fill =
                 builder.compute(name, {{"dst", image, Access::storage_write,
-                                        SubresourceRange{mip, 1, 0, kLayers, aspect::kColor}, kNoId}});
-            fill.groups = {kSide >> mip, kSide >> mip, kLayers};
+                                        SubresourceRange{mip, 1, 0, kArrayLayers, aspect::kColor}, kNoId}});
+            fill.groups = {kArraySide >> mip, kArraySide >> mip, kArrayLayers};
             use_shader(fill, name + ".comp", ProgramKind::compute);
         }
         return image;
@@ -76,9 +76,9 @@ TEST_F(ExecutorArraysVk, storage_images_are_modified_in_place) {
                  "imageStore(dst[0], at, imageLoad(dst[0], at) + 100.0);\n"
                  "if (all(in_1)) imageStore(dst[1], at, imageLoad(dst[1], at) + 200.0); }\n"
                  "void main() { add(ivec3(gl_GlobalInvocationID)); }");
-    const SubresourceRange range{1, 2, 0, kLayers, aspect::kColor};
+    const SubresourceRange range{1, 2, 0, kArrayLayers, aspect::kColor};
     PassDecl& add = builder.compute("add", {{"dst", image, Access::storage_read_write, range, kNoId}});
-    add.groups = {kSide / 2, kSide / 2, kLayers};
+    add.groups = {kArraySide / 2, kArraySide / 2, kArrayLayers};
     use_shader(add, "add.comp", ProgramKind::compute);
     add.uses[0].each = EachPart::mip;
     builder.pass("read", PassKind::readback, {{"src", image, Access::copy_read, {}, kNoId}});
@@ -87,9 +87,9 @@ TEST_F(ExecutorArraysVk, storage_images_are_modified_in_place) {
     const std::vector<ReadbackData> read = run_frames(*executor, 2);
     ASSERT_EQ(read.size(), 2u);
     std::vector<float> wanted;
-    for (uint32_t mip = 0; mip < kMips; ++mip)
-        for (uint32_t layer = 0; layer < kLayers; ++layer)
-            wanted.insert(wanted.end(), size_t{kSide >> mip} * (kSide >> mip),
+    for (uint32_t mip = 0; mip < kArrayMips; ++mip)
+        for (uint32_t layer = 0; layer < kArrayLayers; ++layer)
+            wanted.insert(wanted.end(), size_t{kArraySide >> mip} * (kArraySide >> mip),
                           static_cast<float>(10 * mip + layer + 100 * mip));
     for (const ReadbackData& data : read) EXPECT_EQ(values_of<float>(data), wanted);
 }

@@ -23,11 +23,11 @@ class ResolveArrays : public ResolveTest {
 
     // Returns a graph in which pass "w" writes to the port "dst". Its reference is on line 3.
     static std::string writing(const std::string& port, const std::string& shader = "write.comp",
-                               const std::string& type = "compute") {
+                               const std::string& type = "compute", const std::string& read = "x") {
         return R"j("resources": {"x": {"format": "r32f", "size": [100, 60], "mips": 5, "layers": 3}},
 "passes": {"w": {"type": ")j" +
                type + R"j(", "shader": ")j" + shader + "\", \"out\": {\"dst\":\n" + port +
-               R"j(}}, "r": {"type": "readback", "in": ["x"]}})j";
+               R"j(}}, "r": {"type": "readback", "in": [")j" + read + "\"]}}";
     }
 
     static const ParamWrite& param(const PassDecl& pass, const char* name) {
@@ -40,7 +40,8 @@ class ResolveArrays : public ResolveTest {
 };
 
 TEST_F(ResolveArrays, ThePlanHasOneUseOfTheRange) {
-    const ResolvedGraph g = good(writing(R"j({"ref": "x.mip(1..3).layer(1)", "each": "mip"})j"));
+    const ResolvedGraph g = good(writing(R"j({"ref": "x.mip(1..3).layer(1)", "each": "mip"})j", "write.comp",
+                                         "compute", "x.mip(1..3).layer(1)"));
     const UseDecl& written = use(g, "w", "dst");
     EXPECT_EQ(written.each, EachPart::mip);
     EXPECT_EQ(written.range, (SubresourceRange{1, 3, 1, 1, aspect::kColor}));
@@ -56,7 +57,8 @@ TEST_F(ResolveArrays, ThePlanHasOneUseOfTheRange) {
 }
 
 TEST_F(ResolveArrays, EachLayerIsAnElement) {
-    const ResolvedGraph g = good(writing(R"j({"ref": "x.mip(2)", "each": "layer"})j"));
+    const ResolvedGraph g =
+        good(writing(R"j({"ref": "x.mip(2)", "each": "layer"})j", "write.comp", "compute", "x.mip(2)"));
     const UseDecl& written = use(g, "w", "dst");
     EXPECT_EQ(element_count(written), 3u);
     EXPECT_EQ(element_range(written, 1), (SubresourceRange{2, 1, 1, 1, aspect::kColor}));
@@ -118,7 +120,7 @@ TEST_P(ResolveBadArray, IsRefusedAtThePort) {
     expect_help(error, b.help);
 }
 
-constexpr BadArray kBad[]{
+constexpr BadArray kBadArrays[]{
     {"WithoutEach", R"j("x.mip(0).layer(0)")j", "write.comp", "compute", "W196", "has no \"each\"",
      "\"each\": \"mip\""},
     {"WithoutArray", R"j({"ref": "x.mip(0..1).layer(0)", "each": "mip"})j", "scalar.comp", "compute", "W196",
@@ -132,7 +134,7 @@ constexpr BadArray kBad[]{
     {"TooManyMips", R"j({"ref": "x", "each": "layer"})j", "write.comp", "compute", "W173", "one mip",
      "mip(0)"},
 };
-INSTANTIATE_TEST_SUITE_P(All, ResolveBadArray, testing::ValuesIn(kBad),
+INSTANTIATE_TEST_SUITE_P(All, ResolveBadArray, testing::ValuesIn(kBadArrays),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(ResolveArrays, APassWithoutAShaderHasNoArrays) {
@@ -146,7 +148,8 @@ TEST_F(ResolveArrays, APassWithoutAShaderHasNoArrays) {
 
 TEST_F(ResolveArrays, EachElementCountsForTheLimitOfTheDevice) {
     profile.max_storage_images_per_stage = 4;
-    good(writing(R"j({"ref": "x.mip(0..1).layer(0)", "each": "mip"})j"));
+    good(writing(R"j({"ref": "x.mip(0..1).layer(0)", "each": "mip"})j", "write.comp", "compute",
+                 "x.mip(0..1).layer(0)"));
     profile.max_storage_images_per_stage = 3;
     const Diagnostic error = bad(writing(R"j({"ref": "x.mip(0..1).layer(0)", "each": "mip"})j"));
     EXPECT_EQ(error.code, "W197");
