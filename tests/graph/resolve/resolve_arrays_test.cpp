@@ -113,7 +113,7 @@ class ResolveBadArray : public ResolveArrays, public testing::WithParamInterface
 
 TEST_P(ResolveBadArray, IsRefusedAtThePort) {
     const BadArray& b = GetParam();
-    const Diagnostic error = bad(writing(b.port, b.shader, b.type));
+    const Diagnostic error = bad(writing(b.port, b.shader, b.type, "x.mip(0)"));
     EXPECT_EQ(error.code, b.code);
     EXPECT_EQ(error.line, 3u) << error.message;
     EXPECT_NE(error.message.find(b.message), std::string::npos) << error.message;
