@@ -17,7 +17,7 @@ float shade(int x, int y, uint32_t mip) {
 constexpr const char* kShade =
     "float shade(ivec2 at, int mip) { return (at.x * 73 + at.y * 151 + mip * 57) % 256; }";
 
-constexpr uint32_t kSide = 8, kMips = 4;
+constexpr uint32_t kSampledSide = 8, kSampledMips = 4;
 
 // One lookup: the position in texels of mip 0, and the level of detail that the shader asks for. All numbers
 // are exact in binary, so that the CPU computes with the same ones.
@@ -69,14 +69,14 @@ class ExecutorSamplersVk : public ExecutorTest {
 
     std::vector<float> look_up(const SamplerDecl& sampler, const std::vector<Lookup>& lookups) {
         GraphBuilder builder;
-        const ResourceId image = add_image(builder, kSide, kMips, "shade(at, mip)");
+        const ResourceId image = add_image(builder, kSampledSide, kSampledMips, "shade(at, mip)");
         std::string table = "const vec3 kAt[" + std::to_string(lookups.size()) + "] = vec3[](";
         for (const Lookup& l : lookups)
             table += (&l == &lookups.front() ? "" : ", ") + std::string("vec3(") + std::to_string(l.x) +
                      ", " + std::to_string(l.y) + ", " + std::to_string(l.lod) + ")";
         return look(builder, image, sampler, static_cast<uint32_t>(lookups.size()), "sampler2D",
                     table + ");\n",
-                    "textureLod(src, kAt[i].xy / " + std::to_string(kSide) + ".0, kAt[i].z).r");
+                    "textureLod(src, kAt[i].xy / " + std::to_string(kSampledSide) + ".0, kAt[i].z).r");
     }
 };
 
@@ -89,7 +89,7 @@ std::vector<Lookup> positions(double lod) {
 
 // Returns the least or greatest of the 2 × 2 texels of a mip around a position.
 float reduce(const Lookup& at, uint32_t mip, bool take_greatest) {
-    const int side = static_cast<int>(kSide >> mip);
+    const int side = static_cast<int>(kSampledSide >> mip);
     const auto left = static_cast<int>(std::floor(at.x / (1 << mip) - 0.5));
     const auto top = static_cast<int>(std::floor(at.y / (1 << mip) - 0.5));
     std::vector<float> texels;
@@ -140,7 +140,7 @@ TEST_F(ExecutorSamplersVk, limits_and_bias_select_the_mip) {
         for (size_t i = 0; i < found.size(); ++i) {
             const double level = std::clamp(lookups[i].lod + static_cast<double>(c.bias),
                                             static_cast<double>(c.least), static_cast<double>(c.most));
-            const auto mip = static_cast<uint32_t>(std::lround(std::clamp(level, 0.0, kMips - 1.0)));
+            const auto mip = static_cast<uint32_t>(std::lround(std::clamp(level, 0.0, kSampledMips - 1.0)));
             const int at = 4 >> mip;
             EXPECT_EQ(found[i], shade(at, at, mip))
                 << "lod " << lookups[i].lod << ", bias " << c.bias << ", " << c.least << " to " << c.most;

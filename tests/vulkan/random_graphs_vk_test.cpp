@@ -79,6 +79,7 @@ TEST_F(RandomGraphsVk, RunsBitForBitWithAllFeaturesOnSeveralQueues) {
     EXPECT_GE(coverage.several_queues * 2, seeds);
     EXPECT_GE(coverage.history * 10, seeds * 3);
     EXPECT_GE(coverage.alias_transitions * 2, seeds);
+    EXPECT_GE(coverage.arrays * 20, seeds);
 }
 
 TEST_F(RandomGraphsVk, RunsBitForBitLikeTheNaivePlan) {

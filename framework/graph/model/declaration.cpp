@@ -33,6 +33,32 @@ bool contains(const SubresourceRange& outer, const SubresourceRange& inner) {
            inner.layer + inner.layers <= outer.layer + outer.layers;
 }
 
+uint32_t element_count(const UseDecl& use) {
+    switch (use.each) {
+        case EachPart::none:
+            break;
+        case EachPart::mip:
+            return use.range.mips;
+        case EachPart::layer:
+            return use.range.layers;
+    }
+    return 1;
+}
+
+SubresourceRange element_range(const UseDecl& use, uint32_t element) {
+    SubresourceRange range = use.range;
+    if (use.each == EachPart::none) return range;
+    const uint32_t step = std::min(element, element_count(use) - 1);
+    if (use.each == EachPart::mip) {
+        range.mip += step;
+        range.mips = 1;
+    } else {
+        range.layer += step;
+        range.layers = 1;
+    }
+    return range;
+}
+
 std::string range_text(const ResourceDecl& resource, const SubresourceRange& range) {
     const auto span = [](const char* what, uint64_t first, uint64_t count) {
         std::string text = std::string(".") + what + "(" + std::to_string(first);

@@ -30,6 +30,14 @@ void read_optional(ParseContext& context, const JsonNode& node, PortDraft& draft
     read_bool(context, node, draft.port.optional);
 }
 
+constexpr std::array kEachParts{Choice<EachPart>{"mip", EachPart::mip},
+                                Choice<EachPart>{"layer", EachPart::layer}};
+
+void read_each(ParseContext& context, const JsonNode& node, PortDraft& draft) {
+    draft.port.each_loc = node.loc;
+    read_choice(context, node, kEachParts, draft.port.each);
+}
+
 void read_sampler(ParseContext& context, const JsonNode& node, PortDraft& draft) {
     parse_sampler(context, node, draft.port);
 }
@@ -38,11 +46,11 @@ void read_port_clear(ParseContext& context, const JsonNode& node, PortDraft& dra
     read_color(context, node, draft.clear);
 }
 
-constexpr std::array kInputKeys{KeyRule<PortDraft>{"ref", read_ref}, KeyRule<PortDraft>{"else", read_else},
-                                KeyRule<PortDraft>{"optional", read_optional},
-                                KeyRule<PortDraft>{"wakes", read_wakes},
-                                KeyRule<PortDraft>{"sampler", read_sampler}};
-constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref},
+constexpr std::array kInputKeys{
+    KeyRule<PortDraft>{"ref", read_ref},           KeyRule<PortDraft>{"else", read_else},
+    KeyRule<PortDraft>{"optional", read_optional}, KeyRule<PortDraft>{"wakes", read_wakes},
+    KeyRule<PortDraft>{"each", read_each},         KeyRule<PortDraft>{"sampler", read_sampler}};
+constexpr std::array kOutputKeys{KeyRule<PortDraft>{"ref", read_ref}, KeyRule<PortDraft>{"each", read_each},
                                  KeyRule<PortDraft>{"clear", read_port_clear}};
 
 constexpr std::array kGroupsKeys{KeyRule<PortDraft>{"indirect", read_ref}};
@@ -132,6 +140,7 @@ void read_ports(ParseContext& context, const JsonNode& node, F read) {
 void list_port_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "input", kInputKeys);
     list_keys(lists, "output", kOutputKeys);
+    list_choices(lists, "each", kEachParts);
     list_sampler_grammar(lists);
     list_keys(lists, "indirectGroups", kGroupsKeys);
     list_keys(lists, "indirectDraws", kDrawsKeys);

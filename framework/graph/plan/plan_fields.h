@@ -56,7 +56,7 @@ void visit_fields(V& v, const UseDecl& x) {
     v("port", x.port), v("resource", x.resource), v("range", x.range), v("bytes", x.bytes),
         v("access", x.access), v("state", x.state);
     v("history", x.history), v("isOutput", x.is_output), v("sources", x.sources), v("binding", x.binding);
-    v("sampler", x.sampler), v("wakes", x.wakes), v("latest", x.latest);
+    v("sampler", x.sampler), v("wakes", x.wakes), v("latest", x.latest), v("each", x.each);
 }
 template <class V>
 void visit_fields(V& v, const EdgeDecl& x) {

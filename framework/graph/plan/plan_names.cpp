@@ -68,6 +68,10 @@ const char* enum_name(OnResize value) {
     return pick(value, std::array{"clear", "resample", "refill"});
 }
 
+const char* enum_name(EachPart value) {
+    return pick(value, std::array{"none", "mip", "layer"});
+}
+
 const char* enum_name(SamplerFilter value) {
     return pick(value, std::array{"nearest", "linear"});
 }

@@ -144,8 +144,9 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
     add_params(pass, facts);
     for (const UseDecl& use : pass.uses) {
         facts.push_back(std::string(use.is_output ? "out " : "in ") + use.port + " = " +
-                        describe_part(plan, use.resource, use.range) + " (" + access_name(use.access) +
-                        (use.wakes ? ")" : ", does not wake the pass)"));
+                        describe_part(plan, use.resource, use.range) +
+                        (use.each == EachPart::none ? "" : std::string(", each ") + enum_name(use.each)) +
+                        " (" + access_name(use.access) + (use.wakes ? ")" : ", does not wake the pass)"));
         add_fields("sampler of " + use.port + " ", use.sampler, facts);
     }
     if (plan.live.live_passes[id]) add_step(plan, id, facts);

@@ -134,7 +134,7 @@ std::vector<Needs> gather_needs(const Declared& declared, FormattedGraph& graph)
             need.blit_to |= uses[i].access == Access::blit_write;
             if (!is_filtered(uses[i].access)) continue;
             const std::optional<SamplerDecl>& sampler = pass.ports[i].desc->sampler;
-            if (sampler) need.linear_always |= filters_linearly(*sampler, uses[i].range.mips);
+            if (sampler) need.linear_always |= filters_linearly(*sampler, element_range(uses[i], 0).mips);
             if (sampler && uses[i].access == Access::sampled_read) need.min_max |= !takes_average(*sampler);
             if (!sampler) need.linear_if_float = true;
         }
@@ -233,7 +233,7 @@ void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& 
     }
     if (!port.binding) return;
     // With a single mip there are no neighbouring mips to filter between.
-    if (use.range.mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
+    if (element_range(use, 0).mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
     if (port.binding->shadow && !use.sampler.compare) use.sampler.compare = CompareOp::greater_equal;
 }
 

@@ -26,6 +26,7 @@ constexpr std::array kBuiltins{
 constexpr std::string_view kSizeSuffix = "Size";
 constexpr std::string_view kValidSuffix = "Valid";
 constexpr std::string_view kBitsSuffix = "ValidBits";
+constexpr std::string_view kCountSuffix = "Count";
 constexpr uint32_t kLayersPerWord = 32;
 
 class BlockFiller : PassStage<Blocks> {
@@ -111,7 +112,7 @@ class BlockFiller : PassStage<Blocks> {
             return true;
         }
         return from_port_size(member, write) || from_port_valid(member, write) ||
-               from_port_bits(member, write);
+               from_port_bits(member, write) || from_port_count(member, write);
     }
 
     // Returns the use of the port whose name and `suffix` form `name`, for example port "hdr" for "hdrSize".
@@ -193,6 +194,19 @@ class BlockFiller : PassStage<Blocks> {
         return true;
     }
 
+    // Fills a member such as "levelsCount": how many elements of the array "levels" the port fills.
+    bool from_port_count(const BlockMember& member, ParamWrite& write) {
+        if (stands_for_absent(member.name, kCountSuffix)) {
+            store(member, write, {0}, shader_loc());
+            return true;
+        }
+        const UseDecl* use = port_before(member.name, kCountSuffix);
+        if (!use || use->each == EachPart::none)
+            return suspects_.passes[pass_] && member.name.ends_with(kCountSuffix);
+        store(member, write, {double(element_count(*use))}, shader_loc());
+        return true;
+    }
+
     bool from_port_size(const BlockMember& member, ParamWrite& write) {
         if (!member.name.ends_with(kSizeSuffix)) return false;
         if (stands_for_absent(member.name, kSizeSuffix)) {
@@ -248,6 +262,7 @@ class BlockFiller : PassStage<Blocks> {
                 known.push_back(use.port + "Size");
             known.push_back(use.port + "Valid");
             known.push_back(use.port + "ValidBits");
+            if (use.each != EachPart::none) known.push_back(use.port + "Count");
         }
         error(shader_loc(),
               "pass " + quote(draft_.decl.name) + " gives no value to Params." + member.name + " of shader " +

@@ -116,7 +116,7 @@ class DispatchSizer : PassStage<Dispatches> {
             if (suspects_.shapes[use.resource]) return std::nullopt;
             if (graph_.resources[use.resource].kind == ResourceKind::buffer) continue;
             const Extent3D e = use_extent(graph_.resources, use);
-            if (extents.insert({e.width, e.height, std::max(e.depth, use.range.layers)}).second) {
+            if (extents.insert({e.width, e.height, std::max(e.depth, element_range(use, 0).layers)}).second) {
                 listed += (listed.empty() ? "" : ", ") + quote(use.port) + " is " + extent_text(e);
             }
         }

@@ -27,7 +27,7 @@ std::string declaration_hash(const FramePlan& plan, PassId id) {
         for (const UseDecl& use : uses) {
             const ResourceDecl& resource = plan.graph.resources[use.resource];
             v("port", use.port), v("range", use.range), v("usedBytes", use.bytes), v("access", use.access),
-                v("sampler", use.sampler), v("wakes", use.wakes);
+                v("sampler", use.sampler), v("wakes", use.wakes), v("each", use.each);
             v("name", resource.name), v("kind", resource.kind), v("imageKind", resource.image_kind);
             v("format", resource.format), v("extent", resource.extent), v("mips", resource.mips);
             v("layers", resource.layers), v("samples", resource.samples), v("bytes", resource.size_bytes);

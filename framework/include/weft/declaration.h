@@ -13,9 +13,11 @@
 #include "weft/access.h"
 #include "weft/device_profile.h"
 #include "weft/format.h"
+#include "weft/graph_param.h"
 #include "weft/id.h"
 #include "weft/raster_state.h"
 #include "weft/resource_usage.h"
+#include "weft/sampler.h"
 #include "weft/shader_interface.h"
 #include "weft/source.h"
 #include "weft/subresource.h"
@@ -133,28 +135,6 @@ struct VersionSource {
     bool operator==(const VersionSource&) const = default;
 };
 
-enum class SamplerFilter : uint8_t { nearest, linear };
-enum class SamplerWrap : uint8_t { clamp, repeat, mirror, border };
-// The result of a lookup that touches several texels: their weighted average, or the least or greatest of
-// them.
-enum class SamplerReduction : uint8_t { average, min, max };
-// The value of SamplerDecl::max_lod that does not limit the mips.
-inline constexpr float kNoMaxLod = 1000;
-struct SamplerDecl {
-    SamplerFilter filter = SamplerFilter::linear;
-    SamplerFilter mip_filter = SamplerFilter::linear;
-    SamplerWrap wrap = SamplerWrap::clamp;
-    // The comparison of a sampler2DShadow. Absent: the sampler does not compare.
-    std::optional<CompareOp> compare;
-    SamplerReduction reduction = SamplerReduction::average;
-    // Greatest number of samples along the longer axis of a pixel's footprint, 1 to 16. 1: isotropic.
-    float anisotropy = 1;
-    // Level of detail: 0 is the first mip of the port, 1 the second. A lookup adds lod_bias to the level, and
-    // then clamps it to min_lod..max_lod.
-    float lod_bias = 0, min_lod = 0, max_lod = kNoMaxLod;
-    bool operator==(const SamplerDecl&) const = default;
-};
-
 // Binds a port of a pass to a part of a resource, and tells how the pass accesses this part.
 struct UseDecl {
     std::string port;
@@ -163,6 +143,7 @@ struct UseDecl {
     // The bytes that the pass uses, if the port names elements of a buffer. Absent: the whole resource or,
     // for an image, `range`.
     std::optional<ByteRange> bytes;
+    EachPart each = EachPart::none;
     Access access = Access::none;
     // Stages, access bits and layout that the barriers must establish before the pass: access_state() of
     // `access`.
@@ -186,6 +167,13 @@ struct UseDecl {
 };
 // Returns the bytes of a buffer that a use names: UseDecl::bytes, or the whole buffer.
 [[nodiscard]] ByteRange used_bytes(const ResourceDecl& buffer, const UseDecl& use);
+
+// Returns how many elements of the shader's array the range fills: its mips or layers; 1 if the port is not
+// an array.
+[[nodiscard]] uint32_t element_count(const UseDecl& use);
+// Returns the part of the range that is element `element`. Elements after the last one are the last one
+// again.
+[[nodiscard]] SubresourceRange element_range(const UseDecl& use, uint32_t element);
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
 
@@ -254,20 +242,6 @@ struct SpecValue {
 struct NamedValue {
     std::string name;
     double value = 0;
-};
-
-// The work that a change of a graph parameter causes. The list goes from the cheapest to the most expensive.
-enum class ParamCost : uint8_t {
-    nothing,   // No pass uses the parameter, so that nothing has to be done.
-    live,      // The parameter is used in `Params`, `frames` or `cost`: the next frame uses the new value.
-    pipeline,  // The parameter is a specialisation constant: pipelines are created again.
-    graph,     // The parameter changes sizes, ranges or conditions: the graph is compiled again.
-};
-
-struct GraphParam {
-    std::string name;
-    double value = 0;
-    ParamCost cost = ParamCost::nothing;
 };
 
 struct PassDecl {

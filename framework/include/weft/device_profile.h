@@ -103,7 +103,7 @@ struct DeviceProfile {
     uint32_t max_sampled_images_per_stage = 128;
     uint32_t max_storage_images_per_stage = 128;
     float max_sampler_anisotropy = 1;  // 1: the device has no anisotropic filtering.
-    float max_sampler_lod_bias = 2;    // Limit on the magnitude of the bias; 2 is the least that Vulkan allows.
+    float max_sampler_lod_bias = 2;  // Limit on the magnitude of the bias; 2 is the least that Vulkan allows.
     uint64_t max_uniform_buffer_bytes = 65536;
     uint64_t max_storage_buffer_bytes = 134217728;
     uint64_t buffer_image_granularity_bytes = 64;

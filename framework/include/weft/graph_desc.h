@@ -92,6 +92,9 @@ struct PortDesc {
     bool optional = false;
     // False: a change of the content of this port does not make a pass with "rest" run.
     bool wakes = true;
+    // Not `none`: the port is an array in the shader, with one element for each mip or layer of `ref`.
+    EachPart each = EachPart::none;
+    SourceLoc each_loc = {};
     std::optional<SamplerDecl> sampler;
     SamplerLocs sampler_locs = {};
     SourceLoc loc;  // Place of the port's name in the file.

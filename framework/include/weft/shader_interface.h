@@ -52,6 +52,7 @@ struct ShaderBinding {
     BindingKind kind = BindingKind::sampled_image;
     ShaderStageMask stages = 0;
     uint32_t count = 1;  // Number of descriptors of an array; 1 for a single descriptor.
+    bool is_array = false;
     // The members from `dim` to storage_format describe images.
     ImageDim dim = ImageDim::d2;
     bool arrayed = false;

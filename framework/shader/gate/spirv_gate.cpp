@@ -112,8 +112,9 @@ class CapabilityCheck {
     std::set<std::string> said_;
 };
 
-// Rejects shared variables with an initial value. They need a device feature in Vulkan, but SPIR-V has no
-// capability for them, so CapabilityCheck cannot reject them.
+// Rejects what needs a feature of the device, although no capability in the SPIR-V tells so: shared variables
+// with an initial value, and arrays of images with an index that is not a constant. For the latter, glslang
+// does not emit the capabilities SampledImageArrayDynamicIndexing and StorageImageArrayDynamicIndexing.
 class FeatureCheck {
  public:
     FeatureCheck(ShaderStage stage, InterfaceFaults& faults) : stage_(stage), faults_(faults) {}
@@ -124,8 +125,25 @@ class FeatureCheck {
                 names_[instruction.operand(0)] = spirv_string(
                     instruction.operands.subspan(std::min<size_t>(1, instruction.operands.size())));
                 break;
+            case SpvOpTypePointer:
+                if (instruction.operand(1) == SpvStorageClassUniformConstant)
+                    image_pointers_.insert(instruction.operand(0));
+                break;
+            case SpvOpConstant:
+            case SpvOpSpecConstant:
+            case SpvOpSpecConstantOp:
+                constants_.insert(instruction.operand(1));
+                break;
+            case SpvOpFunctionParameter:
+                note_image(instruction);
+                break;
             case SpvOpVariable:
+                note_image(instruction);
                 variable(instruction);
+                break;
+            case SpvOpAccessChain:
+            case SpvOpInBoundsAccessChain:
+                element(instruction);
                 break;
             default:
                 break;
@@ -144,9 +162,34 @@ class FeatureCheck {
              "write the value in main(), then call barrier()"});
     }
 
+    void note_image(const SpirvInstruction& instruction) {
+        if (image_pointers_.contains(instruction.operand(0))) images_.insert(instruction.operand(1));
+    }
+
+    void element(const SpirvInstruction& chain) {
+        constexpr size_t kFirstIndex = 3;
+        const uint32_t array = chain.operand(2);
+        if (!images_.contains(array) || !said_.insert(array).second) return;
+        for (size_t i = kFirstIndex; i < chain.operands.size(); ++i) {
+            if (constants_.contains(chain.operands[i])) continue;
+            faults_.push_back(
+                {"W208", stage_, names_[array],
+                 "\"" + names_[array] +
+                     "\" is an array of images with an index that is not a constant, which Weft "
+                     "does not support",
+                 "use only constants as the index: unroll the loop by hand, or write a switch"});
+            return;
+        }
+        said_.erase(array);
+    }
+
     ShaderStage stage_;
     InterfaceFaults& faults_;
     std::map<uint32_t, std::string> names_;
+    std::set<uint32_t> image_pointers_, constants_;
+    // Variables and parameters that are images or arrays of images.
+    std::set<uint32_t> images_;
+    std::set<uint32_t> said_;  // Arrays about which an error was reported.
 };
 
 }  // namespace

@@ -50,9 +50,15 @@ ReflectedBinding Reflector::start_binding(const spvc_reflected_resource& resourc
               "remove `set`: Weft then binds \"" + binding.name + "\" as a port of the pass, in set 1");
     }
     bool is_runtime = false;
-    const uint32_t count =
-        array_count(compiler_, spvc_compiler_get_type_handle(compiler_, resource.type_id), is_runtime);
+    const spvc_type type = spvc_compiler_get_type_handle(compiler_, resource.type_id);
+    const uint32_t count = array_count(compiler_, type, is_runtime);
     binding.count = count == 0 ? 1 : count;
+    // spirv-val has refused arrays of arrays.
+    binding.is_array = spvc_type_get_num_array_dimensions(type) > 0;
+    if (binding.is_array && !is_runtime && spvc_type_array_dimension_is_literal(type, 0) == SPVC_FALSE)
+        fault(binding.name,
+              "\"" + binding.name + "\" is an array of descriptors whose size is a specialisation constant",
+              "declare the size of the array as a number or an ordinary const");
     if (is_runtime) {
         fault(binding.name, "\"" + binding.name + "\" is an array of descriptors without a size",
               "declare the size of the array");

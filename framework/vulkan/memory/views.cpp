@@ -27,8 +27,9 @@ AspectMask shader_aspects(AspectMask aspects, NumericClass numeric) {
     return aspect::kDepth;
 }
 
-Result<VkImageView> ViewCache::shader_view(const UseDecl& use, const ShaderBinding& binding, uint64_t frame) {
-    SubresourceRange range = use.range;
+Result<VkImageView> ViewCache::shader_view(const UseDecl& use, uint32_t element,
+                                           const ShaderBinding& binding, uint64_t frame) {
+    SubresourceRange range = element_range(use, element);
     range.aspects = shader_aspects(range.aspects, binding.numeric);
     return get(resources_->rings.copy(use.resource, frame), range, view_type(binding.dim, binding.arrayed));
 }

@@ -15,9 +15,9 @@ class ViewCache {
     ViewCache(Device& device, const FramePlan& plan, const ResourceTable& resources)
         : device_(&device), plan_(&plan), resources_(&resources) {}
 
-    // Returns the image view that a shader's `binding` needs in frame `frame`.
-    [[nodiscard]] Result<VkImageView> shader_view(const UseDecl& use, const ShaderBinding& binding,
-                                                  uint64_t frame);
+    // Returns the image view that element `element` of a shader's `binding` needs in frame `frame`.
+    [[nodiscard]] Result<VkImageView> shader_view(const UseDecl& use, uint32_t element,
+                                                  const ShaderBinding& binding, uint64_t frame);
     // Returns the image view for an attachment. The view has one mip level; with several layers it is an
     // array view.
     [[nodiscard]] Result<VkImageView> attachment_view(const UseDecl& use, uint64_t frame);

@@ -28,11 +28,12 @@ std::vector<const UseDecl*> uses_of(const PassDecl& pass, const ShaderBinding& b
     return uses;
 }
 
-Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDecl* use,
+Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDecl* use, uint32_t element,
                                          const ShaderBinding& binding) {
     VkDescriptorImageInfo info{};
     if (use != nullptr) {
-        Result<VkImageView> view = sources.views.shader_view(*use, binding, sources.resources.frame());
+        Result<VkImageView> view =
+            sources.views.shader_view(*use, element, binding, sources.resources.frame());
         if (!view) return view.take_errors();
         info = {VK_NULL_HANDLE, *view, to_vk(use->state.layout)};
     } else {
@@ -68,7 +69,9 @@ Result<VkDescriptorBufferInfo> buffer_info(DescriptorSources& sources, const Use
 Status add_binding(DescriptorSources& sources, const PassDecl& pass, const ShaderBinding& binding,
                    SetWrites& out) {
     const std::vector<const UseDecl*> uses = uses_of(pass, binding);
-    if (!uses.empty() && uses.size() != binding.count)
+    // One use with `each` fills the whole array.
+    const bool fills_array = uses.size() == 1 && uses[0]->each != EachPart::none;
+    if (!uses.empty() && !fills_array && uses.size() != binding.count)
         return pass_error(sources.plan, pass, "V413",
                           "binding \"" + binding.name + "\" has " + std::to_string(binding.count) +
                               " elements, but the pass has " + std::to_string(uses.size()) +
@@ -84,9 +87,9 @@ Status add_binding(DescriptorSources& sources, const PassDecl& pass, const Shade
     else
         out.buffers.emplace_back();
     for (uint32_t i = 0; i < binding.count; ++i) {
-        const UseDecl* use = uses.empty() ? nullptr : uses[i];
+        const UseDecl* use = uses.empty() ? nullptr : fills_array ? uses[0] : uses[i];
         if (is_image) {
-            Result<VkDescriptorImageInfo> info = image_info(sources, use, binding);
+            Result<VkDescriptorImageInfo> info = image_info(sources, use, fills_array ? i : 0, binding);
             if (!info) return info.take_errors();
             out.images.back().push_back(*info);
         } else {

@@ -79,13 +79,13 @@ TEST_P(ResolveBadSampler, IsRefusedAtItsValue) {
     expect_help(error, b.help);
 }
 
-constexpr BadSampler kBad[]{
+constexpr BadSampler kBadSamplers[]{
     {"Compare", R"j("compare": "less")j", "plain.comp", "W172", 13, "does not compare", "sampler2DShadow"},
     {"ReducedShadow", R"j("reduction": "min")j", "shadow.comp", "W172", 15, "shadow sampler", "sampler2D"},
     {"Anisotropy", R"j("anisotropy": 9)j", "plain.comp", "W187", 16, "at most 8", "smaller"},
     {"Bias", R"j("lodBias": -2.5)j", "plain.comp", "W187", 13, "only -2 to 2", "nearer to 0"},
 };
-INSTANTIATE_TEST_SUITE_P(All, ResolveBadSampler, testing::ValuesIn(kBad),
+INSTANTIATE_TEST_SUITE_P(All, ResolveBadSampler, testing::ValuesIn(kBadSamplers),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_F(ResolveSampler, ADeviceWithoutAnisotropyNamesTheFeature) {

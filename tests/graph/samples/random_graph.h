@@ -6,7 +6,7 @@
 // The graphs can run on a device. All passes use exact integer arithmetic on r32u images and u32 buffers (and
 // one exact conversion to d32f). So any two correct plans of a graph give the same bytes. Clear, copy and
 // readback passes have no shader; the other passes use these shaders in tests/graph/shaders/:
-//   compute     fill_image, mix_image_1, mix_image_2, mix_image_3, mix_depth, update_image,
+//   compute     fill_image, mix_image_1, mix_image_2, mix_image_3, mix_mips, mix_depth, update_image,
 //               mix_buffer_1, mix_buffer_2, update_buffer, image_to_buffer, buffer_to_image   (.comp)
 //   fullscreen  mix_color_1, mix_color_2, write_depth, mix_color_depth   (.frag)
 // A shader has some of the ports a, b, c and dst, bound in this order in set 1. Colour outputs are at

@@ -64,6 +64,9 @@ void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     });
     conditionals += omitted ? 1 : 0;
     after += any(plan.graph.edges, [](const EdgeDecl& edge) { return edge.kind == EdgeKind::after; });
+    arrays += any_live_pass(plan, [](const PassDecl& pass) {
+        return any(pass.uses, [](const UseDecl& use) { return use.each != EachPart::none; }) != 0;
+    });
     depth_inputs += any_live_pass(plan, tests_against_its_input);
     merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.merges_render_pass; });
     culled += plan.schedule.order.size() < plan.graph.passes.size() ? 1 : 0;
@@ -88,6 +91,7 @@ std::string GraphCoverage::text() const {
     share("mip chains made in memory", chains);
     share("conditionals", conditionals);
     share("after edges", after);
+    share("arrays of mips", arrays);
     share("depth as input", depth_inputs);
     share("culled passes", culled);
     share("merged scopes", merged_scopes);

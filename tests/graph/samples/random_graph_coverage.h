@@ -37,6 +37,8 @@ struct GraphCoverage {
     uint32_t conditionals = 0;
     // Frames with an `after` edge, which orders two passes even if they share no resource.
     uint32_t after = 0;
+    // Frames in which a live pass reads an array of mips.
+    uint32_t arrays = 0;
     // Frames in which a live pass uses a depth image as attachment and as input.
     uint32_t depth_inputs = 0;
     uint32_t culled = 0;

@@ -37,7 +37,12 @@ class RandomPasses : public RandomFrame {
         constexpr const char* kShaders[] = {"mix_image_1.comp", "mix_image_2.comp", "mix_image_3.comp"};
         std::vector<BuilderUse> uses = inputs_of(inputs, Access::sampled_read);
         uses.push_back(destination(cell, Access::storage_write));
-        set_image_groups(add("mix", PassKind::compute, kShaders[inputs.size() - 1], uses), cell);
+        // Half of the passes with one input of several mips read them as an array.
+        const bool as_array = inputs.size() == 1 && inputs[0].range.mips > 1 && passes_ % 2 == 0;
+        PassDecl& pass =
+            add("mix", PassKind::compute, as_array ? "mix_mips.comp" : kShaders[inputs.size() - 1], uses);
+        if (as_array) pass.uses[0].each = EachPart::mip;
+        set_image_groups(pass, cell);
         images_.push_back(cell);
         return cell;
     }

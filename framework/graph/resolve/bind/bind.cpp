@@ -4,6 +4,7 @@
 
 #include "graph/resolve/bind/bind_pass.h"
 #include "graph/resolve/bind/bind_references.h"
+#include "graph/resolve/bind/check_array.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
 
@@ -44,8 +45,14 @@ void bind_pass(PassBinding& pass) {
         if (!pass.draft.shader) return;
         bind_shader_ports(pass);
         check_shader_fit(pass);
+        check_image_count(pass);
         bind_constants(pass);
-    } else if (kind == PassKind::custom) {
+        return;
+    }
+    for (size_t i = 0; i < pass.bound.uses.size(); ++i)
+        if (pass.bound.uses[i].each != EachPart::none)
+            report_no_array(pass, pass.bound.uses[i], pass.bound.ports[i]);
+    if (kind == PassKind::custom) {
         if (pass.draft.custom) bind_custom_ports(pass);
     } else {
         bind_fixed_ports(pass);

@@ -183,6 +183,7 @@ class ReferenceBinder {
         bound.use.resource = resource;
         bound.use.range = range->range;
         bound.use.bytes = range->bytes;
+        bound.use.each = port.each;
         bound.use.history = ref.history;
         bound.use.is_output = is_output;
         bound.use.loc = ref.loc;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graph/resolve/bind/bind_pass.h"
+#include "graph/resolve/bind/check_array.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
 
@@ -64,7 +65,8 @@ class ShaderBinder {
                 continue;
             }
             const auto out = at_.bound.uses.begin() + static_cast<std::ptrdiff_t>(out_index);
-            if (out->resource != at_.bound.uses[in].resource || out->range != at_.bound.uses[in].range) {
+            if (out->resource != at_.bound.uses[in].resource || out->range != at_.bound.uses[in].range ||
+                out->each != at_.bound.uses[in].each) {
                 Diagnostic& d =
                     at_.error(out->loc, "W165",
                               "port " + quote(out->port) + " of pass " + quote(at_.draft.decl.name) +
@@ -83,6 +85,7 @@ class ShaderBinder {
     }
 
     void bind(UseDecl& use, PortDraft& port) {
+        if (use.each != EachPart::none && !is_bound(port)) return report_no_array(at_, use, port);
         if (port.is_depth_port) return bind_depth(use, port);
         if (!is_bound(port)) {
             use.access = port.is_resolve ? Access::color_write : Access::indirect_read;
@@ -95,7 +98,7 @@ class ShaderBinder {
         if (found == bindings.end()) return report_no_binding(use, port);
         port.binding = &*found;
         use.binding = found->binding;
-        if (!check_direction(use, *found)) return;
+        if (!check_direction(use, *found) || !check_array(at_, use, port, *found)) return;
         use.access = access_of(use, port, *found);
     }
 
@@ -103,6 +106,7 @@ class ShaderBinder {
         const auto& outputs = at_.draft.shader->fragment_outputs;
         const auto found = std::ranges::find(outputs, use.port, &StageVariable::name);
         if (found == outputs.end()) return false;
+        if (use.each != EachPart::none) report_no_array(at_, use, port);
         port.color_output = &*found;
         const BlendState blend = blend_of(desc(), use.port);
         const bool cleared = clears(use.port);
@@ -191,12 +195,6 @@ class ShaderBinder {
                           quote(desc().shader) + " declares " + (buffer ? "an image" : "a buffer"));
             add_help(d, "bind " + std::string(buffer ? "an image" : "a buffer") +
                             " to the port, or change the declaration in the shader");
-            return false;
-        }
-        if (binding.count != 1) {
-            Diagnostic& d =
-                error(use, "W173", what() + " is an array of descriptors in shader " + quote(desc().shader));
-            add_help(d, "use one image with layers, or one port for each image or buffer");
             return false;
         }
         return true;

@@ -188,10 +188,12 @@ class InterfaceCheck {
     }
 
     void check_dimensions(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
-        if (binding.kind == BindingKind::storage_image && use.range.mips != 1) {
+        // The elements of an array are alike, so that one of them stands for all.
+        const SubresourceRange part = element_range(use, 0);
+        if (binding.kind == BindingKind::storage_image && part.mips != 1) {
             error(use, "W173",
                   port_text(use) + " is a storage image, which must be one mip, but " + quote(resource.name) +
-                      " has " + std::to_string(use.range.mips),
+                      " has " + std::to_string(part.mips),
                   "select one mip: " + quote(resource.name + ".mip(0)"));
             return;
         }
@@ -201,13 +203,13 @@ class InterfaceCheck {
         bool fits = false;
         switch (binding.dim) {
             case ImageDim::d2:
-                fits = !is_3d && (binding.arrayed || use.range.layers == 1);
+                fits = !is_3d && (binding.arrayed || part.layers == 1);
                 break;
             case ImageDim::d3:
                 fits = is_3d;
                 break;
             case ImageDim::cube:
-                fits = is_cube && (binding.arrayed ? use.range.layers % 6 == 0 : use.range.layers == 6);
+                fits = is_cube && (binding.arrayed ? part.layers % 6 == 0 : part.layers == 6);
                 break;
             case ImageDim::d1:
                 break;
@@ -218,8 +220,8 @@ class InterfaceCheck {
         error(
             use, "W173",
             port_text(use) + " is declared as " + declared + " in shader " + quote(desc_.shader) + ", but " +
-                quote(range_of(resource, use.range)) + " has " + std::to_string(use.range.layers) +
-                " layers and " + std::to_string(resource.samples) + " samples" +
+                quote(range_of(resource, part)) + " has " + std::to_string(part.layers) + " layers and " +
+                std::to_string(resource.samples) + " samples" +
                 (is_3d     ? " and is 3D"
                  : is_cube ? " and is a cube"
                            : ""),
