@@ -80,13 +80,12 @@ TEST_F(MadeWith, BuffersThatNoIndexLeaves) {
 TEST_F(MadeWith, NothingThatNoGraphCanUse) {
     const VkPhysicalDeviceFeatures& v10 = enabled_.v10();
     for (const VkBool32 feature :
-         {v10.dualSrcBlend, v10.logicOp, v10.multiDrawIndirect, v10.depthBounds,
-          v10.wideLines, v10.largePoints, v10.alphaToOne, v10.sparseBinding, v10.inheritedQueries,
+         {v10.dualSrcBlend, v10.logicOp, v10.depthBounds, v10.wideLines,
+          v10.largePoints, v10.alphaToOne, v10.sparseBinding, v10.inheritedQueries,
           v10.pipelineStatisticsQuery, v10.occlusionQueryPrecise, v10.fullDrawIndexUint32})
         EXPECT_EQ(feature, VK_FALSE);
     for (const VkBool32 feature :
-         {enabled_.v12().drawIndirectCount, enabled_.v12().samplerMirrorClampToEdge,
-          enabled_.v12().imagelessFramebuffer})
+         {enabled_.v12().samplerMirrorClampToEdge, enabled_.v12().imagelessFramebuffer})
         EXPECT_EQ(feature, VK_FALSE);
 }
 

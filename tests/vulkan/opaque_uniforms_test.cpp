@@ -20,12 +20,15 @@ void expect_valid(const ShaderProgram& program) {
 
 // Returns the interface of a program that with_opaque_uniforms() changed. Faults about push constants are
 // expected: Weft requires the name Params for a push constant block, but with_opaque_uniforms() adds a push
-// constant block without this name.
+// constant block without this name. It also replaces each single uniform block by an array of one block; the
+// returned interface has the single block.
 ShaderInterface reflected(const ShaderProgram& program) {
     shader::InterfaceFaults faults;
     ShaderInterface interface = shader::reflect_program(program.modules, faults);
     for (const shader::InterfaceFault& fault : faults)
         EXPECT_NE(fault.message.find("push constant"), std::string::npos) << fault.message;
+    for (ShaderBinding& binding : interface.bindings)
+        if (binding.kind == BindingKind::uniform_buffer && binding.count == 1) binding.is_array = false;
     return interface;
 }
 

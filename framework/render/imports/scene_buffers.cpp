@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "render/frame_data.h"
-#include "render/imports/texture_table.h"
 #include "render/views/frustum.h"
 
 namespace weft::render {
@@ -109,13 +108,9 @@ std::vector<shared::Mesh> mesh_table(const scene::Scene& scene, const std::vecto
 
 Result<SceneBuffers> SceneBuffers::create(vk::Device& device, const scene::Scene& scene,
                                           const std::vector<MeshRange>& ranges) {
-    const TextureTable textures = texture_table(scene);
     std::vector<shared::Material> materials;
     materials.reserve(scene.materials.size());
-    for (size_t i = 0; i < scene.materials.size(); ++i) {
-        materials.push_back(gpu_material(scene.materials[i]));
-        set_textures(textures.materials[i], materials.back());
-    }
+    for (const scene::Material& material : scene.materials) materials.push_back(gpu_material(material));
     SceneBuffers out;
     Result<std::vector<vk::Buffer>> bounds = bounds_buffers(device, scene);
     if (!bounds) return bounds.take_errors();

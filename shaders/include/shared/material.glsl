@@ -28,15 +28,9 @@ struct Material {
     vec2 anisotropy_turn;    // Cosine and sine of the angle from the tangent to the grain's direction.
     TextureTransform anisotropy_uv;
     float anisotropy_textured;  // 1: a texture gives the direction; 0: the direction is the tangent.
-    // Indices in the import `textures` of the material's textures. A material without a texture has the index of a
-    // texture of one texel: white, or the flat normal (0.5, 0.5, 1).
-    uint base_color_texture;
-    uint metallic_roughness_texture;
-    uint normal_texture;
-    uint occlusion_texture;
-    uint emissive_texture;
-    uint anisotropy_texture;
-    uint reserved0;
+    float reserved0;
+    float reserved1;
+    float reserved2;
 };
 
 #include "end.glsl"
