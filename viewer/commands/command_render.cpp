@@ -53,12 +53,13 @@ class RenderProgress {
 };
 
 // Takes the results out of the session after each frame; otherwise the session would use more and more memory
-// in a run of many frames. Keeps only the last readback, and keeps times only for --stats.
+// in a run of many frames. Keeps only the last readback of the observed resource, because the graph may have
+// readback passes of its own, and keeps times only for --stats.
 void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
     std::vector<vk::FrameTiming> timings = session.take_timings();
     if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
-    std::vector<vk::ReadbackData> readbacks = session.take_readbacks();
-    if (!readbacks.empty()) outcome.last_readback = std::move(readbacks.back());
+    for (vk::ReadbackData& data : session.take_readbacks())
+        if (data.pass.starts_with("observe:")) outcome.last_readback = std::move(data);
 }
 
 Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, uint32_t frames) {

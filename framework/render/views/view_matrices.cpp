@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace weft::render {
 namespace {
@@ -74,6 +75,31 @@ glm::dmat4 reflection(const std::array<double, 4>& plane) {
     return matrix;
 }
 
+glm::dvec4 row_of(const glm::dmat4& matrix, int row) {
+    return {matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]};
+}
+
+void set_row(glm::mat4& matrix, int row, const glm::dvec4& values) {
+    for (int column = 0; column < 4; ++column) matrix[column][row] = static_cast<float>(values[column]);
+}
+
+// Returns the row of a matrix to clip space that gives z, so that points on the plane have depth 1, points on
+// its positive side less, and no point in the picture less than 0. Returns nullopt for a parallel projection,
+// and if the viewer is in the plane. `plane` is in the space that the matrix transforms, and `from_clip` is
+// the inverse of the matrix. Source: Lengyel 2005, "Oblique View Frustum Depth Projection and Clipping", for
+// reversed depth and a far plane that is infinitely far.
+std::optional<glm::dvec4> oblique_depth(const glm::dmat4& to_clip, const glm::dmat4& from_clip,
+                                        const glm::dvec4& plane) {
+    const glm::dvec4 w = row_of(to_clip, 3);
+    if (glm::dvec3(w) == glm::dvec3(0)) return std::nullopt;
+    // The plane grows fastest, in relation to w, in the direction of one of the corners of the picture.
+    double fastest = 0;
+    for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}})
+        fastest = std::max(fastest, std::abs(glm::dot(plane, from_clip * glm::dvec4(corner, 0, 1))));
+    if (!(fastest > 0)) return std::nullopt;
+    return w - plane / fastest;
+}
+
 // Returns the distance at which depth is 1.
 float near_of(const glm::mat4& projection) {
     const float factor = projection[2][2] - projection[2][3];
@@ -123,8 +149,18 @@ shared::ViewConstants mirrored(const shared::ViewConstants& source, const std::a
          {&view.view, &view.view_projection, &view.steady_view_projection, &view.prev_view_projection})
         *matrix = glm::mat4(glm::dmat4(*matrix) * mirror);
     // A reflection is its own inverse.
-    view.inverse_view_projection = glm::mat4(mirror * glm::dmat4(source.inverse_view_projection));
+    const glm::dmat4 from_clip = mirror * glm::dmat4(source.inverse_view_projection);
+    view.inverse_view_projection = glm::mat4(from_clip);
     view.eye = glm::vec3(mirror * glm::dvec4(glm::dvec3(source.eye), 1));
+    const glm::dvec4 front = glm::dvec4(plane[0], plane[1], plane[2], plane[3]);
+    const double height_m = glm::dot(front, glm::dvec4(glm::dvec3(source.eye), 1));
+    const std::optional<glm::dvec4> depth =
+        oblique_depth(glm::dmat4(view.view_projection), from_clip, height_m < 0 ? -front : front);
+    if (height_m == 0 || !depth) return view;
+    for (glm::mat4* matrix : {&view.view_projection, &view.steady_view_projection, &view.prev_view_projection})
+        set_row(*matrix, 2, *depth);
+    set_row(view.projection, 2, *depth * glm::inverse(glm::dmat4(view.view)));
+    view.inverse_view_projection = glm::mat4(glm::inverse(glm::dmat4(view.view_projection)));
     return view;
 }
 

@@ -131,14 +131,43 @@ TEST(ViewMatrices, InAMirrorShowPointsWhereTheirImagesAre) {
         const glm::vec3 p(number(random), number(random), number(random));
         const glm::vec4 seen = view.view_projection * glm::vec4(p, 1);
         const glm::vec4 image = straight.view_projection * glm::vec4(reflect(p), 1);
-        EXPECT_LT(glm::distance(seen, image), 1e-4f);
+        EXPECT_LT(glm::distance(glm::vec3(seen.x, seen.y, seen.w), glm::vec3(image.x, image.y, image.w)), 1e-4f);
         const glm::vec4 back = view.inverse_view_projection * seen;
         EXPECT_LT(glm::distance(glm::vec3(back) / back.w, p), 1e-3f);
+        EXPECT_LT(glm::distance(view.projection * (view.view * glm::vec4(p, 1)), seen), 1e-3f);
     }
     EXPECT_LT(glm::distance(view.eye, reflect(straight.eye)), 1e-5f);
     EXPECT_FALSE(is_mirrored(straight.view_projection));
     EXPECT_TRUE(is_mirrored(view.view_projection));
     EXPECT_FALSE(is_mirrored(mirrored(view, {0, 1, 0, 2}).view_projection)) << "two mirrors";
+}
+
+// The eye is on the positive side of the plane.
+TEST(ViewMatrices, InAMirrorHaveTheMirrorAsTheirNearPlane) {
+    scene::Camera camera;
+    camera.transform[3] = {1, 2, 8, 1};
+    const shared::ViewConstants straight = view_constants(camera, glm::mat4(1), 64, 48, {0, 0});
+    const shared::ViewConstants view = mirrored(straight, {0.6, 0.8, 0, -1.5});
+    std::mt19937 random(73);
+    std::uniform_real_distribution<float> number(-50, 50);
+    int inside = 0, behind = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const glm::vec3 p(number(random), number(random), number(random));
+        const float height = glm::dot(p, glm::vec3(0.6f, 0.8f, 0)) - 1.5f;
+        const glm::vec4 clip = view.view_projection * glm::vec4(p, 1);
+        if (clip.w <= 0 || std::abs(clip.x) > clip.w || std::abs(clip.y) > clip.w) continue;
+        if (std::abs(height) > 0.01f) {
+            EXPECT_EQ(clip.z < clip.w, height > 0) << i;
+        }
+        if (height > 0) {
+            EXPECT_GE(clip.z, 0) << i;
+        }
+        ++(height > 0 ? inside : behind);
+        const glm::vec4 on = view.view_projection * glm::vec4(p - height * glm::vec3(0.6f, 0.8f, 0), 1);
+        EXPECT_NEAR(on.z, on.w, 1e-3f) << i;
+    }
+    EXPECT_GT(inside, 20);
+    EXPECT_GT(behind, 2);
 }
 
 // A triangle that faces the viewer is counter-clockwise in the picture unless the view is mirrored.

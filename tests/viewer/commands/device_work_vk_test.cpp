@@ -62,6 +62,16 @@ TEST_F(DeviceWork, DrawingByTheListsOwnCommandsIsDrawingTheList) {
     EXPECT_EQ(indirect.texels, direct.texels);
 }
 
+// The readback passes of the graph have nothing to do with --resource.
+TEST_F(DeviceWork, AResourceIsWrittenAlsoIfTheGraphReadsAnotherOneBack) {
+    std::string graph = graph_;
+    graph.insert(graph.find("\"show\":"), R"("zLast": { "type": "readback", "in": ["bars"] }, )");
+    folder_.write("reads.json", graph);
+    const PfmImage alone = picture("sparse.json", "color", 1, 0), with = picture("reads.json", "color", 1, 0);
+    ASSERT_EQ(with.texels.size(), kWidth * kHeight);
+    EXPECT_EQ(with.texels, alone.texels);
+}
+
 // The three pictures show all objects, those with an even index, and those with an odd index. A pixel inside
 // an object has the same colour in the first picture and in the second or third. A pixel at an edge is the
 // average of several samples, so it may differ from the second and from the third picture.
