@@ -23,7 +23,7 @@ struct FrameView {
     bool mirrored = false;  // True if the picture is a mirror image.
 };
 
-// What the views of a frame are made from.
+// The inputs from which the views of a frame are computed.
 struct ViewSources {
     const shared::ViewConstants& camera;
     const SunCascades& sun;
