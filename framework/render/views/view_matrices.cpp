@@ -79,7 +79,7 @@ glm::dvec4 row_of(const glm::dmat4& matrix, int row) {
     return {matrix[0][row], matrix[1][row], matrix[2][row], matrix[3][row]};
 }
 
-void set_row(glm::mat4& matrix, int row, const glm::dvec4& values) {
+void replace_row(glm::mat4& matrix, int row, const glm::dvec4& values) {
     for (int column = 0; column < 4; ++column) matrix[column][row] = static_cast<float>(values[column]);
 }
 
@@ -158,8 +158,8 @@ shared::ViewConstants mirrored(const shared::ViewConstants& source, const std::a
         oblique_depth(glm::dmat4(view.view_projection), from_clip, height_m < 0 ? -front : front);
     if (height_m == 0 || !depth) return view;
     for (glm::mat4* matrix : {&view.view_projection, &view.steady_view_projection, &view.prev_view_projection})
-        set_row(*matrix, 2, *depth);
-    set_row(view.projection, 2, *depth * glm::inverse(glm::dmat4(view.view)));
+        replace_row(*matrix, 2, *depth);
+    replace_row(view.projection, 2, *depth * glm::inverse(glm::dmat4(view.view)));
     view.inverse_view_projection = glm::mat4(glm::inverse(glm::dmat4(view.view_projection)));
     return view;
 }
