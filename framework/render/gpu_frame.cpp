@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "render/scene_bindings.h"
 
@@ -14,12 +15,22 @@ namespace {
 constexpr uint64_t kAlignmentBytes = 256;
 constexpr uint64_t kSunOffsetBytes = 256;
 constexpr uint64_t kSlotBytes = 768;
-constexpr uint64_t kViewBytes = 512;
+constexpr uint64_t kViewBytes = sizeof(shared::ViewConstants);
+// Graphs keep views in buffers, too, so the struct itself has such a size.
 static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kSlotBytes % kAlignmentBytes == 0 &&
               kViewBytes % kAlignmentBytes == 0);
 static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);
 static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kSlotBytes);
-static_assert(sizeof(shared::ViewConstants) <= kViewBytes);
+
+// The descriptor sets of an executor whose passes read views from buffers.
+class BufferViewSets final : public vk::ViewSets {
+ public:
+    explicit BufferViewSets(DescriptorSets sets) : sets_(std::move(sets)) {}
+    [[nodiscard]] VkDescriptorSet set(size_t index) const override { return sets_.sets[index]; }
+
+ private:
+    DescriptorSets sets_;
+};
 
 Result<vk::Buffer> make_constants(vk::Device& device, uint64_t bytes) {
     return vk::Buffer::create(device, bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, vk::Buffer::Memory::upload,
@@ -57,19 +68,30 @@ Status GpuFrame::add_block() {
     if (!constants) return constants.take_errors();
     block.sets = std::move(*sets);
     block.constants = std::move(*constants);
-    for (uint32_t set = 0; set < kSets; ++set) write_set(block, set);
+    for (uint32_t set = 0; set < kSets; ++set)
+        write_set(block.sets.sets[set], set / kBlockViews,
+                  {block.constants.handle(), set * kViewBytes, kViewBytes});
     blocks_.push_back(std::move(block));
     return Unit{};
 }
 
-void GpuFrame::write_set(const ViewBlock& block, uint32_t set) const {
-    const uint64_t slot_bytes = set / kBlockViews * kSlotBytes;
-    const VkDescriptorSet to = block.sets.sets[set];
+Result<std::unique_ptr<vk::ViewSets>> GpuFrame::make_view_sets(std::span<const vk::ViewPlace> places) const {
+    const auto count = static_cast<uint32_t>(places.size());
+    Result<DescriptorSets> sets =
+        DescriptorSets::create(*device_, layout_bindings(0), count, "views in buffers");
+    if (!sets) return sets.take_errors();
+    for (uint32_t i = 0; i < count; ++i)
+        write_set(sets->sets[i], places[i].frame_slot,
+                  {places[i].buffer, places[i].offset_bytes, kViewBytes});
+    return std::unique_ptr<vk::ViewSets>(std::make_unique<BufferViewSets>(std::move(*sets)));
+}
+
+void GpuFrame::write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& view) const {
+    const uint64_t slot_bytes = slot * kSlotBytes;
     const VkDescriptorImageInfo image = environment_.descriptor(), pictures = light_functions_.pictures();
     const VkDescriptorBufferInfo shapes = light_functions_.functions();
     const std::array infos{
-        VkDescriptorBufferInfo{constants_.handle(), slot_bytes, sizeof(shared::FrameConstants)},
-        VkDescriptorBufferInfo{block.constants.handle(), set * kViewBytes, sizeof(shared::ViewConstants)}};
+        VkDescriptorBufferInfo{constants_.handle(), slot_bytes, sizeof(shared::FrameConstants)}, view};
     const VkDescriptorBufferInfo sun{constants_.handle(), slot_bytes + kSunOffsetBytes,
                                      sizeof(shared::SunConstants)};
     write_buffers(*device_, to, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);

@@ -3,6 +3,12 @@
 // these for each frame slot. All sets also refer to the same environment and light functions.
 #pragma once
 
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
 #include "render/descriptor_sets.h"
 #include "render/frame_data.h"
 #include "render/gpu_environment.h"
@@ -21,6 +27,9 @@ class GpuFrame {
     [[nodiscard]] Status write(uint32_t slot, const shared::FrameConstants& frame,
                                const shared::SunConstants& sun, std::span<const FrameView> views);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_.layout.get(); }
+    // Makes descriptor sets whose views are in buffers; see DrawSource::make_view_sets().
+    [[nodiscard]] Result<std::unique_ptr<vk::ViewSets>> make_view_sets(
+        std::span<const vk::ViewPlace> places) const;
     // Appends parts of the uniform blocks of a set; see DrawSource::add_frame_bytes().
     void add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
                    std::vector<std::byte>& bytes) const;
@@ -38,7 +47,8 @@ class GpuFrame {
     static constexpr uint32_t kBlockViews = 8;
 
     [[nodiscard]] Status add_block();
-    void write_set(const ViewBlock& block, uint32_t set) const;
+    // Writes all bindings of a descriptor set 0. `view` has the constants of the view.
+    void write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& view) const;
     [[nodiscard]] uint32_t index_of(std::string_view view) const;
 
     vk::Device* device_ = nullptr;

@@ -194,6 +194,10 @@ VkDescriptorSet GpuScene::frame_set(uint32_t frame_slot, std::string_view view) 
     return frame_.set(frame_slot, view);
 }
 
+Result<std::unique_ptr<vk::ViewSets>> GpuScene::make_view_sets(std::span<const vk::ViewPlace> places) const {
+    return frame_.make_view_sets(places);
+}
+
 bool GpuScene::add_frame_bytes(uint32_t frame_slot, std::string_view view, std::span<const FrameRange> ranges,
                                std::vector<std::byte>& bytes) const {
     frame_.add_bytes(frame_slot, view, ranges, bytes);
@@ -254,7 +258,6 @@ uint32_t GpuScene::record(const vk::DrawContext& context) const {
 
 // A shader that does not read the matrix of the view may place vertices anywhere.
 const Frustum* GpuScene::find_frustum(const vk::DrawContext& context) const {
-    constexpr uint32_t kViewBinding = 1;
     constexpr uint32_t kMatrix = offsetof(shared::ViewConstants, view_projection);
     const bool reads_matrix = std::ranges::any_of(context.frame_ranges, [](const FrameRange& range) {
         return range.binding == kViewBinding && range.offset_bytes <= kMatrix &&

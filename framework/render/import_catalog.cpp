@@ -9,6 +9,7 @@
 #include "render/views/sun_cascades.h"
 #include "shared/draw_command.glsl"
 #include "shared/draw_vertices_command.glsl"
+#include "shared/frame.glsl"
 #include "shared/light.glsl"
 
 namespace weft::render {
@@ -159,7 +160,8 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)},
                        {"DrawVerticesCommand", sizeof(shared::DrawVerticesCommand)},
-                       {"Light", sizeof(shared::Light)}};
+                       {"Light", sizeof(shared::Light)},
+                       {"ViewConstants", sizeof(shared::ViewConstants)}};
     add_scene_buffers(catalog, scene);
     catalog.bindings = scene_bindings();
     return catalog;

@@ -13,6 +13,21 @@ void read_of(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
     read_string(context, node, list.of);
 }
 
+// Reads the buffer of a list. Passes that draw a view of the list read an element of the buffer, so the list
+// cannot select elements itself.
+void read_view_buffer(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
+    PortDesc port;
+    port.port = std::string(kViewPort) + list.name;
+    port.loc = node.loc;
+    if (!read_reference(context, node, port.ref)) return;
+    const RefDesc& ref = port.ref;
+    if (ref.element_first || ref.mip_first || ref.layer_first || ref.aspects != aspect::kNone)
+        return context.error(node.loc, "W230", "a list of views needs a whole buffer, without a range",
+                             "write only the name, \"buffer\": \"" + ref.name +
+                                 "\"; a second list with \"of\" and \"first\" can show a part of the views");
+    list.buffer = std::move(port);
+}
+
 // Reads an array of exactly N expressions.
 template <size_t N>
 void read_expressions(ParseContext& context, const JsonNode& node, const char* form,
@@ -57,27 +72,40 @@ constexpr std::array kViewListKeys{
                                                list.plane);
                           }},
     KeyRule<ViewListDesc>{"cube", read_view_cube},
+    KeyRule<ViewListDesc>{"buffer", read_view_buffer},
     KeyRule<ViewListDesc>{"rect", [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
                               read_expressions(c, n, "[x, y, width, height] in pixels", list.rect);
                           }}};
 
-// Checks that a list has either "of" or "cube", and no key that belongs to the other of the two.
+// Reports those of the keys that the list has, because they do not go with `key`.
+void refuse_keys(ParseContext& context, const JsonNode& list, const char* key,
+                 std::initializer_list<const char*> keys, const char* help) {
+    for (const char* other : keys) {
+        if (list.find(other) == nullptr) continue;
+        const PointerScope scope(context, other);
+        context.error(list.find(other)->loc, "W109",
+                      std::string("the list has both \"") + key + "\" and \"" + other + "\"", help);
+    }
+}
+
+// Checks that a list has one of the keys "of", "cube" and "buffer", and no key that belongs to another of
+// them.
 void check_list_kind(ParseContext& context, const JsonMember& member) {
-    const JsonNode* cube = member.value.find("cube");
-    if (cube == nullptr) {
-        if (member.value.find("of") == nullptr)
-            missing_key(context, member.key_loc, "a list of views", "of",
-                        "name a list or the camera, \"of\": \"camera\"; or write "
-                        "\"cube\": { \"at\": [x, y, z] }");
-        return;
+    const JsonNode& list = member.value;
+    if (list.find("cube") != nullptr)
+        return refuse_keys(context, list, "cube", {"of", "first", "count", "plane", "buffer"},
+                           "remove one of the two; a second list can show the faces of the cube in a mirror");
+    if (list.find("buffer") != nullptr) {
+        if (list.find("count") == nullptr)
+            missing_key(context, member.key_loc, "a list of views in a buffer", "count",
+                        "write the number of views, which is at most the number of elements of the buffer");
+        return refuse_keys(context, list, "buffer", {"of", "first", "plane"},
+                           "remove one of the two; a second list with \"of\" can show a part of the views");
     }
-    for (const char* key : {"of", "first", "count", "plane"}) {
-        if (member.value.find(key) == nullptr) continue;
-        const PointerScope scope(context, key);
-        context.error(member.value.find(key)->loc, "W109",
-                      std::string("the list has both \"cube\" and \"") + key + "\"",
-                      "remove one of the two; a second list can show the faces of the cube in a mirror");
-    }
+    if (list.find("of") == nullptr)
+        missing_key(context, member.key_loc, "a list of views", "of",
+                    "name a list or the camera, \"of\": \"camera\"; or write "
+                    "\"cube\": { \"at\": [x, y, z] }");
 }
 
 constexpr std::array kTargets{Choice<ViewTarget>{"layers", ViewTarget::layers},

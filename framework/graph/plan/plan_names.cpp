@@ -61,7 +61,7 @@ const char* enum_name(BarrierReason value) {
 }
 
 const char* enum_name(ViewSource value) {
-    return pick(value, std::array{"program", "mirror", "cube"});
+    return pick(value, std::array{"program", "mirror", "cube", "buffer"});
 }
 
 const char* enum_name(OnResize value) {

@@ -19,7 +19,9 @@ class WakeReasons {
         const PassDecl& pass = plan_.graph.passes[id];
         add_params(id);
         if (!pass.shader.empty()) {
-            line("a constant of set 0 (frame and view \"" + pass.view + "\") that shader \"" + pass.shader +
+            // A view in a buffer is one of the uses of the pass.
+            const std::string view = pass.view_use == kNoId ? " and view \"" + pass.view + "\"" : "";
+            line("a constant of set 0 (frame" + view + ") that shader \"" + pass.shader +
                  "\" reads, if it reads one");
             line("shader \"" + pass.shader + "\" or one of its specialisation constants");
         }

@@ -1,5 +1,7 @@
 #include "graph/resolve/assemble.h"
 
+#include <algorithm>
+
 #include "graph/resolve/views/view_lists.h"
 
 namespace weft {
@@ -12,6 +14,8 @@ void add_bound(const BoundPass& bound, PassDecl& pass) {
     pass.vertices = bound.vertices;
     pass.instances = bound.instances;
     pass.view = bound.view;
+    const auto view = std::ranges::find_if(bound.ports, &PortDraft::is_view);
+    if (view != bound.ports.end()) pass.view_use = static_cast<uint32_t>(view - bound.ports.begin());
     pass.clear = bound.clear;
 }
 
@@ -30,12 +34,13 @@ void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
     pass.most_draws = dispatch.most_draws;
 }
 
-// Returns true if a draw whose box is outside of the frustum cannot change the picture. Lines and points are
-// wider than their vertices, and indirect draws have their own commands.
+// Returns true if a draw whose box is outside of the frustum cannot change the picture, and the CPU knows the
+// frustum. Lines and points are wider than their vertices, and indirect draws have their own commands. The
+// CPU does not know a view from a buffer.
 bool may_cull(const PassDecl& pass) {
     const Topology topology = pass.state.topology;
     return pass.kind == PassKind::raster && !pass.draw_lists.empty() && pass.draw_commands_use == kNoId &&
-           pass.state.fill == FillMode::fill &&
+           pass.state.fill == FillMode::fill && pass.view_use == kNoId &&
            (topology == Topology::triangles || topology == Topology::triangle_strip);
 }
 

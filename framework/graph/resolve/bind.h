@@ -5,7 +5,7 @@
 // resolve targets, indirect buffers, and the ports of clear, copy, blit and readback passes. Draw lists,
 // views and specialisation constants are bound too.
 // Errors: W103 to W107, W109, W110, W112 to W114, W118, W121 to W123, W165, W167, W168, W170, W171, W173,
-// W175, W176, W182, W185, W186, W196, W197. Warnings: W137.
+// W175, W176, W182, W185, W186, W196, W197, W230. Warnings: W137.
 #pragma once
 
 #include <string>
@@ -48,6 +48,8 @@ struct PortDraft {
     bool is_indirect = false;
     // True if the port is the buffer with the number of indirect draws.
     bool is_draw_count = false;
+    // True if the port is the element of a buffer with the constants of the view.
+    bool is_view = false;
     // True if "in" and "out" both name this port. The two are then one binding, which is read and written in
     // place.
     bool reads_own_port = false;

@@ -1,6 +1,6 @@
 // Purpose: the first stage of resolve(). Finds the values of parameters, constants and sizes, which all later
 // expressions can name. Also finds the lists of views.
-// Errors: W106, W107, W109, W118, W120, W191.
+// Errors: W106, W107, W109, W118, W120, W191, W230.
 #pragma once
 
 #include <map>

@@ -283,6 +283,9 @@ struct PassDecl {
     uint32_t instances = 0;
     // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
     std::string view = "camera";
+    // If the view comes from a buffer and the shader reads it: the index, in `uses`, of the element with its
+    // constants. kNoId: the draw source provides the constants of the view.
+    uint32_t view_use = kNoId;
     // True: the draw source may leave out direct draws that are outside of the frustum of the view.
     bool culls_draws = false;
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.

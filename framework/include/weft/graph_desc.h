@@ -123,10 +123,13 @@ struct ImportDesc {
 // are or seen in a mirror; or they are the six faces of a cube.
 struct ViewListDesc {
     std::string name;
-    std::string of;  // Name of the other list, or "camera"; empty for a cube.
+    std::string of;  // Name of the other list, or "camera"; empty for a cube and for a buffer.
     SourceLoc of_loc;
     // The part of the other list: the number of its first view, and the number of views. Absent: all views.
+    // A list whose views are the elements of a buffer always has `count`.
     Expr first, count;
+    // The buffer whose elements are the views, as an input of the passes that read them.
+    std::optional<PortDesc> buffer;
     // The plane of a mirror: the points (x, y, z) with a x + b y + c z + d = 0.
     std::optional<std::array<Expr, 4>> plane;
     // The centre of a cube in metres, in world space, and the distance of the near planes of its faces.
@@ -144,6 +147,8 @@ enum class ViewTarget : uint8_t { one, layers, rects };
 
 // Name of the index with the number of the view, in passes that draw all views of a list.
 inline constexpr const char* kViewIndex = "view";
+// Begins the name of the port through which a pass reads its view from a buffer, as in "views:fitted".
+inline constexpr std::string_view kViewPort = "views:";
 
 // Tells how long a resource keeps its content. none: for one frame, unless it has `history`. frames and
 // shared: from frame to frame, and into a new plan as transition() decides. shared: the new plan uses the

@@ -42,6 +42,7 @@ void FrameViews::set_plan(const FramePlan& plan) {
     std::map<std::string, glm::uvec2> used;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
+        if (is_in_buffer(pass.view)) continue;
         glm::uvec2& size = used[pass.view];
         size = glm::max(size, size_of(pass));
     }
@@ -52,6 +53,11 @@ void FrameViews::set_plan(const FramePlan& plan) {
         views_.push_back({name});
         sizes_px_.push_back(size);
     }
+}
+
+bool FrameViews::is_in_buffer(const std::string& view) const {
+    const auto list = std::ranges::find(lists_, parts_of(view).list, &ViewListDecl::name);
+    return list != lists_.end() && list->source == ViewSource::buffer;
 }
 
 Status FrameViews::check(const ViewLists& program) const {
@@ -94,6 +100,7 @@ shared::ViewConstants FrameViews::make(const Frame& frame, const std::string& na
         case ViewSource::mirror:
             return mirrored(make(frame, list->of, list->first + index), list->plane);
         case ViewSource::cube:
+        case ViewSource::buffer:  // update() makes no such view.
             break;
     }
     return constants_of(cube_face({list->at[0], list->at[1], list->at[2]}, index, list->near_m));

@@ -33,7 +33,8 @@ struct ViewSources {
 
 class FrameViews {
  public:
-    // Finds the views that the live passes of a plan use, and the sizes at which they draw them.
+    // Finds the views that the live passes of a plan use, and the sizes at which they draw them. Views from
+    // buffers are not among them.
     void set_plan(const FramePlan& plan);
     // Checks that the program gives all views of its lists that the plan uses. Error: W193.
     [[nodiscard]] Status check(const ViewLists& program) const;
@@ -47,8 +48,11 @@ class FrameViews {
         const ViewSources& sources;
         std::vector<ViewInput> lamps;
     };
+    // Returns true if the GPU reads the view from a buffer.
+    [[nodiscard]] bool is_in_buffer(const std::string& view) const;
     // Returns the constants of a view, but without its own size and previous matrix.
-    [[nodiscard]] shared::ViewConstants make(const Frame& frame, const std::string& list, uint32_t index) const;
+    [[nodiscard]] shared::ViewConstants make(const Frame& frame, const std::string& list,
+                                             uint32_t index) const;
     [[nodiscard]] shared::ViewConstants make_given(const Frame& frame, const ViewListDecl& list,
                                                    uint32_t index) const;
 

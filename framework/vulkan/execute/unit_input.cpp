@@ -52,12 +52,21 @@ std::string member_at(const PassDecl& pass, size_t at) {
     return "Params of pass " + quoted(pass.name);
 }
 
+// Returns the constants of set 0 that the draw source knows. A view in a buffer is not among them: the pass
+// reads it like any other buffer.
+std::vector<FrameRange> known_ranges(const PassDecl& pass, const PreparedPass& prepared) {
+    std::vector<FrameRange> ranges = prepared.frame_ranges;
+    if (pass.view_use != kNoId)
+        std::erase_if(ranges, [](const FrameRange& range) { return range.binding == kViewBinding; });
+    return ranges;
+}
+
 // Returns false if the set or one of the draw lists may change in every frame.
 bool add_draws(const UnitInputContext& context, const PassDecl& pass, const PreparedPass& prepared,
                std::vector<std::byte>& bytes, Comparison& comparison) {
     const DrawSource* draws = context.objects.draws;
     if (prepared.layout.declares[kFrameSet] &&
-        !draws->add_frame_bytes(context.slot, pass.view, prepared.frame_ranges, bytes))
+        !draws->add_frame_bytes(context.slot, pass.view, known_ranges(pass, prepared), bytes))
         return false;
     comparison.part(bytes, [&](size_t) {
         return "a constant of the frame or of view " + quoted(pass.view) + " that pass " + quoted(pass.name) +

@@ -208,6 +208,9 @@ Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorI
     }
     device.messages().set_current_pass("");
     if (!errors.empty()) return errors;
+    Result<PassViewSets> views = PassViewSets::create(objects->plan, objects->resources, input.draws);
+    if (!views) return views.take_errors();
+    objects->view_sets = std::move(*views);
     return objects;
 }
 

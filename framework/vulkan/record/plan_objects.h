@@ -12,6 +12,7 @@
 #include "vulkan/pipelines/pipelines.h"
 #include "vulkan/record/rendering_scope.h"
 #include "vulkan/record/timing.h"
+#include "vulkan/record/view_sets.h"
 
 namespace weft::vk {
 
@@ -63,6 +64,7 @@ struct PlanObjects {
     PassTimer timer;
     PipelineCacheHandle cache;
     DescriptorPoolHandle pool;
+    PassViewSets view_sets;
     // One element for each pass, in execution order.
     std::vector<PreparedPass> passes;
     const DrawSource* draws = nullptr;

@@ -8,6 +8,13 @@
 namespace weft::vk {
 namespace {
 
+// Returns descriptor set 0 of the pass.
+VkDescriptorSet frame_set(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+    if (pass.view_use == kNoId) return context.objects.draws->frame_set(context.slot, pass.view);
+    const Position position(static_cast<uint32_t>(&prepared - context.objects.passes.data()));
+    return context.objects.view_sets.set(position, context.resources.frame(), context.slot);
+}
+
 // Binds descriptor sets 0 (frame) and 1 (ports), and writes the push constants. The draw source binds sets 2
 // and 3. Call this after a pipeline of the pass is bound.
 void bind_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
@@ -15,7 +22,7 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
     const DeviceFunctions& fn = context.device.fn();
     const VkPipelineLayout layout = prepared.layout.pipeline.get();
     if (prepared.layout.declares[kFrameSet]) {
-        const VkDescriptorSet set = context.objects.draws->frame_set(context.slot, pass.view);
+        const VkDescriptorSet set = frame_set(context, pass, prepared);
         fn.vkCmdBindDescriptorSets(context.commands, point, layout, kFrameSet, 1, &set, 0, nullptr);
     }
     if (prepared.layout.has_ports())

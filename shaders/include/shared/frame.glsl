@@ -23,6 +23,8 @@ struct FrameConstants {
     vec4 environment_irradiance_over_pi[9];  // rgb coefficients of 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z².
 };
 
+// A buffer of the graph may contain views. Then a uniform block begins at each element, so the size of the struct is a
+// multiple of 256 bytes, which every device allows as the offset of a uniform block.
 struct ViewConstants {
     mat4 view;               // Matrix from world space to view space.
     mat4 projection;         // Matrix from view space to clip space.
@@ -36,6 +38,7 @@ struct ViewConstants {
     vec2 inverse_viewport;
     vec2 jitter_uv;               // Offset of the picture by the jitter in `projection`; 0 if no "jitter" is set.
     vec2 reserved0;
+    vec4 reserved1[5];
 };
 
 #include "end.glsl"

@@ -39,7 +39,6 @@ void check_optional_ports(PassBinding& pass) {
 void bind_pass(PassBinding& pass) {
     const PassKind kind = pass.draft.decl.kind;
     if (kind == PassKind::raster) bind_draws(pass);
-    if (has_shader(kind)) bind_view(pass);
     check_optional_ports(pass);
     if (has_shader(kind)) {
         if (!pass.draft.shader) return;

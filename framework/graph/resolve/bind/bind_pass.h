@@ -1,6 +1,7 @@
 // Purpose: binds the ports of one pass after the references of all ports are bound. Private to bind().
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "graph/resolve/bind.h"
@@ -38,8 +39,18 @@ void bind_constants(PassBinding& pass);
 // Binds the draw lists of a raster pass. If the pass has no draw lists, evaluates its number of vertices and
 // its number of instances. Errors: W114, W118, W167.
 void bind_draws(PassBinding& pass);
-// Finds the view that the pass uses, and checks that the program offers it. Errors: W109, W118.
-void bind_view(PassBinding& pass);
+// A view that the shader of a pass reads from a buffer.
+struct BufferView {
+    const PortDesc* port = nullptr;  // Names the buffer.
+    uint32_t element = 0;
+};
+// Finds the view that the pass uses, and checks that the program offers it. Returns the view if the shader
+// reads it from a buffer. Errors: W109, W118.
+std::optional<BufferView> bind_view(PassBinding& pass);
+// Selects an element of a buffer as the view of a pass. Returns false after reporting an error. Errors: W230.
+[[nodiscard]] bool select_view_element(PassBinding& pass, const BufferView& view, UseDecl& use);
+// Returns the block with the constants of the view; null if the shader does not read it.
+[[nodiscard]] const ShaderBinding* find_view_block(const ShaderInterface& shader);
 // Checks what a shader needs besides ports and parameters. It may use only descriptors that the program
 // binds, it must write gl_PointSize if the pass draws points, and it should state its local size. Errors:
 // W185, W186. Warnings: W137.

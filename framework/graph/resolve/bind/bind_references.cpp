@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graph/parse/reference.h"
+#include "graph/resolve/bind/bind_pass.h"
 #include "graph/resolve/bind/divide_buffers.h"
 #include "graph/resolve/bind/find_range.h"
 #include "graph/resolve/bind/find_role.h"
@@ -278,7 +279,26 @@ class ReferenceBinder {
         };
         add(desc.indirect, &PortDraft::is_indirect);
         add(desc.draw_count, &PortDraft::is_draw_count);
+        if (has_shader(declared_.expansion.passes[id].decl.kind)) add_view(id, presence, ports);
         return ports;
+    }
+
+    // Finds the view of the pass. If the shader reads the view from a buffer, adds this input.
+    void add_view(PassId id, const Presence& presence, std::vector<BoundPort>& ports) {
+        PassBinding pass{.declared = declared_,
+                         .id = id,
+                         .draft = declared_.expansion.passes[id],
+                         .evaluator = declared_.evaluator(id, result_.suspects, reporter_),
+                         .bound = result_.passes[id],
+                         .suspects = result_.suspects,
+                         .report = report_,
+                         .reporter = reporter_};
+        const std::optional<BufferView> view = bind_view(pass);
+        const size_t before = ports.size();
+        if (view) add_input(id, *view->port, presence, ports);
+        if (ports.size() == before) return;
+        ports.back().draft.is_view = true;
+        if (!select_view_element(pass, *view, ports.back().use)) ports.pop_back();
     }
 
     const Declared& declared_;

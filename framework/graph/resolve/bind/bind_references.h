@@ -6,8 +6,8 @@
 
 namespace weft {
 
-// Fills in the uses, ports and absent ports of each pass, but not the accesses. Errors: W103 to W107, W110,
-// W121 to W123.
+// Fills in the uses, ports, absent ports and the view of each pass, but not the accesses. Errors: W103 to
+// W107, W109, W110, W118, W121 to W123, W125, W230.
 [[nodiscard]] BoundPasses bind_references(const Declared& declared, Reporter& reporter);
 
 }  // namespace weft

@@ -38,7 +38,8 @@ class ShaderBinder {
     const PassDesc& desc() const { return *at_.draft.desc; }
 
     static bool is_bound(const PortDraft& port) {
-        return !port.is_depth_port && !port.is_resolve && !port.is_indirect && !port.is_draw_count;
+        return !port.is_depth_port && !port.is_resolve && !port.is_indirect && !port.is_draw_count &&
+               !port.is_view;
     }
 
     // Returns the index of the output with the same name as the input `in`, or the number of uses if there is
@@ -87,6 +88,11 @@ class ShaderBinder {
     void bind(UseDecl& use, PortDraft& port) {
         if (use.each != EachPart::none && !is_bound(port)) return report_no_array(at_, use, port);
         if (port.is_depth_port) return bind_depth(use, port);
+        if (port.is_view) {
+            port.binding = find_view_block(*at_.draft.shader);
+            use.access = Access::uniform_read;
+            return;
+        }
         if (!is_bound(port)) {
             use.access = port.is_resolve ? Access::color_write : Access::indirect_read;
             return;

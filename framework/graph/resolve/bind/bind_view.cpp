@@ -7,6 +7,18 @@
 namespace weft {
 namespace {
 
+constexpr uint32_t kFrameAndViewSet = 0;
+constexpr std::string_view kViewStruct = "ViewConstants";
+
+// Returns true if the resource is a buffer of views. The elements of an import have no name, only a size.
+bool holds_views(const Declared& declared, ResourceId id) {
+    const ResourceDecl& resource = declared.shapes.resources[id];
+    if (resource.kind != ResourceKind::buffer) return false;
+    if (const ResourceDesc* desc = declared.shapes.origins[id].desc) return desc->element == kViewStruct;
+    const auto stride = declared.input.imports.strides.find(kViewStruct);
+    return stride != declared.input.imports.strides.end() && resource.stride_bytes == stride->second;
+}
+
 // Reports a list without a number, or a single view with a number.
 void report_number(PassBinding& pass, const ViewList& list) {
     const PassDesc& desc = *pass.draft.desc;
@@ -23,32 +35,71 @@ void report_number(PassBinding& pass, const ViewList& list) {
 
 }  // namespace
 
-void bind_view(PassBinding& pass) {
+const ShaderBinding* find_view_block(const ShaderInterface& shader) {
+    const auto found = std::ranges::find_if(shader.bindings, [](const ShaderBinding& binding) {
+        return binding.set == kFrameAndViewSet && binding.binding == kViewBinding;
+    });
+    return found == shader.bindings.end() ? nullptr : &*found;
+}
+
+std::optional<BufferView> bind_view(PassBinding& pass) {
     const PassDesc& desc = *pass.draft.desc;
-    if (desc.view.empty()) return;
+    if (desc.view.empty()) return std::nullopt;
     const ViewList* list = find_view_list(pass.declared.input, pass.declared.values, desc, pass.reporter);
     if (list == nullptr) {
         pass.suspects.passes[pass.id] = 1;
-        return;
+        return std::nullopt;
     }
     const bool all = desc.view_target != ViewTarget::one;
     double number = 0;
     if (!list->single || !all) {
         const bool one_of_many = desc.view_number.empty() && !list->single && list->count != 1;
         const bool numbered_single = !desc.view_number.empty() && list->single;
-        if (one_of_many || numbered_single || list->count == 0) return report_number(pass, *list);
+        if (one_of_many || numbered_single || list->count == 0) {
+            report_number(pass, *list);
+            return std::nullopt;
+        }
         if (!desc.view_number.empty()) {
             const std::optional<double> found =
                 pass.evaluator.number(desc.view_number, "the index of view " + quote(desc.view), 0,
                                       std::max(list->count, 1u) - 1.0);
             if (!found) {
                 pass.suspects.passes[pass.id] = 1;
-                return;
+                return std::nullopt;
             }
             number = *found;
         }
     }
     pass.bound.view = view_name(*list, static_cast<uint32_t>(number));
+    const PortDesc* buffer = find_view_buffer(pass.declared.input, *list);
+    if (buffer == nullptr || pass.draft.shader == nullptr || find_view_block(*pass.draft.shader) == nullptr)
+        return std::nullopt;
+    return BufferView{buffer, list->first + static_cast<uint32_t>(number)};
+}
+
+bool select_view_element(PassBinding& pass, const BufferView& view, UseDecl& use) {
+    const ResourceDecl& buffer = pass.declared.shapes.resources[use.resource];
+    const std::string what = "pass " + quote(pass.draft.decl.name) + " reads view " + quote(pass.bound.view) +
+                             " from " + quote(buffer.name);
+    if (!holds_views(pass.declared, use.resource)) {
+        Diagnostic& d = pass.error(use.loc, "W230",
+                                   what + (buffer.kind == ResourceKind::image
+                                               ? ", which is an image"
+                                               : ", whose elements are not of the type ViewConstants"));
+        add_help(d, "name a buffer of views: { \"buffer\": \"ViewConstants\", \"count\": " +
+                        std::to_string(view.element + 1) + " }");
+        return false;
+    }
+    const uint64_t stride = buffer.stride_bytes, count = buffer.size_bytes / stride;
+    if (view.element >= count) {
+        Diagnostic& d = pass.error(
+            use.loc, "W230",
+            what + ", which has only " + std::to_string(count) + (count == 1 ? " element" : " elements"));
+        add_help(d, "increase \"count\" of the buffer, or reduce \"count\" of the list of views");
+        return false;
+    }
+    use.bytes = ByteRange{view.element * stride, stride};
+    return true;
 }
 
 }  // namespace weft

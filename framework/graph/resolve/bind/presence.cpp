@@ -122,6 +122,8 @@ void Presence::report_absent(PassId pass, const PortDesc& port) const {
     }
     if (draft.is_observer)
         return add_help(d, "change the parameters: with the current values no pass writes the resource");
+    if (port.port.starts_with(kViewPort))
+        return add_help(d, "remove the passes that draw these views with the same condition");
     add_help(d, "name a replacement: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
     if (draft.shader)
         add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");

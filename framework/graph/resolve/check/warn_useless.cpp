@@ -37,6 +37,8 @@ class UselessSearch {
             for (const PortDesc& port : desc.in)
                 if (port.otherwise) add_names(port, at_times_);
         }
+        for (const auto& [name, list] : declared_.input.graph.views)
+            if (list.buffer) add_names(*list.buffer, read_);
         seen_.assign(graph_.resources.size(), 0);
         written_ = seen_;
         for (PassId pass(0); pass < graph_.passes.size(); ++pass) {

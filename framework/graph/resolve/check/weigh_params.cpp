@@ -184,7 +184,10 @@ class ParamCosts {
             named.insert(pass.draws.begin(), pass.draws.end());
             named.insert(pass.view);
         }
-        for (const auto& [name, list] : graph_.views) named.insert(list.of);
+        for (const auto& [name, list] : graph_.views) {
+            named.insert(list.of);
+            if (list.buffer) add_named(*list.buffer);
+        }
         for (const auto& [name, group] : graph_.groups) named.insert(group.turns);
         return named;
     }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/rings.h"
 
 namespace weft {
 namespace {
@@ -91,7 +92,7 @@ class ReferenceCheck {
             if (!path.insert(next->first).second) return report_cycle(list, next->first);
             at = &next->second;
         }
-        if (at->of.empty()) return;
+        if (at->of.empty()) return check_mirrors(list, *at);
         if (is_single(input_.imports, at->of) || find_offered(input_, at->of) != nullptr) return;
         faulty_.insert(list.name);
         if (at != &list || is_faulty_import(input_, at->of)) return;
@@ -99,6 +100,24 @@ class ReferenceCheck {
             list.of_loc, "W118",
             "the list of views " + quote(list.name) + " shows the unknown view " + quote(list.of));
         add_list_help(input_, list.of, d);
+    }
+
+    // Reports a mirror of views from a buffer: the mirrored matrices are computed on the CPU, which does not
+    // know the content of the buffer. `base` is the list at the end of the references of `list`.
+    void check_mirrors(const ViewListDesc& list, const ViewListDesc& base) {
+        if (!base.buffer) return;
+        const ViewListDesc* last_mirror = nullptr;
+        for (const ViewListDesc* at = &list; at != &base; at = &input_.graph.views.at(at->of))
+            if (at->plane) last_mirror = at;
+        if (last_mirror == nullptr) return;
+        faulty_.insert(list.name);
+        // A mirror of a mirror has no message of its own.
+        if (last_mirror != &list) return;
+        Diagnostic& d = reporter_.error(list.of_loc, "W230",
+                                        "the list of views " + quote(list.name) + " is a mirror of " +
+                                            quote(base.name) + ", whose matrices are in a buffer");
+        add_help(d, "let the pass that writes " + quote(base.buffer->ref.name) +
+                        " write the mirrored matrices too, and remove \"plane\"");
     }
 
     void report_cycle(const ViewListDesc& list, const std::string& met) {
@@ -133,7 +152,9 @@ class ListMaker {
         if (const auto made = lists_.find(name); made != lists_.end()) return &made->second;
         const auto desc = input_.graph.views.find(name);
         if (desc == input_.graph.views.end() || values_.faulty.contains(count_name(name))) return nullptr;
-        std::optional<ViewList> list = desc->second.of.empty() ? cube(desc->second) : shown(desc->second);
+        std::optional<ViewList> list = desc->second.buffer       ? in_buffer(desc->second)
+                                       : desc->second.of.empty() ? cube(desc->second)
+                                                                 : shown(desc->second);
         if (!list) return nullptr;
         list->desc = &desc->second;
         return &lists_.emplace(name, std::move(*list)).first->second;
@@ -160,6 +181,17 @@ class ListMaker {
             if (!at) return std::nullopt;
             list.decl.at[i] = *at;
         }
+        return list;
+    }
+
+    std::optional<ViewList> in_buffer(const ViewListDesc& desc) const {
+        const std::optional<double> count =
+            evaluator_.number(desc.count, "\"count\" of " + quote(desc.name), 0, kMostViews);
+        if (!count) return std::nullopt;
+        ViewList list = named(desc.name, static_cast<uint32_t>(*count));
+        const RefDesc& ref = desc.buffer->ref;
+        list.decl.source = ViewSource::buffer;
+        list.decl.of = role_name(ref.name, ref.history);
         return list;
     }
 
@@ -256,10 +288,10 @@ std::map<std::string, Expr> count_views(const ResolveInput& input, Values& value
             add_help(d, "choose another name for the list");
         }
         if (faulty.contains(list)) values.faulty.insert(count);
-        if (desc.of.empty())
-            counts[count] = number(kCubeFaces, desc.loc);
-        else if (!desc.count.empty())
+        if (!desc.count.empty())
             counts[count] = desc.count;
+        else if (desc.of.empty())
+            counts[count] = number(kCubeFaces, desc.loc);
         else if (is_single(input.imports, desc.of))
             counts[count] = number(1, desc.loc);
         else
@@ -313,6 +345,11 @@ std::string view_name(const ViewList& list, uint32_t number) {
     return list.single ? list.base : list.base + "(" + std::to_string(list.first + number) + ")";
 }
 
+const PortDesc* find_view_buffer(const ResolveInput& input, const ViewList& list) {
+    if (list.decl.source != ViewSource::buffer) return nullptr;
+    return &*input.graph.views.at(list.base).buffer;
+}
+
 std::vector<ViewListDecl> used_view_lists(const Values& values, const std::vector<PassDecl>& passes) {
     std::map<std::string, ViewListDecl> used;
     const auto add = [&](std::string list) {
@@ -320,6 +357,7 @@ std::vector<ViewListDecl> used_view_lists(const Values& values, const std::vecto
             const auto found = values.views.find(list);
             if (found == values.views.end() || found->second.single) return;
             used[list] = found->second.decl;
+            if (found->second.decl.source == ViewSource::buffer) return;
             list = found->second.decl.of;
         }
     };

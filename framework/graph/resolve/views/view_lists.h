@@ -11,7 +11,7 @@ namespace weft {
 
 // Returns the expressions for the numbers of views of the lists in the section "views", by name:
 // "mirrorViews" for the list "mirror". Adds the numbers of views of the program's lists to `values`. Errors:
-// W109, W118, W191.
+// W109, W118, W191, W230.
 [[nodiscard]] std::map<std::string, Expr> count_views(const ResolveInput& input, Values& values,
                                                       Reporter& reporter);
 // Returns all lists of views, by name. Call it when all names have their values. Errors: W109.
@@ -23,6 +23,9 @@ namespace weft {
                                              const PassDesc& pass, Reporter& reporter);
 // Returns the name of a view of a list: "sun(1)", or "camera".
 [[nodiscard]] std::string view_name(const ViewList& list, uint32_t number);
+// Returns the buffer from which passes read the views of the list, as an input of these passes; null if the
+// views do not come from a buffer.
+[[nodiscard]] const PortDesc* find_view_buffer(const ResolveInput& input, const ViewList& list);
 // Returns those lists that the passes of the graph use, sorted by name. With a mirror, this includes the list
 // that it shows.
 [[nodiscard]] std::vector<ViewListDecl> used_view_lists(const Values& values,

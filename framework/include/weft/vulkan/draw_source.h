@@ -5,12 +5,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "weft/imports.h"
+#include "weft/result.h"
 #include "weft/shader_interface.h"
 #include "weft/vulkan/device.h"
 
@@ -49,6 +51,20 @@ struct DrawContext {
     bool uses_instances = false;               // True: the pipeline layout has set 3 (draw).
 };
 
+// A view whose constants are in a buffer of the graph, for the frames of one frame slot.
+struct ViewPlace {
+    uint32_t frame_slot = 0;
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceSize offset_bytes = 0;
+};
+
+// Descriptor sets 0 that an executor owns, because their views are in buffers of its plan.
+class ViewSets {
+ public:
+    virtual ~ViewSets() = default;
+    [[nodiscard]] virtual VkDescriptorSet set(size_t index) const = 0;
+};
+
 class DrawSource {
  public:
     virtual ~DrawSource() = default;
@@ -57,6 +73,13 @@ class DrawSource {
     [[nodiscard]] virtual VkDescriptorSetLayout set_layout(uint32_t set) const = 0;
     // Returns descriptor set 0 of a frame slot for the view with the name `view`, such as "camera".
     [[nodiscard]] virtual VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const = 0;
+    // Makes one descriptor set 0 for each place. Such a set has the content of frame_set(), except that the
+    // constants of the view are in the buffer. Executors call this function when they are created, also while
+    // another thread renders. Returns null if the source offers no views in buffers.
+    [[nodiscard]] virtual Result<std::unique_ptr<ViewSets>> make_view_sets(
+        std::span<const ViewPlace> /*places*/) const {
+        return std::unique_ptr<ViewSets>();
+    }
     // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the
     // opposite winding.
     [[nodiscard]] virtual bool is_mirrored(std::string_view /*view*/) const { return false; }
