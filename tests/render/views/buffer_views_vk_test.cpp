@@ -112,6 +112,7 @@ TEST_F(BufferViews, OfTheCameraGiveThePictureOfTheCamera) {
             expect_same(frame, "depth", frame, "copyDepth");
         }
         EXPECT_FALSE(frames[0].at("color").bytes == frames[1].at("color").bytes);
+        TearDown();  // Reports the messages of this device.
     }
 }
 
@@ -157,6 +158,7 @@ TEST_F(BufferViews, OfAListGiveThePicturesOfTheList) {
             expect_same(frame, "atlasColor", frame, "copiedAtlasColor");
             expect_same(frame, "atlasPast", frame, "copiedAtlasPast");
         }
+        TearDown();
     }
 }
 
