@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "render/frame_data.h"
+#include "render/imports/material_textures.h"
 #include "render/views/frustum.h"
 
 namespace weft::render {
@@ -108,9 +109,6 @@ std::vector<shared::Mesh> mesh_table(const scene::Scene& scene, const std::vecto
 
 Result<SceneBuffers> SceneBuffers::create(vk::Device& device, const scene::Scene& scene,
                                           const std::vector<MeshRange>& ranges) {
-    std::vector<shared::Material> materials;
-    materials.reserve(scene.materials.size());
-    for (const scene::Material& material : scene.materials) materials.push_back(gpu_material(material));
     SceneBuffers out;
     Result<std::vector<vk::Buffer>> bounds = bounds_buffers(device, scene);
     if (!bounds) return bounds.take_errors();
@@ -118,7 +116,7 @@ Result<SceneBuffers> SceneBuffers::create(vk::Device& device, const scene::Scene
     Result<vk::Buffer> meshes = uploaded(device, mesh_table(scene, ranges), "meshes");
     if (!meshes) return meshes.take_errors();
     out.buffers_.emplace("meshes", std::move(*meshes));
-    Result<vk::Buffer> constants = uploaded(device, std::move(materials), "materials");
+    Result<vk::Buffer> constants = uploaded(device, gpu_materials(scene), "materials");
     if (!constants) return constants.take_errors();
     out.buffers_.emplace("materials", std::move(*constants));
     return out;
