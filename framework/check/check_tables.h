@@ -1,5 +1,5 @@
-// Purpose: checks the tables of textures: passes only sample them, and the plan has no barrier for them, because
-// their textures are always in the layout in which shaders sample them.
+// Purpose: checks the tables of textures: passes only sample them, and the plan has no barrier for them,
+// because their textures are always in the layout in which shaders sample them.
 #pragma once
 
 #include "check/fault_list.h"

@@ -30,7 +30,8 @@ class Measure {
     }
 
  private:
-    void fail(const ResourceDesc& resource, const FileDesc& desc, const std::string& fault, const std::string& help) {
+    void fail(const ResourceDesc& resource, const FileDesc& desc, const std::string& fault,
+              const std::string& help) {
         Diagnostic d = graph_.sources.error(
             desc.loc, "W145",
             "the file \"" + desc.name + "\" of \"" + resource.name + "\" is not usable: " + fault);
@@ -39,10 +40,11 @@ class Measure {
     }
 
     void measure(const ResourceDesc& resource, FileDesc& desc) {
-        const DataFile file = find_data_file(folder_of(graph_, desc.loc), desc.name,
-                                             kHeaderBytes, settings_, searched_);
+        const DataFile file =
+            find_data_file(folder_of(graph_, desc.loc), desc.name, kHeaderBytes, settings_, searched_);
         if (!file.fault.empty()) return fail(resource, desc, file.fault, file.help);
-        if (file.size_bytes == 0) return fail(resource, desc, "the file is empty", "write the data into the file");
+        if (file.size_bytes == 0)
+            return fail(resource, desc, "the file is empty", "write the data into the file");
         uint64_t content_bytes = file.size_bytes;
         if (!resource.is_buffer) {
             const PictureHeader header = read_picture_header(file.bytes);

@@ -164,8 +164,8 @@ void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
     }
 }
 
-constexpr std::array<std::string_view, 11> kImageKeys{"format", "size",    "mips",  "layers",
-                                                      "depth",  "kind",    "cube",  "samples",
+constexpr std::array<std::string_view, 11> kImageKeys{"format", "size",       "mips",    "layers",
+                                                      "depth",  "kind",       "cube",    "samples",
                                                       "clear",  "preExposed", "textures"};
 constexpr std::array<std::string_view, 1> kBufferKeys{"count"};
 
@@ -250,9 +250,8 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
 // The files of a table determine everything but the format and the mips of its textures.
 void check_table_keys(ParseContext& context, const JsonNode& node) {
     if (node.find("textures") == nullptr || node.find("buffer") != nullptr) return;
-    for (const std::string_view key :
-         {"size", "layers", "depth", "kind", "cube", "samples", "clear", "preExposed", "history", "keep",
-          "firstFrame", "onResize", "file"}) {
+    for (const std::string_view key : {"size", "layers", "depth", "kind", "cube", "samples", "clear",
+                                       "preExposed", "history", "keep", "firstFrame", "onResize", "file"}) {
         if (node.find(key) == nullptr) continue;
         const PointerScope scope(context, key);
         context.error(node.find(key)->loc, "W109", "a table of textures has no \"" + std::string(key) + "\"",

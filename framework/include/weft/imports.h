@@ -1,5 +1,6 @@
 // Purpose: lists the resources that a program offers to graphs: draw lists, buffers, images, tables of
-// textures, views and the output. A graph names the imports that it uses, and resolve() checks these names against this catalogue.
+// textures, views and the output. A graph names the imports that it uses, and resolve() checks these names
+// against this catalogue.
 #pragma once
 
 #include <cstdint>
@@ -80,8 +81,8 @@ struct ImportCatalog {
 [[nodiscard]] const char* import_kind_name(ImportKind kind);
 // Returns the state of the textures of a table, before, during and after each frame.
 [[nodiscard]] AccessState texture_table_state();
-// Returns an import of kind "textures" with `count` 2D textures, at least 1. Between frames, all of them are in
-// the layout shader_read_only.
+// Returns an import of kind "textures" with `count` 2D textures, at least 1. Between frames, all of them are
+// in the layout shader_read_only.
 [[nodiscard]] ImportDecl texture_table(const std::string& name, uint32_t count);
 
 }  // namespace weft

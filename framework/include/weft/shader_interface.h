@@ -119,8 +119,8 @@ struct ShaderInterface {
     bool discards = false;           // True: the fragment stage can discard its fragment.
     bool writes_depth = false;       // True: the fragment stage writes gl_FragDepth.
     bool writes_point_size = false;  // True: the vertex stage writes gl_PointSize.
-    // True: the SPIR-V needs a device with tables of textures (DeviceProfile::texture_table), because it has an
-    // array without a size, or an index that differs between invocations.
+    // True: the SPIR-V needs a device with tables of textures (DeviceProfile::texture_table), because it has
+    // an array without a size, or an index that differs between invocations.
     bool needs_texture_tables = false;
     // False for a compute stage without `layout(local_size_x = ...) in`; true for all others.
     bool states_local_size = true;

@@ -54,7 +54,8 @@ void bind_files(const ResolvedGraph& graph, const FileUses& uses, vk::ImportBind
         if (!views.empty()) to.textures.insert_or_assign(resource.name, std::move(views));
         const auto use = uses.find(resource.name);
         if (use == uses.end()) continue;
-        if (resource.kind == ResourceKind::buffer) to.buffers.emplace(resource.name, use->second.buffer().handle());
+        if (resource.kind == ResourceKind::buffer)
+            to.buffers.emplace(resource.name, use->second.buffer().handle());
         if (resource.kind == ResourceKind::image) to.images.emplace(resource.name, &use->second.image());
     }
 }

@@ -1,4 +1,5 @@
-// Purpose: the order of the textures in the import "materialTextures", a table that shaders index. The members
+// Purpose: the order of the textures in the import "materialTextures", a table that shaders index. The
+// members
 // `*_texture` of shared::Material are indices in this table.
 #pragma once
 
@@ -18,8 +19,8 @@ inline constexpr uint32_t kFlatNormalEntry = 1;
 inline constexpr uint32_t kFirstTexture = 2;
 
 struct MaterialTextures {
-    // Indices into Scene::textures, in the order of the first use by a material. The texture of textures[i] is
-    // number kFirstTexture + i of the table.
+    // Indices into Scene::textures, in the order of the first use by a material. The texture of textures[i]
+    // is number kFirstTexture + i of the table.
     std::vector<uint32_t> textures;
     // For each material: the numbers of its base colour, metallic-roughness, normal, occlusion, emissive and
     // anisotropy texture.

@@ -21,8 +21,9 @@ bool same_member(const BlockMember& a, const BlockMember& b) {
 
 bool same_binding(const ShaderBinding& a, const ShaderBinding& b) {
     const auto fields = [](const ShaderBinding& x) {
-        return std::tie(x.name, x.set, x.binding, x.kind, x.count, x.is_array, x.dim, x.arrayed, x.multisampled, x.shadow,
-                        x.numeric, x.storage_format, x.block_bytes, x.is_runtime_array);
+        return std::tie(x.name, x.set, x.binding, x.kind, x.count, x.is_array, x.dim, x.arrayed,
+                        x.multisampled, x.shadow, x.numeric, x.storage_format, x.block_bytes,
+                        x.is_runtime_array);
     };
     return fields(a) == fields(b) && std::ranges::equal(a.members, b.members, same_member);
 }

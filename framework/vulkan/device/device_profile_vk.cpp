@@ -57,10 +57,9 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_sampled_images_per_stage = limits.maxPerStageDescriptorSampledImages;
     profile.max_storage_images_per_stage = limits.maxPerStageDescriptorStorageImages;
     // Each texture of a table is a combined image sampler, which counts as an image and as a sampler.
-    profile.texture_table =
-        std::min({limits.maxPerStageDescriptorSampledImages, limits.maxPerStageDescriptorSamplers,
-                  limits.maxPerStageResources, limits.maxDescriptorSetSampledImages,
-                  limits.maxDescriptorSetSamplers});
+    profile.texture_table = std::min({limits.maxPerStageDescriptorSampledImages,
+                                      limits.maxPerStageDescriptorSamplers, limits.maxPerStageResources,
+                                      limits.maxDescriptorSetSampledImages, limits.maxDescriptorSetSamplers});
     profile.max_sampler_anisotropy = limits.maxSamplerAnisotropy;
     profile.max_sampler_lod_bias = limits.maxSamplerLodBias;
     profile.max_uniform_buffer_bytes = limits.maxUniformBufferRange;

@@ -1,7 +1,7 @@
 // Purpose: maps each resource that a plan uses to a Vulkan object. Transient and persistent resources come
 // from the plan's heaps, imports from the program. Errors: V414 if an import is missing, if the format, size,
-// mip levels, layers or samples of an imported image differ from those in the resolved graph, or if a table has
-// another number of textures.
+// mip levels, layers or samples of an imported image differ from those in the resolved graph, or if a table
+// has another number of textures.
 #pragma once
 
 #include <array>

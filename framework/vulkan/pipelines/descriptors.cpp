@@ -35,9 +35,8 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
     if (use != nullptr) {
         const std::vector<VkImageView>* table = sources.resources.textures(use->resource);
         Result<VkImageView> view =
-            table != nullptr
-                ? (*table)[std::min<size_t>(element, table->size() - 1)]
-                : sources.views.shader_view(*use, element, binding, sources.resources.frame());
+            table != nullptr ? (*table)[std::min<size_t>(element, table->size() - 1)]
+                             : sources.views.shader_view(*use, element, binding, sources.resources.frame());
         if (!view) return view.take_errors();
         info = {VK_NULL_HANDLE, *view, to_vk(use->state.layout)};
     } else {
@@ -76,9 +75,8 @@ Status add_binding(DescriptorSources& sources, const PassDecl& pass, const Shade
     const uint32_t count = descriptor_count(sources.plan.graph, pass, binding);
     // One use with `each`, and a table of textures, fills the whole array. If the array is longer, the last
     // element is repeated.
-    const bool fills_array =
-        uses.size() == 1 && (uses[0]->each != EachPart::none ||
-                             sources.resources.textures(uses[0]->resource) != nullptr);
+    const bool fills_array = uses.size() == 1 && (uses[0]->each != EachPart::none ||
+                                                  sources.resources.textures(uses[0]->resource) != nullptr);
     if (!uses.empty() && !fills_array && uses.size() != count)
         return pass_error(sources.plan, pass, "V413",
                           "binding \"" + binding.name + "\" has " + std::to_string(count) +

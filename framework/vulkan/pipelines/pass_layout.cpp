@@ -15,8 +15,8 @@ std::vector<VkDescriptorSetLayoutBinding> port_bindings(const ResolvedGraph& gra
     std::vector<VkDescriptorSetLayoutBinding> out;
     for (const ShaderBinding& binding : interface.bindings)
         if (binding.set == kPortSet)
-            out.push_back({binding.binding, to_vk(binding.kind),
-                           descriptor_count(graph, pass, binding), shader_stages_to_vk(binding.stages), nullptr});
+            out.push_back({binding.binding, to_vk(binding.kind), descriptor_count(graph, pass, binding),
+                           shader_stages_to_vk(binding.stages), nullptr});
     if (params_in_buffer(interface))
         out.push_back({interface.params.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
                        shader_stages_to_vk(interface.params.stages), nullptr});

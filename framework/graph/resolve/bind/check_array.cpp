@@ -53,10 +53,10 @@ bool check_array(PassBinding& pass, const UseDecl& use, const PortDraft& port, c
     if (binding.is_runtime_array) {
         Diagnostic& d = pass.error(use.loc, "W232",
                                    each_port_text(pass, use) + " is an array without a size in shader " +
-                                       shader + ", but " +
-                                       quote(pass.declared.resource_name(use.resource)) +
+                                       shader + ", but " + quote(pass.declared.resource_name(use.resource)) +
                                        " is no table of textures");
-        add_help(d, "bind a table: an import of the kind \"textures\", or a resource with the key \"textures\"");
+        add_help(d,
+                 "bind a table: an import of the kind \"textures\", or a resource with the key \"textures\"");
         return false;
     }
     if (use.each == EachPart::none && !binding.is_array) return true;

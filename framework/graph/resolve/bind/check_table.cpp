@@ -71,12 +71,12 @@ bool check_table(PassBinding& pass, const UseDecl& use, const ShaderBinding* bin
     const std::string shader = "shader " + quote(pass.draft.desc->shader);
     const std::string declare = "declare it in the shader as `uniform sampler2D " + use.port + "[];`";
     if (use.is_output)
-        return report_misuse(pass, use, "it is an output of the pass", "passes can only sample tables: \"in\"");
+        return report_misuse(pass, use, "it is an output of the pass",
+                             "passes can only sample tables: \"in\"");
     if (use.each != EachPart::none)
         return report_misuse(pass, use, "it has \"each\"",
                              "remove \"each\": the elements of the array are the textures of the table");
-    if (binding == nullptr)
-        return report_misuse(pass, use, "the port is no array in " + shader, declare);
+    if (binding == nullptr) return report_misuse(pass, use, "the port is no array in " + shader, declare);
     if (binding->kind != BindingKind::sampled_image || !binding->is_array || binding->dim != ImageDim::d2 ||
         binding->arrayed || binding->multisampled || binding->shadow)
         return report_misuse(pass, use, shader + " declares it as something else than an array of sampler2D",
@@ -94,8 +94,9 @@ void refuse_tables(PassBinding& pass) {
     for (UseDecl& use : pass.bound.uses) {
         if (!is_table(pass, use)) continue;
         use.access = Access::none;
-        report_misuse(pass, use, "passes of type " + quote(pass.draft.decl.type) + " cannot use tables",
-                      "only shaders of compute, fullscreen and raster passes can sample the textures of a table");
+        report_misuse(
+            pass, use, "passes of type " + quote(pass.draft.decl.type) + " cannot use tables",
+            "only shaders of compute, fullscreen and raster passes can sample the textures of a table");
     }
 }
 
@@ -121,11 +122,11 @@ void check_table_support(PassBinding& pass) {
     for (const ShaderStage stage : {ShaderStage::vertex, ShaderStage::fragment, ShaderStage::compute}) {
         const uint64_t count = count_sampled(pass, stage_bit(stage));
         if (count <= profile.texture_table) continue;
-        Diagnostic& d = pass.error(port_loc(pass, array), "W231",
-                                   where + ": shader " + quote(pass.draft.desc->shader) + " samples " +
-                                       std::to_string(count) + " textures in one stage; the device allows " +
-                                       std::to_string(profile.texture_table) +
-                                       " in shaders with tables (textureTable)");
+        Diagnostic& d =
+            pass.error(port_loc(pass, array), "W231",
+                       where + ": shader " + quote(pass.draft.desc->shader) + " samples " +
+                           std::to_string(count) + " textures in one stage; the device allows " +
+                           std::to_string(profile.texture_table) + " in shaders with tables (textureTable)");
         add_help(d, "use fewer textures, or a draw list, whose materials Weft binds in descriptor set 2");
         return;
     }

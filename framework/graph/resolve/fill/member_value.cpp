@@ -34,8 +34,7 @@ bool counts_textures(const GraphDesc& graph, std::string_view name) {
     if (!name.ends_with(kTexturesSuffix) || graph.sizes.contains(std::string(name))) return false;
     name.remove_suffix(kTexturesSuffix.size());
     const auto import = graph.imports.find(std::string(name));
-    if (import != graph.imports.end())
-        return import->second.kind == import_kind_name(ImportKind::textures);
+    if (import != graph.imports.end()) return import->second.kind == import_kind_name(ImportKind::textures);
     const auto resource = graph.resources.find(std::string(name));
     return resource != graph.resources.end() && !resource->second.textures.empty();
 }

@@ -129,13 +129,14 @@ class ResourceShaper {
 
     void report_missing(const FileDesc& file) {
         is_suspect_ = 1;
-        add_help(reporter_.error(file.loc, "W145",
-                                 "the file " + quote(file.name) + " of " + quote(desc_.name) + " was not read"),
-                 "load the graph with load_graph(), which reads the files of resources");
+        add_help(
+            reporter_.error(file.loc, "W145",
+                            "the file " + quote(file.name) + " of " + quote(desc_.name) + " was not read"),
+            "load the graph with load_graph(), which reads the files of resources");
     }
 
-    // Makes the resource a table of the pictures in the files. Like an image with a file, it is an import that
-    // is never written.
+    // Makes the resource a table of the pictures in the files. Like an image with a file, it is an import
+    // that is never written.
     void shape_table() {
         decl_.kind = ResourceKind::image;
         decl_.lifetime = ResourceLifetime::imported;
