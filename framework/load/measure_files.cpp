@@ -22,42 +22,47 @@ class Measure {
         : graph_(graph), settings_(settings), searched_(searched), faults_(faults) {}
 
     void run() {
-        for (auto& [name, resource] : graph_.resources)
-            if (!resource.file.name.empty()) measure(resource);
+        for (auto& [name, resource] : graph_.resources) {
+            if (!resource.file.name.empty()) measure(resource, resource.file);
+            for (FileDesc& texture : resource.textures)
+                if (!texture.name.empty()) measure(resource, texture);
+        }
     }
 
  private:
-    void fail(const ResourceDesc& resource, const std::string& fault, const std::string& help) {
+    void fail(const ResourceDesc& resource, const FileDesc& desc, const std::string& fault,
+              const std::string& help) {
         Diagnostic d = graph_.sources.error(
-            resource.file.loc, "W145",
-            "the file \"" + resource.file.name + "\" of \"" + resource.name + "\" is not usable: " + fault);
+            desc.loc, "W145",
+            "the file \"" + desc.name + "\" of \"" + resource.name + "\" is not usable: " + fault);
         d.help.push_back(help);
         faults_.push_back(std::move(d));
     }
 
-    void measure(ResourceDesc& resource) {
-        const DataFile file = find_data_file(folder_of(graph_, resource.file.loc), resource.file.name,
-                                             kHeaderBytes, settings_, searched_);
-        if (!file.fault.empty()) return fail(resource, file.fault, file.help);
-        if (file.size_bytes == 0) return fail(resource, "the file is empty", "write the data into the file");
+    void measure(const ResourceDesc& resource, FileDesc& desc) {
+        const DataFile file =
+            find_data_file(folder_of(graph_, desc.loc), desc.name, kHeaderBytes, settings_, searched_);
+        if (!file.fault.empty()) return fail(resource, desc, file.fault, file.help);
+        if (file.size_bytes == 0)
+            return fail(resource, desc, "the file is empty", "write the data into the file");
         uint64_t content_bytes = file.size_bytes;
         if (!resource.is_buffer) {
             const PictureHeader header = read_picture_header(file.bytes);
             if (!header.fault.empty())
-                return fail(resource, header.fault, "save the picture again with another program");
-            resource.file.width_px = header.width_px;
-            resource.file.height_px = header.height_px;
+                return fail(resource, desc, header.fault, "save the picture again with another program");
+            desc.width_px = header.width_px;
+            desc.height_px = header.height_px;
             if (header.width_px > 0) content_bytes += decoding_bytes(header);
         }
-        resource.file.size_bytes = file.size_bytes;
+        desc.size_bytes = file.size_bytes;
         const uint64_t limit_bytes = settings_.limits.graph.file_bytes;
         if (content_bytes > limit_bytes - used_bytes_)
-            return fail(resource,
+            return fail(resource, desc,
                         "all files of the graph together need " + bytes_text(used_bytes_ + content_bytes) +
                             "; the limit is " + limit_bytes_text(limit_bytes),
                         "use smaller files, " + raise_limit_text("graph.fileBytes"));
         used_bytes_ += content_bytes;
-        resource.file.path = file.path;
+        desc.path = file.path;
     }
 
     GraphDesc& graph_;

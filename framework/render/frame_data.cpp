@@ -10,7 +10,7 @@ namespace {
 
 static_assert(sizeof(shared::FrameConstants) == 224 && sizeof(shared::ViewConstants) == 512);
 static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
-              sizeof(shared::Material) == 288 && sizeof(shared::Instance) == 208);
+              sizeof(shared::Material) == 304 && sizeof(shared::Instance) == 208);
 
 // Albedo with which the ground below the horizon reflects daylight.
 constexpr float kGroundAlbedo = 0.25f;

@@ -65,7 +65,13 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     frame.host = &host;
     frame.turns = input.turns;
     scene.gpu().add_versions(frame.import_versions);
-    for (const auto& [name, file] : stage_.files) frame.import_versions.emplace(name, file.hash());
+    // The textures of tables never change.
+    for (const std::string& table : stage_.tables) frame.import_versions.emplace(table, 0);
+    // The names of the files of a table are "pictures[0]" and so on: they count for the table "pictures".
+    for (const auto& [name, file] : stage_.files) {
+        uint64_t& version = frame.import_versions[name.substr(0, name.find('['))];
+        version = version * 31 + file.hash();
+    }
     return stage_.executor->run(frame);
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "render/frame_data.h"
+#include "render/imports/material_textures.h"
 #include "render/scene_bindings.h"
 #include "vulkan/device/functions.h"
 
@@ -67,6 +67,9 @@ Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene
     if (Status s = materials.upload_textures(device, scene, owned); !s) return s.take_errors();
     if (Status s = materials.upload_constants(device, scene); !s) return s.take_errors();
     for (uint32_t i = 0; i < scene.materials.size(); ++i) materials.write_set(device, scene.materials[i], i);
+    materials.table_ = {materials.white_.view(), materials.flat_normal_.view()};
+    for (const uint32_t texture : order_textures(scene).textures)
+        materials.table_.push_back(materials.textures_[texture].view());
     return materials;
 }
 
@@ -91,10 +94,9 @@ Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& sc
     // minUniformBufferOffsetAlignment that Vulkan allows.
     constants_stride_bytes_ = (sizeof(shared::Material) + 255) / 256 * 256;
     std::vector<std::byte> bytes(std::max<size_t>(1, scene.materials.size()) * constants_stride_bytes_);
-    for (size_t i = 0; i < scene.materials.size(); ++i) {
-        const shared::Material constants = gpu_material(scene.materials[i]);
-        std::memcpy(bytes.data() + i * constants_stride_bytes_, &constants, sizeof constants);
-    }
+    const std::vector<shared::Material> constants = gpu_materials(scene);
+    for (size_t i = 0; i < constants.size(); ++i)
+        std::memcpy(bytes.data() + i * constants_stride_bytes_, &constants[i], sizeof constants[i]);
     Result<vk::Buffer> buffer = vk::Buffer::create(
         device, bytes.size(), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
         vk::Buffer::Memory::device, "scene materials");

@@ -1,6 +1,6 @@
 // Purpose: a scene's textures and materials in GPU memory, with one descriptor set (set 2) per material.
-// Descriptor indexing is not used, because lavapipe does not support it, and binding one set per material
-// costs only microseconds.
+// Draw lists do not use descriptor indexing, because lavapipe does not support it, and binding one set per
+// material costs only microseconds. Graphs can import the textures as a table (material_textures.h).
 #pragma once
 
 #include <map>
@@ -22,6 +22,8 @@ class GpuMaterials {
 
     [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
     [[nodiscard]] VkDescriptorSet set(uint32_t material) const { return sets_.sets[material]; }
+    // Returns the views of the import "materialTextures".
+    [[nodiscard]] const std::vector<VkImageView>& table() const { return table_; }
 
  private:
     using SamplerKey = std::tuple<scene::Filter, scene::Filter, bool, scene::Wrap, scene::Wrap>;
@@ -38,6 +40,7 @@ class GpuMaterials {
     std::vector<vk::Image> textures_;
     vk::Image white_;
     vk::Image flat_normal_;
+    std::vector<VkImageView> table_;
     vk::Buffer constants_;
     uint64_t constants_stride_bytes_ = 0;
     std::map<SamplerKey, vk::SamplerHandle> samplers_;

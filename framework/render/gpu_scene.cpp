@@ -7,6 +7,7 @@
 #include <functional>
 #include <numeric>
 
+#include "render/imports/material_textures.h"
 #include "render/scene_bindings.h"
 #include "shared/draw_command.glsl"
 #include "vulkan/device/functions.h"
@@ -169,6 +170,7 @@ void GpuScene::bind(vk::ImportBindings& to) const {
     for (const auto& [list, buffer] : commands_) to.buffers.emplace(commands_of(list), buffer.handle());
     bind_scene_buffer("instances", geometry_.instances, to);
     buffers_.bind(to);
+    to.textures.emplace(kMaterialTextures, materials_.table());
 }
 
 void GpuScene::add_versions(std::map<std::string, uint64_t, std::less<>>& to) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/frame_data.h"
+#include "render/imports/material_textures.h"
 #include "render/imports/scene_buffers.h"
 #include "render/scene_bindings.h"
 #include "render/views/frame_views.h"
@@ -163,6 +164,8 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
                        {"Light", sizeof(shared::Light)},
                        {"ViewConstants", sizeof(shared::ViewConstants)}};
     add_scene_buffers(catalog, scene);
+    const uint32_t textures = scene != nullptr ? order_textures(*scene).count() : 1;
+    catalog.imports.emplace(kMaterialTextures, texture_table(kMaterialTextures, textures));
     catalog.bindings = scene_bindings();
     return catalog;
 }

@@ -26,7 +26,8 @@ inline constexpr bool kAlwaysCheck = true;
 
 struct RenderStage {
     vk::Image output;
-    FileUses files;  // The buffers and images of the plan whose content comes from files.
+    FileUses files;                   // The buffers and images of the plan whose content comes from files.
+    std::vector<std::string> tables;  // The tables of textures that the scene and the program provide.
     // Declared last, so that the executor is destroyed before the objects that it uses.
     std::unique_ptr<vk::Executor> executor;
 };

@@ -18,6 +18,8 @@ ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
     ImportCatalog catalog = scene_imports(input.request.size, &scene);
     for (const auto& [name, count] : input.views)
         catalog.imports.insert_or_assign(name, view_list(name, count));
+    for (const auto& [name, views] : input.textures)
+        catalog.imports.insert_or_assign(name, texture_table(name, static_cast<uint32_t>(views.size())));
     for (auto& [name, import] : catalog.imports) {
         if (!import.resource.import) continue;
         import.resource.import->concurrent = !device.sharing_families().empty();

@@ -142,14 +142,13 @@ Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own, F
     if (!output) return output.take_errors();
     run.bindings.images.emplace("backbuffer", &*output);
     scene_.bind(run.bindings);
-    for (const auto& [name, use] : files) {
-        const ResourceDecl& resource = run.plan.graph.resources[find_resource(run.plan.graph, name)];
-        if (resource.kind == ResourceKind::buffer) run.bindings.buffers.emplace(name, use.buffer().handle());
-        if (resource.kind == ResourceKind::image) run.bindings.images.emplace(name, &use.image());
-    }
+    for (const auto& [name, views] : settings_.textures) run.bindings.textures.insert_or_assign(name, views);
+    std::vector<std::string> tables;
+    for (const auto& [name, unused] : run.bindings.textures) tables.push_back(name);
+    bind_files(run.plan.graph, files, run.bindings);
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
     if (!executor) return executor.take_errors();
-    return RenderStage{std::move(*output), std::move(files), std::move(*executor)};
+    return RenderStage{std::move(*output), std::move(files), std::move(tables), std::move(*executor)};
 }
 
 }  // namespace weft::render

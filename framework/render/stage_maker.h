@@ -22,12 +22,14 @@ struct StageSettings {
     bool check_plan = false;
     bool timestamps = false;
     std::string drop_barriers_before;
+    std::map<std::string, std::vector<VkImageView>, std::less<>> textures;
 
     explicit StageSettings(const SessionInput& input)
         : queues(input.queues),
           check_plan(input.check_plan || kAlwaysCheck),
           timestamps(input.timestamps),
-          drop_barriers_before(input.drop_barriers_before) {}
+          drop_barriers_before(input.drop_barriers_before),
+          textures(input.textures) {}
 };
 
 class StageMaker {

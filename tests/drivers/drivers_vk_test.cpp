@@ -11,6 +11,8 @@
 #include "tests/drivers/edge_mask.h"
 #include "tests/drivers/snapped_graphs.h"
 #include "tests/golden/golden_views.h"
+#include "tests/viewer/documentation/snippets.h"
+#include "tests/viewer/gltf_file.h"
 #include "tests/viewer/program.h"
 #include "weft/scene/image_decode.h"
 
@@ -161,6 +163,42 @@ TEST_P(Drivers, PassTheTestsOfTheShippedGraphs) {
         if (entry.path().extension() == ".json") words.push_back(entry.path().string());
     const RunResult result = run(words);
     EXPECT_EQ(result.exit_code, 0) << result.text();
+}
+
+// The example of docs/format.md draws all opaque objects with one command, and finds their textures in a
+// table. The picture must be the same as with the textures of the material sets.
+TEST_P(Drivers, TheDocumentedTableGivesThePictureOfTheMaterialSets) {
+    for (const auto& [name, content] : snippets_of("format.md")) scratch_.write(name, content);
+    const std::string graph = read_text(scratch_ / "indexed.json");
+    const std::string counted = R"({ "list": "opaque", "indirect": "opaqueCommands", "count": "number" })";
+    ASSERT_NE(graph.find(counted), std::string::npos);
+    // SwiftShader lacks drawIndirectCount.
+    if (GetParam().name == std::string(kSwiftShader.name))
+        scratch_.write("indexed.json", replaced(graph, counted, R"(["opaque"])"));
+    scratch_.write("sets/sets.vert", read_text(scratch_ / "indexed/indexed.vert"));
+    scratch_.write("sets/sets.frag", R"(#version 460
+#include "material_set.glsl"
+layout(location = 2) in vec2 surface_uv;
+layout(location = 0) out vec4 color;
+void main() {
+    color = material.base_color * texture(base_color_texture, transformed(material.base_color_uv, surface_uv));
+}
+)");
+    scratch_.write("sets.json", R"({
+  "version": 1, "include": ["fog.json"], "resources": { "albedo": "rgba16f", "near": "d32f" },
+  "passes": {
+    "colors":  { "type": "raster", "shader": "sets", "draws": ["opaque"], "out": { "color": "albedo" }, "depth": "near",
+                 "state": { "cull": "none" } },
+    "deliver": { "type": "readback", "in": ["albedo"] }
+  }
+})");
+    for (const char* name : {"indexed", "sets"}) {
+        SCOPED_TRACE(name);
+        expect_silence({"render", "builtin:mirror", "--graph", scratch_ / (std::string(name) + ".json"),
+                        "--size", "160x90", "--resource", "albedo", "-o",
+                        scratch_ / (std::string(name) + ".pfm")});
+    }
+    EXPECT_EQ(read_text(scratch_ / "indexed.pfm"), read_text(scratch_ / "sets.pfm"));
 }
 
 // Tests of drivers that round vertices and filter textures like the packaged driver.

@@ -49,6 +49,7 @@ ProfilePlan ProfilePlans::make(uint32_t seed, uint32_t max_passes) const {
     if (!made.from_text) {
         RandomGraphOptions options = all_features();
         options.max_passes = max_passes;
+        options.tables = true;
         made.plan = plan_for(random_graph(seed, options), profile, queues);
         return made;
     }

@@ -31,7 +31,7 @@ def beyond(message):
 def documented(root):
     """Yields the name and the value of each complete graph in the documentation."""
     for page in sorted(root.glob("docs/*.md")):
-        for kind, name, text in graph_text.snippets(page.read_text()):
+        for kind, name, text, _ in graph_text.snippets(page.read_text()):
             if kind == "file" and name.endswith(".json"):
                 yield f"{page.name}: {name}", graph_text.parse(text)
 

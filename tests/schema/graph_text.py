@@ -30,9 +30,10 @@ def shipped(root):
 
 
 def snippets(page):
-    """Returns (kind, name, text) of each fenced block with a comment before it. The kind is "file" or "over"."""
-    mark = re.compile(r"^<!-- (file|over): (\S+) -->\n+```\w*\n(.*?)^```", re.S | re.M)
-    return [match.groups() for match in mark.finditer(page)]
+    """Returns (kind, name, text, need) of each fenced block with a comment before it. The kind is "file" or "over". The
+    need is the key of device profiles that must be above 0 for the graph; empty: all devices can run it."""
+    mark = re.compile(r"^<!-- (file|over): (\S+)(?: needs (\w+))? -->\n+```\w*\n(.*?)^```", re.S | re.M)
+    return [(kind, name, text, need or "") for kind, name, need, text in (m.groups() for m in mark.finditer(page))]
 
 
 def verdict(failures, summary):

@@ -2,7 +2,8 @@
 """Tests the examples in docs/format.md: `weft check` accepts each of them, their tests pass, and their debug views can
 be drawn. Every key of the format must occur in an example.
 An example after `<!-- file: NAME -->` is the content of file NAME. An example after `<!-- over: NAME -->` is a part of
-a graph that includes file NAME.
+a graph that includes file NAME. `<!-- file: NAME needs KEY -->` is a graph for devices whose profile has KEY above 0:
+`weft check` must accept it for the profile `discrete`, and must name KEY or a Vulkan feature for the profile `lavapipe`.
   page.py PROGRAM SOURCE_ROOT"""
 import json
 import pathlib
@@ -78,6 +79,18 @@ def runs(program, file, graph, folder, has_device):
                              "--validate", "-o", "view.png", folder=folder)
 
 
+def fault_of_need(program, file, need, folder):
+    """Returns what is wrong with the check of a graph that not all devices can run; empty: nothing."""
+    good = graph_text.run(program, "check", file, "--profile", "discrete", folder=folder)
+    if good.returncode != 0:
+        return f"for the profile discrete: {good.stderr}"
+    bad = graph_text.run(program, "check", file, "--profile", "lavapipe", "--json", folder=folder)
+    found = json.loads(bad.stdout)
+    if bad.returncode != 3 or len(found) != 1 or need not in found[0]["message"] + "".join(found[0]["help"]):
+        return f"for the profile lavapipe, wanted one error that names {need}: {bad.stdout}"
+    return ""
+
+
 def main():
     program, root = sys.argv[1], pathlib.Path(sys.argv[2])
     page = (root / "docs/format.md").read_text()
@@ -86,12 +99,12 @@ def main():
     walk = KeyWalk(schema)
     failures, count = [], 0
     has_device = graph_text.run(program, "doctor").returncode == 0
-    unmarked = page.count("```json") - sum(name.endswith(".json") for _, name, _ in graph_text.snippets(page))
+    unmarked = page.count("```json") - sum(name.endswith(".json") for _, name, _, _ in graph_text.snippets(page))
     if unmarked:
         failures.append(f"{unmarked} JSON examples without a mark")
     with tempfile.TemporaryDirectory() as folder:
         files = []
-        for number, (kind, name, text) in enumerate(graph_text.snippets(page)):
+        for number, (kind, name, text, need) in enumerate(graph_text.snippets(page)):
             file = pathlib.Path(folder) / name
             if kind == "over":
                 text = '{ "version": 1, "include": ["%s"],\n%s}\n' % (name, text)
@@ -99,13 +112,16 @@ def main():
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text)
             if file.suffix == ".json":
-                files.append(file)
-        for file in files:
+                files.append((file, need))
+        for file, need in files:
             count += 1
             graph = graph_text.parse(file.read_text())
             for error in validator.iter_errors(graph):
                 failures.append(f"schema: {error.json_path}: {error.message[:200]}\n{file.read_text()}")
             walk.visit(schema, graph, "graph")
+            if need:
+                failures += filter(None, [fault_of_need(program, file.name, need, folder)])
+                continue
             for run in runs(program, file.name, graph, folder, has_device):
                 if run.returncode != 0:
                     failures.append(f"{' '.join(run.args[1:])}: {run.stderr}\n{file.read_text()}")

@@ -37,6 +37,7 @@ TEST_F(ImageArray, ASpecialisationConstantIsAnIndex) {
 }
 
 TEST_F(ImageArray, AnIndexThatIsNoConstantIsRefused) {
+    roots_.target.texture_tables = false;
     for (const auto& [index, before] :
          {std::pair{"params.i", ""}, std::pair{"k", "for (int k = 0; k < 4; ++k)\n"}}) {
         write("graph/a.comp", with_index(index, before));
@@ -49,6 +50,55 @@ TEST_F(ImageArray, AnIndexThatIsNoConstantIsRefused) {
             ASSERT_FALSE(d.help.empty());
             EXPECT_NE(d.help.front().find("switch"), std::string::npos);
         }
+    }
+}
+
+// A device with tables of textures can index arrays of sampled images. Arrays of storage images need another
+// feature, which Weft does not enable.
+TEST_F(ImageArray, ADeviceWithTablesIndexesSampledImages) {
+    write("graph/a.comp", with_index("params.i"));
+    const Diagnostics found = errors("a.comp", ProgramKind::compute);
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found[0].code, "W208");
+    EXPECT_NE(found[0].message.find("\"dst\""), std::string::npos) << found[0].message;
+}
+
+std::string table_shader(const std::string& declaration, const std::string& index) {
+    return "#version 460\n#extension GL_EXT_nonuniform_qualifier : require\nlayout(local_size_x = 8) in;\n" +
+           declaration + "\nlayout(r32f) writeonly uniform image2D dst;\nvoid main() {\n" +
+           "const ivec2 at = ivec2(gl_GlobalInvocationID.xy);\nimageStore(dst, at, texelFetch(src[" + index +
+           "], ivec2(0), 0)); }\n";
+}
+
+TEST_F(ImageArray, WithoutASizeIsATable) {
+    // The gate accepts tables for every device; resolve() reports W231 for the pass.
+    roots_.target.texture_tables = false;
+    for (const char* index : {"nonuniformEXT(at.x)", "at.x", "2"}) {
+        write("graph/a.comp", table_shader("uniform sampler2D src[];", index));
+        const ShaderProgram found = program("a.comp", ProgramKind::compute);
+        const ShaderBinding* binding = found.interface.find("src");
+        ASSERT_NE(binding, nullptr);
+        EXPECT_TRUE(binding->is_array && binding->is_runtime_array);
+        EXPECT_EQ(binding->count, 1u);
+        EXPECT_FALSE(found.interface.find("dst")->is_runtime_array);
+        EXPECT_TRUE(found.interface.needs_texture_tables);
+    }
+    write("graph/a.comp", table_shader("uniform sampler2D src[4];", "2"));
+    EXPECT_FALSE(program("a.comp", ProgramKind::compute).interface.needs_texture_tables);
+}
+
+TEST_F(ImageArray, OnlySampledPortsNeedNoSize) {
+    for (const char* declaration : {"layout(set = 2, binding = 1) uniform sampler2D src[];",
+                                    "layout(r32f) readonly uniform image2D src[];"}) {
+        std::string text = table_shader(declaration, "1");
+        if (const size_t fetch = text.find("texelFetch(src[1], ivec2(0), 0)"); declaration[7] == 'r')
+            text.replace(fetch, 31, "imageLoad(src[1], ivec2(0))");
+        write("graph/a.comp", text);
+        const Diagnostics found = errors("a.comp", ProgramKind::compute);
+        ASSERT_EQ(found.size(), 1u) << to_text(found);
+        EXPECT_EQ(found[0].code, "W206");
+        EXPECT_NE(found[0].message.find("without a size"), std::string::npos) << found[0].message;
+        EXPECT_FALSE(found[0].help.empty());
     }
 }
 

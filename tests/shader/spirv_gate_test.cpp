@@ -117,7 +117,8 @@ class ShaderGate : public ShaderFolder {
 };
 
 const ShaderTarget kEverything{};
-const ShaderTarget kNothing{0, false, 16384};  // No optional capability, 16 KiB of shared memory.
+// No optional capability, 16 KiB of shared memory, no tables of textures.
+const ShaderTarget kNothing{0, false, 16384, false};
 
 TEST_F(ShaderGate, EachCapabilityIsAllowedOrRefusedAtItsLine) {
     for (const CapabilityShader& shader : all_shaders()) {
@@ -127,6 +128,9 @@ TEST_F(ShaderGate, EachCapabilityIsAllowedOrRefusedAtItsLine) {
         } else if (shader.verdict == "device" || shader.verdict == "compute+device") {
             expect_allowed(shader, kEverything);
             expect_refused(shader, kNothing, "W208");
+        } else if (shader.verdict == "tables") {
+            expect_allowed(shader, kEverything);
+            EXPECT_TRUE(compile_for(shader, kEverything)->interface.needs_texture_tables);
         } else if (shader.verdict == "interface") {
             // The gate accepts the capability on every device. If the shader has an expected error line,
             // reflection must reject it, because no pass can bind its variable.
@@ -147,6 +151,7 @@ TEST_F(ShaderGate, EachRowHasAShaderThatSaysTheSame) {
     const std::map<CapabilityRule, std::string> verdicts{{CapabilityRule::always, "allowed"},
                                                          {CapabilityRule::device, "device"},
                                                          {CapabilityRule::compute, "compute"},
+                                                         {CapabilityRule::tables, "tables"},
                                                          {CapabilityRule::never, "refused"}};
     for (const CapabilityRow& row : capability_table()) {
         const auto found = shaders.find(row.name);
@@ -195,6 +200,8 @@ TEST_F(ShaderGate, TheDocumentedTableIsTheOneInTheCode) {
                 return "if the device has it";
             case CapabilityRule::compute:
                 return row.needs == 0 ? "in compute stages" : "in compute stages, if the device has it";
+            case CapabilityRule::tables:
+                return "if the device has tables of textures (W231)";
             case CapabilityRule::never:
                 break;
         }

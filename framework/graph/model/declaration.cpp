@@ -71,6 +71,7 @@ std::string range_text(const ResourceDecl& resource, const SubresourceRange& ran
         const uint64_t stride = std::max(1u, resource.stride_bytes);
         return span("range", bytes.offset_bytes / stride, (bytes.size_bytes + stride - 1) / stride);
     }
+    if (resource.textures > 0) return {};
     return span("mip", range.mip, range.mips) + span("layer", range.layer, range.layers);
 }
 
@@ -181,9 +182,32 @@ const char* import_kind_name(ImportKind kind) {
             return "output";
         case ImportKind::views:
             return "views";
+        case ImportKind::textures:
+            return "textures";
     }
     assert(false);
     return "";
+}
+
+AccessState texture_table_state() {
+    return {stage::kVertexShader | stage::kFragmentShader | stage::kComputeShader, access::kSampledRead,
+            Layout::shader_read_only};
+}
+
+ImportDecl texture_table(const std::string& name, uint32_t count) {
+    ImportDecl import;
+    import.name = name;
+    import.kind = ImportKind::textures;
+    import.read_only = true;
+    ResourceDecl& table = import.resource;
+    table.name = name;
+    table.kind = ResourceKind::image;
+    table.lifetime = ResourceLifetime::imported;
+    table.format = Format::rgba8;
+    table.usage = usage::kSampled;
+    table.textures = std::max(1u, count);
+    table.import = ImportState{texture_table_state(), texture_table_state(), 0, true};
+    return import;
 }
 
 double PassContext::param(std::string_view name) const {

@@ -40,6 +40,7 @@ inline constexpr std::array kLimits{
     Limit{"maxSharedBytes", &DeviceProfile::max_shared_bytes},
     Limit{"maxSampledImagesPerStage", &DeviceProfile::max_sampled_images_per_stage},
     Limit{"maxStorageImagesPerStage", &DeviceProfile::max_storage_images_per_stage},
+    Limit{"textureTable", &DeviceProfile::texture_table},
     Limit{"maxDrawIndirectCount", &DeviceProfile::max_draw_indirect_count},
 };
 struct WideLimit {

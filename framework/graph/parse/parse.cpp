@@ -12,7 +12,7 @@ constexpr int64_t kMaxJitter = 64;
 
 const std::vector<std::string>& import_kinds() {
     static const std::vector<std::string> kinds{"drawlist", "buffer", "image", "cube",
-                                                "output",   "turns",  "views"};
+                                                "output",   "turns",  "views", "textures"};
     return kinds;
 }
 

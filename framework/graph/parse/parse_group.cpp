@@ -51,7 +51,8 @@ constexpr std::array kGroupKeys{
 };
 constexpr std::array<std::string_view, 4> kKeysOfRounds{"perFrame", "turns", "warmUp", "settle"};
 constexpr std::array<std::string_view, 2> kKeysOfGroups{"perFrame", "rest"};
-constexpr std::array<std::string_view, 5> kKeysOfLasting{"keep", "history", "firstFrame", "onResize", "file"};
+constexpr std::array<std::string_view, 6> kKeysOfLasting{"keep",     "history", "firstFrame",
+                                                         "onResize", "file",    "textures"};
 
 // Reports keys that need another key, which the group does not have.
 void check_needs(ParseContext& context, const JsonNode& node) {

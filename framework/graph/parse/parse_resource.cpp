@@ -95,7 +95,7 @@ void read_element(ParseContext& context, const JsonNode& node, ResourceDesc& res
 }
 
 // A path with ".." or an absolute path could lead to any file of the machine.
-void read_file_name(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+void read_file(ParseContext& context, const JsonNode& node, FileDesc& file) {
     std::string name;
     if (!read_string(context, node, name)) return;
     const std::filesystem::path path(name);
@@ -104,8 +104,23 @@ void read_file_name(ParseContext& context, const JsonNode& node, ResourceDesc& r
                              "\"" + name + "\" is not a path inside the folder of the graph",
                              "write a path without \"..\", relative to the folder of this file or to the "
                              "shipped folders graphs/ and shaders/");
-    resource.file.name = std::move(name);
-    resource.file.loc = node.loc;
+    file.name = std::move(name);
+    file.loc = node.loc;
+}
+
+void read_file_name(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    read_file(context, node, resource.file);
+}
+
+void read_textures(ParseContext& context, const JsonNode& node, ResourceDesc& resource) {
+    if (node.kind != JsonKind::array) return wrong_type(context, node, "a list of files");
+    if (node.items.empty())
+        return context.error(node.loc, "W109", "the list of textures is empty",
+                             "write the names of the files: [\"bark.png\", \"leaf.png\"]");
+    for (size_t i = 0; i < node.items.size(); ++i) {
+        const PointerScope scope(context, std::to_string(i));
+        read_file(context, node.items[i], resource.textures.emplace_back());
+    }
 }
 
 constexpr std::array kResourceKeys{
@@ -132,6 +147,7 @@ constexpr std::array kResourceKeys{
     KeyRule<ResourceDesc>{"onResize", [](ParseContext& c, const JsonNode& n,
                                          ResourceDesc& r) { read_choice(c, n, kOnResizes, r.on_resize); }},
     KeyRule<ResourceDesc>{"file", read_file_name},
+    KeyRule<ResourceDesc>{"textures", read_textures},
 };
 
 void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
@@ -148,8 +164,9 @@ void refuse(ParseContext& context, const JsonNode& node, std::string_view what,
     }
 }
 
-constexpr std::array<std::string_view, 10> kImageKeys{"format", "size", "mips",    "layers", "depth",
-                                                      "kind",   "cube", "samples", "clear",  "preExposed"};
+constexpr std::array<std::string_view, 11> kImageKeys{"format", "size",       "mips",    "layers",
+                                                      "depth",  "kind",       "cube",    "samples",
+                                                      "clear",  "preExposed", "textures"};
 constexpr std::array<std::string_view, 1> kBufferKeys{"count"};
 
 std::vector<std::string> keys_but(std::span<const std::string_view> others) {
@@ -230,6 +247,18 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
         complain("onResize", "a buffer can't be resampled", "choose \"clear\" or \"refill\"");
 }
 
+// The files of a table determine everything but the format and the mips of its textures.
+void check_table_keys(ParseContext& context, const JsonNode& node) {
+    if (node.find("textures") == nullptr || node.find("buffer") != nullptr) return;
+    for (const std::string_view key : {"size", "layers", "depth", "kind", "cube", "samples", "clear",
+                                       "preExposed", "history", "keep", "firstFrame", "onResize", "file"}) {
+        if (node.find(key) == nullptr) continue;
+        const PointerScope scope(context, key);
+        context.error(node.find(key)->loc, "W109", "a table of textures has no \"" + std::string(key) + "\"",
+                      "remove this key: a table has only \"textures\", \"format\" and \"mips\"");
+    }
+}
+
 // The content of a file is complete and never changes, so keys for other contents have no effect.
 void check_file_keys(ParseContext& context, const JsonNode& node) {
     if (node.find("file") == nullptr) return;
@@ -263,10 +292,12 @@ void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& gra
         if (context.group() != nullptr) resource.group = context.group()->name;
         if (!read_object(context, member.value, "a resource", kResourceKeys, resource)) return;
         check_kind(context, member);
-        settle_kind(context, member.value, resource);
-        check_file_keys(context, member.value);
+        check_table_keys(context, member.value);
+        const bool table = !resource.textures.empty();
+        if (!table) settle_kind(context, member.value, resource);
+        if (!table) check_file_keys(context, member.value);
         // parse_groups() refuses the keys for persistence in a group.
-        if (context.group() == nullptr) check_persistence(context, member.value, resource);
+        if (!table && context.group() == nullptr) check_persistence(context, member.value, resource);
         graph.resources.emplace(name, std::move(resource));
     });
 }

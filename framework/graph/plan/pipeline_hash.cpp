@@ -38,6 +38,10 @@ std::string pipeline_hash(const PipelineParts& parts) {
         v("kind", parts.pass.kind);
         add_program(v, parts.program);
         v("specValues", parts.pass.spec_values);
+        // The number of textures is a part of the pipeline layout.
+        for (const UseDecl& use : parts.pass.uses)
+            if (const uint32_t textures = parts.graph.resources[use.resource].textures; textures > 0)
+                v("textures", textures);
         if (parts.variant != nullptr) v("variant", parts.variant->spec_constants);
         if (parts.vertices != nullptr) {
             v("strides", parts.vertices->stride_bytes);

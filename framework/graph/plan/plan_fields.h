@@ -30,6 +30,10 @@ void visit_fields(V& v, const ImportState& x) {
     v("entry", x.entry), v("exit", x.exit), v("family", x.family), v("concurrent", x.concurrent);
 }
 template <class V>
+void visit_fields(V& v, const TextureFile& x) {
+    v("name", x.name), v("widthPx", x.width_px), v("heightPx", x.height_px), v("mips", x.mips);
+}
+template <class V>
 void visit_fields(V& v, const ResourceDecl& x) {
     v("name", x.name), v("kind", x.kind), v("lifetime", x.lifetime), v("imageKind", x.image_kind);
     v("format", x.format), v("extent", x.extent), v("mips", x.mips), v("layers", x.layers),
@@ -39,7 +43,7 @@ void visit_fields(V& v, const ResourceDecl& x) {
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
     v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import),
         v("clear", x.clear);
-    v("file", x.file);
+    v("file", x.file), v("textures", x.textures), v("textureFiles", x.texture_files);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {

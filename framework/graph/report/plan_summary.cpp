@@ -164,7 +164,11 @@ std::vector<std::string> summarize_group(const FramePlan& plan, uint32_t group) 
 std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId id) {
     const ResourceDecl& r = plan.graph.resources[id];
     Facts facts{std::string(enum_name(r.lifetime)) + " " + enum_name(r.kind)};
-    if (r.kind == ResourceKind::image) {
+    if (r.textures > 0) {
+        facts.push_back("table of " + count_text(r.textures, "texture"));
+        for (uint32_t i = 0; i < r.texture_files.size(); ++i)
+            facts.push_back("texture " + std::to_string(i) + " from the file " + r.texture_files[i].name);
+    } else if (r.kind == ResourceKind::image) {
         facts.push_back("format " + std::string(format_info(r.format).name));
         facts.push_back("extent " + extent_fact(r.extent));
         facts.push_back(count_text(r.mips, "mip") + ", " + count_text(r.layers, "layer") + ", " +

@@ -5,7 +5,7 @@
 // resolve targets, indirect buffers, and the ports of clear, copy, blit and readback passes. Draw lists,
 // views and specialisation constants are bound too.
 // Errors: W103 to W107, W109, W110, W112 to W114, W118, W121 to W123, W165, W167, W168, W170, W171, W173,
-// W175, W176, W182, W185, W186, W196, W197, W230. Warnings: W137.
+// W175, W176, W182, W185, W186, W196, W197, W230 to W232. Warnings: W137.
 #pragma once
 
 #include <string>

@@ -197,6 +197,27 @@ void count_draws(const ResolveInput& input, Values& values) {
     }
 }
 
+// Adds the number of textures of each table, for example as "materialTexturesCount" for the table
+// "materialTextures". If the author declares the same name, the author's declaration is used instead.
+void count_textures(const ResolveInput& input, Values& values) {
+    const auto add = [&](const std::string& table, double textures) {
+        const std::string name = table + "Count";
+        const bool taken = input.graph.sizes.contains(name) || input.graph.consts.contains(name);
+        if (!taken) values.by_name.try_emplace(name, number_value(textures));
+    };
+    for (const auto& [name, import] : input.graph.imports) {
+        if (import.kind != import_kind_name(ImportKind::textures)) continue;
+        const auto offered = input.imports.imports.find(name);
+        if (offered == input.imports.imports.end())
+            // The missing import itself is reported later, by shape_resources().
+            values.faulty.insert(name + "Count");
+        else
+            add(name, offered->second.resource.textures);
+    }
+    for (const auto& [name, resource] : input.graph.resources)
+        if (!resource.textures.empty()) add(name, static_cast<double>(resource.textures.size()));
+}
+
 // Adds the numbers that the program offers to expressions, such as the number of lights. If the author
 // declares the same name, the author's declaration is used instead.
 void add_offered_numbers(const ResolveInput& input, Values& values) {
@@ -230,6 +251,7 @@ Values evaluate(const ResolveInput& input, Reporter& reporter) {
     values.by_name["output"] = size_value(output.width, output.height);
     add_params(input, values, reporter);
     count_draws(input, values);
+    count_textures(input, values);
     add_offered_numbers(input, values);
     const std::map<std::string, Expr> counts = count_views(input, values, reporter);
     NamedEvaluator(input.graph, counts, values, reporter).evaluate_all();

@@ -194,6 +194,9 @@ class BlockFiller : PassStage<Blocks> {
         return true;
     }
 
+    // Returns the number of textures of a table; 0 if the port is no table.
+    uint32_t table_size(const UseDecl& use) const { return graph_.resources[use.resource].textures; }
+
     // Fills a member such as "levelsCount": how many elements of the array "levels" the port fills.
     bool from_port_count(const BlockMember& member, ParamWrite& write) {
         if (stands_for_absent(member.name, kCountSuffix)) {
@@ -201,6 +204,10 @@ class BlockFiller : PassStage<Blocks> {
             return true;
         }
         const UseDecl* use = port_before(member.name, kCountSuffix);
+        if (use && table_size(*use) > 0) {
+            store(member, write, {double(table_size(*use))}, shader_loc());
+            return true;
+        }
         if (!use || use->each == EachPart::none)
             return suspects_.passes[pass_] && member.name.ends_with(kCountSuffix);
         store(member, write, {double(element_count(*use))}, shader_loc());
@@ -214,7 +221,7 @@ class BlockFiller : PassStage<Blocks> {
             return true;
         }
         const UseDecl* use = port_before(member.name, kSizeSuffix);
-        if (!use || graph_.resources[use->resource].kind == ResourceKind::buffer) {
+        if (!use || graph_.resources[use->resource].kind == ResourceKind::buffer || table_size(*use) > 0) {
             // In a pass with an error, the port may be missing because of that error, so a second message
             // about the member would not help.
             return suspects_.passes[pass_];
@@ -258,11 +265,11 @@ class BlockFiller : PassStage<Blocks> {
         for (const auto& [name, unused] : draft_.indices) known.push_back(name);
         for (const BuiltinName& builtin : kBuiltins) known.emplace_back(builtin.name);
         for (const UseDecl& use : bound_.uses) {
-            if (graph_.resources[use.resource].kind == ResourceKind::image)
+            if (graph_.resources[use.resource].kind == ResourceKind::image && table_size(use) == 0)
                 known.push_back(use.port + "Size");
             known.push_back(use.port + "Valid");
             known.push_back(use.port + "ValidBits");
-            if (use.each != EachPart::none) known.push_back(use.port + "Count");
+            if (use.each != EachPart::none || table_size(use) > 0) known.push_back(use.port + "Count");
         }
         error(shader_loc(),
               "pass " + quote(draft_.decl.name) + " gives no value to Params." + member.name + " of shader " +

@@ -86,7 +86,7 @@ void name_resources(const ResolveInput& input, const Evaluator& evaluator, Shape
         decl.age = role.age;
         decl.loc = role.desc ? role.desc->loc : input.graph.imports.at(name).loc;
         shapes.resources.push_back(std::move(decl));
-        const bool has_file = role.desc && !role.desc->file.name.empty();
+        const bool has_file = role.desc && (!role.desc->file.name.empty() || !role.desc->textures.empty());
         shapes.origins.push_back({.desc = role.desc, .has_content = has_file});
     }
     shapes.suspects.shapes.resize(roles.size());

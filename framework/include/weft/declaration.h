@@ -67,6 +67,14 @@ struct ImportState {
 // again.
 enum class OnResize : uint8_t { clear, resample, refill };
 
+// A picture file that becomes one texture of a table.
+struct TextureFile {
+    std::string name;  // As in the graph.
+    std::string path;  // The plan's hash does not include it.
+    uint32_t width_px = 0, height_px = 0;
+    uint32_t mips = 1;
+};
+
 struct ResourceDecl {
     std::string name;
     ResourceKind kind = ResourceKind::image;
@@ -108,6 +116,13 @@ struct ResourceDecl {
     // itself provides it, and passes only read it.
     std::string file;
     std::string file_path;  // Path of this file. The plan's hash does not include it.
+    // Not 0: the resource is a table of this many 2D textures, which shaders index. A table is an imported
+    // image that passes only sample. Its textures have sizes and mips of their own, so that the members of
+    // an image describe one texel that stands for all of them. All textures have formats of the same kind
+    // (float or normalised, int, uint) as `format`.
+    uint32_t textures = 0;
+    // The files of the textures. Empty: the program provides the table.
+    std::vector<TextureFile> texture_files;
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
     // its own; absent: 0.
     std::optional<std::array<float, 4>> clear;
@@ -117,7 +132,7 @@ struct ResourceDecl {
 };
 
 // Returns the text of a part of a resource, such as ".mip(0).layer(1..2)", or ".range(0..63)" for elements 0
-// to 63 of a buffer. Empty for the whole of a buffer that has only one piece.
+// to 63 of a buffer. Empty for the whole of a buffer that has only one piece, and for a table of textures.
 [[nodiscard]] std::string range_text(const ResourceDecl& resource, const SubresourceRange& range);
 // Returns the bytes of the pieces in `range`.
 [[nodiscard]] ByteRange piece_bytes(const ResourceDecl& buffer, const SubresourceRange& range);

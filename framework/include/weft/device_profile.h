@@ -102,6 +102,9 @@ struct DeviceProfile {
     uint32_t max_shared_bytes = 32768;
     uint32_t max_sampled_images_per_stage = 128;
     uint32_t max_storage_images_per_stage = 128;
+    // The largest number of textures that a shader stage can sample if it indexes a table of textures. 0: the
+    // device lacks features of descriptor indexing, so that it has no tables.
+    uint32_t texture_table = 0;
     float max_sampler_anisotropy = 1;  // 1: the device has no anisotropic filtering.
     float max_sampler_lod_bias = 2;  // Limit on the magnitude of the bias; 2 is the least that Vulkan allows.
     uint64_t max_uniform_buffer_bytes = 65536;

@@ -170,6 +170,8 @@ struct ResourceDesc {
     std::string name;
     bool is_buffer = false;
     FileDesc file;
+    // The files of a table of textures; empty: the resource is no table.
+    std::vector<FileDesc> textures = {};
     // Alternatives such as "rg16_snorm|rg16f". Weft uses the first format that the device supports for all
     // uses of the image, in every tier.
     std::vector<std::string> formats;

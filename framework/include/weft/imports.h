@@ -1,5 +1,6 @@
-// Purpose: lists the resources that a program offers to graphs: draw lists, buffers, images, views and the
-// output. A graph names the imports that it uses, and resolve() checks these names against this catalogue.
+// Purpose: lists the resources that a program offers to graphs: draw lists, buffers, images, tables of
+// textures, views and the output. A graph names the imports that it uses, and resolve() checks these names
+// against this catalogue.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,7 @@
 
 namespace weft {
 
-enum class ImportKind : uint8_t { draw_list, buffer, image, cube, output, views };
+enum class ImportKind : uint8_t { draw_list, buffer, image, cube, output, views, textures };
 
 // A variant of the pipelines that draw a list. Each list has a fixed set of variants, and each draw of the
 // list uses one of them.
@@ -38,7 +39,8 @@ struct VertexFormat {
 struct ImportDecl {
     std::string name;
     ImportKind kind = ImportKind::buffer;
-    // For buffers and images: format, extent or size, and import states. The lifetime is `imported`.
+    // For buffers and images: format, extent or size, and import states. The lifetime is `imported`. For
+    // tables of textures: the number of textures, and import states; see texture_table().
     ResourceDecl resource;
     bool read_only = false;  // True: passes must not write the buffer or image (W147).
     // The members from `variants` to `draws` describe a draw list.
@@ -77,5 +79,10 @@ struct ImportCatalog {
 };
 
 [[nodiscard]] const char* import_kind_name(ImportKind kind);
+// Returns the state of the textures of a table, before, during and after each frame.
+[[nodiscard]] AccessState texture_table_state();
+// Returns an import of kind "textures" with `count` 2D textures, at least 1. Between frames, all of them are
+// in the layout shader_read_only.
+[[nodiscard]] ImportDecl texture_table(const std::string& name, uint32_t count);
 
 }  // namespace weft

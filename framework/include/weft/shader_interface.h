@@ -67,6 +67,8 @@ struct ShaderBinding {
     // The members block_bytes and `members` describe buffers.
     uint32_t block_bytes = 0;  // Size of the block, without the elements of a runtime array at its end.
     std::vector<BlockMember> members;
+    // True: the array has no size in the shader, so a table of textures gives it its size. `count` is then 1.
+    bool is_runtime_array = false;
     bool operator==(const ShaderBinding&) const = default;
 };
 
@@ -117,6 +119,9 @@ struct ShaderInterface {
     bool discards = false;           // True: the fragment stage can discard its fragment.
     bool writes_depth = false;       // True: the fragment stage writes gl_FragDepth.
     bool writes_point_size = false;  // True: the vertex stage writes gl_PointSize.
+    // True: the SPIR-V needs a device with tables of textures (DeviceProfile::texture_table), because it has
+    // an array without a size, or an index that differs between invocations.
+    bool needs_texture_tables = false;
     // False for a compute stage without `layout(local_size_x = ...) in`; true for all others.
     bool states_local_size = true;
 

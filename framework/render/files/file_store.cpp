@@ -22,7 +22,43 @@ Status upload(vk::Device& device, FileObject& object) {
     return vk::upload_image(device, object.image, mips);
 }
 
+std::string texture_name(const ResourceDecl& table, size_t texture) {
+    return table.name + "[" + std::to_string(texture) + "]";
+}
+
+// Returns the objects that a resource needs: itself if it has a file, an image for each texture if it is a
+// table with files, otherwise nothing.
+std::vector<ResourceDecl> with_files(const ResourceDecl& decl) {
+    if (!decl.file.empty()) return {decl};
+    std::vector<ResourceDecl> textures;
+    for (const TextureFile& file : decl.texture_files) {
+        ResourceDecl texture = decl;
+        texture.name = texture_name(decl, textures.size());
+        texture.file = file.name;
+        texture.file_path = file.path;
+        texture.extent = {file.width_px, file.height_px, 1};
+        texture.mips = file.mips;
+        textures.push_back(std::move(texture));
+    }
+    return textures;
+}
+
 }  // namespace
+
+void bind_files(const ResolvedGraph& graph, const FileUses& uses, vk::ImportBindings& to) {
+    for (const ResourceDecl& resource : graph.resources) {
+        std::vector<VkImageView> views;
+        for (size_t i = 0; i < resource.texture_files.size(); ++i)
+            if (const auto use = uses.find(texture_name(resource, i)); use != uses.end())
+                views.push_back(use->second.image().view());
+        if (!views.empty()) to.textures.insert_or_assign(resource.name, std::move(views));
+        const auto use = uses.find(resource.name);
+        if (use == uses.end()) continue;
+        if (resource.kind == ResourceKind::buffer)
+            to.buffers.emplace(resource.name, use->second.buffer().handle());
+        if (resource.kind == ResourceKind::image) to.images.emplace(resource.name, &use->second.image());
+    }
+}
 
 FileUse::~FileUse() {
     if (object_ != nullptr) store_->release(object_);
@@ -52,17 +88,22 @@ Result<FileUses> FileStore::acquire(const ResolvedGraph& graph, const LoadSettin
     FileUses uses;
     Diagnostics faults;
     for (const ResourceId id : used) {
-        const ResourceDecl& decl = graph.resources[id];
-        if (decl.file.empty()) continue;
-        Result<FileObject*> object = find_or_make(graph, decl, settings);
-        if (!object) {
-            for (Diagnostic& fault : object.take_errors()) faults.push_back(std::move(fault));
-            continue;
+        for (const ResourceDecl& decl : with_files(graph.resources[id])) {
+            const Status acquired = acquire(graph, decl, settings, uses);
+            if (!acquired)
+                for (const Diagnostic& fault : acquired.errors()) faults.push_back(fault);
         }
-        uses.emplace(decl.name, FileUse(*this, **object));
     }
     if (!faults.empty()) return faults;
     return uses;
+}
+
+Status FileStore::acquire(const ResolvedGraph& graph, const ResourceDecl& decl, const LoadSettings& settings,
+                          FileUses& uses) {
+    Result<FileObject*> object = find_or_make(graph, decl, settings);
+    if (!object) return object.take_errors();
+    uses.emplace(decl.name, FileUse(*this, **object));
+    return Unit{};
 }
 
 FileObject* FileStore::find(const ResourceDecl& decl, uint64_t hash) {

@@ -12,6 +12,7 @@
 
 #include "load/file_stamps.h"
 #include "weft/load/resource_content.h"
+#include "weft/vulkan/executor.h"
 #include "weft/vulkan/memory.h"
 
 namespace weft::render {
@@ -48,7 +49,11 @@ class FileUse {
     FileStore* store_;
     FileObject* object_;
 };
-using FileUses = std::map<std::string, FileUse>;  // Key: name of the resource.
+// Key: name of the resource. For texture 2 of the table "pictures": "pictures[2]".
+using FileUses = std::map<std::string, FileUse>;
+
+// Adds the buffers, images and tables of textures of a graph to the imports of an executor.
+void bind_files(const ResolvedGraph& graph, const FileUses& uses, vk::ImportBindings& to);
 
 // Copies content that is not uploaded yet to the device. Waits until the device has copied it.
 [[nodiscard]] Status upload_files(const FileUses& uses);
@@ -71,6 +76,8 @@ class FileStore {
         FileStamps stamps;
         uint64_t hash = 0;
     };
+    [[nodiscard]] Status acquire(const ResolvedGraph& graph, const ResourceDecl& decl,
+                                 const LoadSettings& settings, FileUses& uses);
     [[nodiscard]] FileObject* find(const ResourceDecl& decl, uint64_t hash);
     [[nodiscard]] Result<FileObject*> make(const ResourceDecl& decl, ResourceContent content);
     [[nodiscard]] Result<FileObject*> find_or_make(const ResolvedGraph& graph, const ResourceDecl& decl,

@@ -59,6 +59,9 @@ constexpr CapabilityRow row(uint32_t capability, const char* name, const char* w
 constexpr CapabilityRow free_row(uint32_t capability, const char* name) {
     return {capability, name, always, 0, "", ""};
 }
+constexpr CapabilityRow table(uint32_t capability, const char* name) {
+    return {capability, name, tables, 0, "", ""};
+}
 constexpr CapabilityRow subgroup(uint32_t capability, const char* name, ShaderCapabilityMask needs,
                                  const char* words) {
     return {capability, name, compute, needs, words, kOtherDevice};
@@ -171,9 +174,9 @@ constexpr std::array kTable{
     row(SpvCapabilityMinLod, "MinLod", "textureClamp* textureGradClamp* sparseTextureClamp*", kSparse),
     row(SpvCapabilitySparseResidency, "SparseResidency", "sparse*", kSparse),
 
-    row(SpvCapabilityShaderNonUniform, "ShaderNonUniform", "nonuniformEXT", kIndex),
-    row(SpvCapabilityRuntimeDescriptorArray, "RuntimeDescriptorArray",
-        "GL_EXT_nonuniform_qualifier nonuniformEXT", kIndex),
+    table(SpvCapabilityShaderNonUniform, "ShaderNonUniform"),
+    table(SpvCapabilityRuntimeDescriptorArray, "RuntimeDescriptorArray"),
+    table(SpvCapabilitySampledImageArrayNonUniformIndexing, "SampledImageArrayNonUniformIndexing"),
     row(SpvCapabilityInputAttachmentArrayDynamicIndexing, "InputAttachmentArrayDynamicIndexing",
         "subpassLoad", kIndex),
     row(SpvCapabilityUniformTexelBufferArrayDynamicIndexing, "UniformTexelBufferArrayDynamicIndexing",
@@ -181,8 +184,6 @@ constexpr std::array kTable{
     row(SpvCapabilityStorageTexelBufferArrayDynamicIndexing, "StorageTexelBufferArrayDynamicIndexing",
         "imageBuffer iimageBuffer uimageBuffer", kIndex),
     row(SpvCapabilityUniformBufferArrayNonUniformIndexing, "UniformBufferArrayNonUniformIndexing",
-        "nonuniformEXT", kIndex),
-    row(SpvCapabilitySampledImageArrayNonUniformIndexing, "SampledImageArrayNonUniformIndexing",
         "nonuniformEXT", kIndex),
     row(SpvCapabilityStorageBufferArrayNonUniformIndexing, "StorageBufferArrayNonUniformIndexing",
         "nonuniformEXT", kIndex),

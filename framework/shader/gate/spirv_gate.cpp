@@ -34,6 +34,7 @@ bool offered(const CapabilityRow& row, const ShaderTarget& target) {
 std::string refusal(const CapabilityRow& row, ShaderStage stage, const ShaderTarget& target) {
     switch (row.rule) {
         case CapabilityRule::always:
+        case CapabilityRule::tables:
             return {};
         case CapabilityRule::compute:
             if (stage != ShaderStage::compute) return "which is allowed only in compute stages";
@@ -114,10 +115,13 @@ class CapabilityCheck {
 
 // Rejects what needs a feature of the device, although no capability in the SPIR-V tells so: shared variables
 // with an initial value, and arrays of images with an index that is not a constant. For the latter, glslang
-// does not emit the capabilities SampledImageArrayDynamicIndexing and StorageImageArrayDynamicIndexing.
+// does not emit the capabilities SampledImageArrayDynamicIndexing and StorageImageArrayDynamicIndexing. An
+// array of sampled images without a size may have any index: it is a table of textures, and resolve() checks
+// that the device has tables.
 class FeatureCheck {
  public:
-    FeatureCheck(ShaderStage stage, InterfaceFaults& faults) : stage_(stage), faults_(faults) {}
+    FeatureCheck(ShaderStage stage, const ShaderTarget& target, InterfaceFaults& faults)
+        : stage_(stage), target_(target), faults_(faults) {}
 
     void read(const SpirvInstruction& instruction) {
         switch (instruction.opcode) {
@@ -125,9 +129,20 @@ class FeatureCheck {
                 names_[instruction.operand(0)] = spirv_string(
                     instruction.operands.subspan(std::min<size_t>(1, instruction.operands.size())));
                 break;
+            case SpvOpTypeSampledImage:
+                sampled_.insert(instruction.operand(0));
+                break;
+            case SpvOpTypeArray:
+                if (sampled_.contains(instruction.operand(1))) sampled_arrays_.insert(instruction.operand(0));
+                break;
+            case SpvOpTypeRuntimeArray:
+                if (sampled_.contains(instruction.operand(1))) tables_.insert(instruction.operand(0));
+                break;
             case SpvOpTypePointer:
-                if (instruction.operand(1) == SpvStorageClassUniformConstant)
-                    image_pointers_.insert(instruction.operand(0));
+                if (instruction.operand(1) == SpvStorageClassUniformConstant &&
+                    !may_have_any_index(instruction.operand(2)))
+                    image_pointers_[instruction.operand(0)] =
+                        sampled_arrays_.contains(instruction.operand(2));
                 break;
             case SpvOpConstant:
             case SpvOpSpecConstant:
@@ -162,21 +177,29 @@ class FeatureCheck {
              "write the value in main(), then call barrier()"});
     }
 
+    // `type` is the type of a variable with images.
+    bool may_have_any_index(uint32_t type) const {
+        return tables_.contains(type) || (target_.texture_tables && sampled_arrays_.contains(type));
+    }
+
     void note_image(const SpirvInstruction& instruction) {
-        if (image_pointers_.contains(instruction.operand(0))) images_.insert(instruction.operand(1));
+        const auto pointer = image_pointers_.find(instruction.operand(0));
+        if (pointer != image_pointers_.end()) images_[instruction.operand(1)] = pointer->second;
     }
 
     void element(const SpirvInstruction& chain) {
         constexpr size_t kFirstIndex = 3;
         const uint32_t array = chain.operand(2);
-        if (!images_.contains(array) || !said_.insert(array).second) return;
+        const auto image = images_.find(array);
+        if (image == images_.end() || !said_.insert(array).second) return;
         for (size_t i = kFirstIndex; i < chain.operands.size(); ++i) {
             if (constants_.contains(chain.operands[i])) continue;
             faults_.push_back(
                 {"W208", stage_, names_[array],
                  "\"" + names_[array] +
-                     "\" is an array of images with an index that is not a constant, which Weft "
-                     "does not support",
+                     "\" is an array of images with an index that is not a constant, which " +
+                     (image->second ? "the device does not support (textureTable is 0)"
+                                    : "Weft does not support"),
                  "use only constants as the index: unroll the loop by hand, or write a switch"});
             return;
         }
@@ -184,11 +207,17 @@ class FeatureCheck {
     }
 
     ShaderStage stage_;
+    const ShaderTarget& target_;
     InterfaceFaults& faults_;
     std::map<uint32_t, std::string> names_;
-    std::set<uint32_t> image_pointers_, constants_;
-    // Variables and parameters that are images or arrays of images.
-    std::set<uint32_t> images_;
+    // Types: sampled images, and arrays of them with and without a size.
+    std::set<uint32_t> sampled_, sampled_arrays_, tables_;
+    std::set<uint32_t> constants_;
+    // Pointers to images or arrays of images, without those that may have any index. True: an array of
+    // sampled images.
+    std::map<uint32_t, bool> image_pointers_;
+    // Variables and parameters with such types.
+    std::map<uint32_t, bool> images_;
     std::set<uint32_t> said_;  // Arrays about which an error was reported.
 };
 
@@ -197,7 +226,7 @@ class FeatureCheck {
 void capability_faults(ShaderStage stage, std::span<const uint32_t> spirv, const GateRules& rules,
                        InterfaceFaults& faults) {
     CapabilityCheck check(stage, rules, faults);
-    FeatureCheck features(stage, faults);
+    FeatureCheck features(stage, rules.target, faults);
     SpirvReader reader(spirv);
     for (SpirvInstruction instruction; reader.next(instruction);) {
         const auto text = [&](size_t at) {

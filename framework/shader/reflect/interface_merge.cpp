@@ -21,8 +21,9 @@ bool same_member(const BlockMember& a, const BlockMember& b) {
 
 bool same_binding(const ShaderBinding& a, const ShaderBinding& b) {
     const auto fields = [](const ShaderBinding& x) {
-        return std::tie(x.name, x.set, x.binding, x.kind, x.count, x.is_array, x.dim, x.arrayed, x.multisampled, x.shadow,
-                        x.numeric, x.storage_format, x.block_bytes);
+        return std::tie(x.name, x.set, x.binding, x.kind, x.count, x.is_array, x.dim, x.arrayed,
+                        x.multisampled, x.shadow, x.numeric, x.storage_format, x.block_bytes,
+                        x.is_runtime_array);
     };
     return fields(a) == fields(b) && std::ranges::equal(a.members, b.members, same_member);
 }
@@ -104,6 +105,7 @@ void take_variables(std::vector<StageVariable>& into, const std::vector<Reflecte
 
 void merge_stage(ShaderInterface& all, const StageReflection& stage, InterfaceFaults& faults) {
     all.stages |= stage_bit(stage.stage);
+    all.needs_texture_tables |= stage.needs_texture_tables;
     all.frame_ranges.insert(all.frame_ranges.end(), stage.frame_ranges.begin(), stage.frame_ranges.end());
     if (stage.push_constants) merge_params(all, *stage.push_constants, stage.stage, faults);
     for (const ReflectedBinding& reflected : stage.bindings) {

@@ -59,9 +59,12 @@ ReflectedBinding Reflector::start_binding(const spvc_reflected_resource& resourc
         fault(binding.name,
               "\"" + binding.name + "\" is an array of descriptors whose size is a specialisation constant",
               "declare the size of the array as a number or an ordinary const");
-    if (is_runtime) {
+    binding.is_runtime_array = is_runtime;
+    if (is_runtime && (kind != BindingKind::sampled_image || binding.set != kPortSet)) {
         fault(binding.name, "\"" + binding.name + "\" is an array of descriptors without a size",
-              "declare the size of the array");
+              kind == BindingKind::sampled_image
+                  ? "remove `set`: then the array is a table of textures, which is a port of the pass"
+                  : "declare the size of the array; only tables of textures (sampler2D) need no size");
     }
     return reflected;
 }

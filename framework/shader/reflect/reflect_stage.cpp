@@ -11,6 +11,12 @@ namespace {
 
 constexpr size_t kHeaderWords = 5;
 
+// True for a capability that only devices with tables of textures have.
+bool is_for_tables(uint32_t capability) {
+    return capability == SpvCapabilityRuntimeDescriptorArray || capability == SpvCapabilityShaderNonUniform ||
+           capability == SpvCapabilitySampledImageArrayNonUniformIndexing;
+}
+
 }  // namespace
 
 Reflector::Reflector(ShaderStage stage, const std::vector<uint32_t>& spirv, InterfaceFaults& faults)
@@ -173,6 +179,8 @@ void Reflector::scan_instructions() {
             opcode == SpvOpDemoteToHelperInvocation) {
             result_.discards = true;
         }
+        if (opcode == SpvOpCapability && words > 1 && is_for_tables(spirv_[at + 1]))
+            result_.needs_texture_tables = true;
         at += words;
     }
 }

@@ -52,6 +52,7 @@ struct StageReflection {
     bool discards = false;
     bool writes_depth = false;
     bool writes_point_size = false;
+    bool needs_texture_tables = false;  // As in ShaderInterface, for this stage.
 };
 
 [[nodiscard]] StageReflection reflect_stage(ShaderStage stage, const std::vector<uint32_t>& spirv,

@@ -55,12 +55,17 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::shaderImageGatherExtended, &OptionalFeatures::image_gather_extended},
     OptionalFeature<F10>{&F10::shaderUniformBufferArrayDynamicIndexing,
                          &OptionalFeatures::uniform_array_indexing},
+    OptionalFeature<F10>{&F10::shaderSampledImageArrayDynamicIndexing,
+                         &OptionalFeatures::sampled_array_indexing},
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
 };
 constexpr std::array kOptional12{
     OptionalFeature<F12>{&F12::drawIndirectCount, &OptionalFeatures::draw_indirect_count},
     OptionalFeature<F12>{&F12::samplerFilterMinmax, &OptionalFeatures::sampler_min_max},
+    OptionalFeature<F12>{&F12::runtimeDescriptorArray, &OptionalFeatures::runtime_arrays},
+    OptionalFeature<F12>{&F12::shaderSampledImageArrayNonUniformIndexing,
+                         &OptionalFeatures::nonuniform_sampled_array_indexing},
 };
 
 // robustBufferAccess keeps out-of-range accesses to storage and uniform buffers inside the memory of the

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -55,6 +56,10 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_shared_bytes = limits.maxComputeSharedMemorySize;
     profile.max_sampled_images_per_stage = limits.maxPerStageDescriptorSampledImages;
     profile.max_storage_images_per_stage = limits.maxPerStageDescriptorStorageImages;
+    // Each texture of a table is a combined image sampler, which counts as an image and as a sampler.
+    profile.texture_table = std::min({limits.maxPerStageDescriptorSampledImages,
+                                      limits.maxPerStageDescriptorSamplers, limits.maxPerStageResources,
+                                      limits.maxDescriptorSetSampledImages, limits.maxDescriptorSetSamplers});
     profile.max_sampler_anisotropy = limits.maxSamplerAnisotropy;
     profile.max_sampler_lod_bias = limits.maxSamplerLodBias;
     profile.max_uniform_buffer_bytes = limits.maxUniformBufferRange;
@@ -114,6 +119,7 @@ void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profi
     profile.depth_clamp = enabled.depth_clamp;
     profile.depth_bias_clamp = enabled.depth_bias_clamp;
     profile.draw_indirect_count = enabled.draw_indirect_count;
+    if (!enabled.texture_tables()) profile.texture_table = 0;
     if (!enabled.sampler_anisotropy) profile.max_sampler_anisotropy = 1;
     if (!enabled.sampler_min_max)
         for (auto& [format, features] : profile.formats) features &= ~ff::kSampledMinMax;

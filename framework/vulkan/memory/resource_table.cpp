@@ -1,5 +1,7 @@
 #include "vulkan/memory/resource_table.h"
 
+#include <algorithm>
+
 #include "vulkan/device/executor_errors.h"
 
 namespace weft::vk {
@@ -17,9 +19,27 @@ bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
            a.samples == b.samples;
 }
 
+Status bind_textures(const FramePlan& plan, ResourceId id, const ImportBindings& bindings,
+                     ResourceTable& table) {
+    const ResourceDecl& decl = plan.graph.resources[id];
+    const auto it = bindings.textures.find(decl.name);
+    const size_t found = it == bindings.textures.end() ? 0 : it->second.size();
+    if (found != decl.textures)
+        return plan.graph.sources.error(decl.loc, "V414",
+                                        "the program gave " + std::to_string(found) +
+                                            " textures for the table \"" + decl.name + "\"; wanted " +
+                                            std::to_string(decl.textures));
+    if (std::ranges::find(it->second, VkImageView{VK_NULL_HANDLE}) != it->second.end())
+        return plan.graph.sources.error(decl.loc, "V414",
+                                        "the program gave no view for a texture of \"" + decl.name + "\"");
+    table.textures.emplace(id, it->second);
+    return Unit{};
+}
+
 Status bind_import(const FramePlan& plan, ResourceId id, const ImportBindings& bindings,
                    ResourceTable& table) {
     const ResourceDecl& decl = plan.graph.resources[id];
+    if (decl.textures > 0) return bind_textures(plan, id, bindings, table);
     if (const auto slots = bindings.slot_buffers.find(decl.name); slots != bindings.slot_buffers.end()) {
         table.slot_buffers.emplace(id, slots->second);
         return Unit{};

@@ -1,6 +1,7 @@
 // Purpose: maps each resource that a plan uses to a Vulkan object. Transient and persistent resources come
-// from the plan's heaps, imports from the program. Errors: V414 if an import is missing, or if the format,
-// size, mip levels, layers or samples of an imported image differ from those in the resolved graph.
+// from the plan's heaps, imports from the program. Errors: V414 if an import is missing, if the format, size,
+// mip levels, layers or samples of an imported image differ from those in the resolved graph, or if a table
+// has another number of textures.
 #pragma once
 
 #include <array>
@@ -20,6 +21,8 @@ struct ResourceTable {
     std::vector<VkBuffer> buffers;
     // Imports of which each frame slot has its own buffer.
     std::map<ResourceId, std::array<VkBuffer, kFramesInFlight>> slot_buffers = {};
+    // The views of the tables of textures.
+    std::map<ResourceId, std::vector<VkImageView>> textures = {};
     Rings rings = {};
 };
 
@@ -40,6 +43,11 @@ class FrameResources {
     }
     [[nodiscard]] bool has_slot_buffers(ResourceId id) const {
         return !table_->slot_buffers.empty() && table_->slot_buffers.contains(id);
+    }
+    // Returns the views of a table of textures; null if the resource is no table.
+    [[nodiscard]] const std::vector<VkImageView>* textures(ResourceId id) const {
+        const auto table = table_->textures.find(id);
+        return table == table_->textures.end() ? nullptr : &table->second;
     }
     [[nodiscard]] FrameResources in_slot(uint32_t slot) const { return {*table_, frame_, slot}; }
     [[nodiscard]] const Rings& rings() const { return table_->rings; }

@@ -1,5 +1,6 @@
 #include "vulkan/pipelines/descriptors.h"
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <utility>
@@ -32,8 +33,10 @@ Result<VkDescriptorImageInfo> image_info(DescriptorSources& sources, const UseDe
                                          const ShaderBinding& binding) {
     VkDescriptorImageInfo info{};
     if (use != nullptr) {
+        const std::vector<VkImageView>* table = sources.resources.textures(use->resource);
         Result<VkImageView> view =
-            sources.views.shader_view(*use, element, binding, sources.resources.frame());
+            table != nullptr ? (*table)[std::min<size_t>(element, table->size() - 1)]
+                             : sources.views.shader_view(*use, element, binding, sources.resources.frame());
         if (!view) return view.take_errors();
         info = {VK_NULL_HANDLE, *view, to_vk(use->state.layout)};
     } else {
@@ -69,16 +72,19 @@ Result<VkDescriptorBufferInfo> buffer_info(DescriptorSources& sources, const Use
 Status add_binding(DescriptorSources& sources, const PassDecl& pass, const ShaderBinding& binding,
                    SetWrites& out) {
     const std::vector<const UseDecl*> uses = uses_of(pass, binding);
-    // One use with `each` fills the whole array.
-    const bool fills_array = uses.size() == 1 && uses[0]->each != EachPart::none;
-    if (!uses.empty() && !fills_array && uses.size() != binding.count)
+    const uint32_t count = descriptor_count(sources.plan.graph, pass, binding);
+    // One use with `each`, and a table of textures, fills the whole array. If the array is longer, the last
+    // element is repeated.
+    const bool fills_array = uses.size() == 1 && (uses[0]->each != EachPart::none ||
+                                                  sources.resources.textures(uses[0]->resource) != nullptr);
+    if (!uses.empty() && !fills_array && uses.size() != count)
         return pass_error(sources.plan, pass, "V413",
-                          "binding \"" + binding.name + "\" has " + std::to_string(binding.count) +
+                          "binding \"" + binding.name + "\" has " + std::to_string(count) +
                               " elements, but the pass has " + std::to_string(uses.size()) +
                               " ports for them");
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstBinding = binding.binding;
-    write.descriptorCount = binding.count;
+    write.descriptorCount = count;
     write.descriptorType = to_vk(binding.kind);
     const bool is_image =
         binding.kind == BindingKind::sampled_image || binding.kind == BindingKind::storage_image;
@@ -86,7 +92,7 @@ Status add_binding(DescriptorSources& sources, const PassDecl& pass, const Shade
         out.images.emplace_back();
     else
         out.buffers.emplace_back();
-    for (uint32_t i = 0; i < binding.count; ++i) {
+    for (uint32_t i = 0; i < count; ++i) {
         const UseDecl* use = uses.empty() ? nullptr : fills_array ? uses[0] : uses[i];
         if (is_image) {
             Result<VkDescriptorImageInfo> info = image_info(sources, use, fills_array ? i : 0, binding);
@@ -126,14 +132,16 @@ Result<SlotSets> allocate_sets(Device& device, VkDescriptorPool pool, const Fram
 
 }  // namespace
 
-Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const std::vector<SetDemand>& demands) {
+Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const ResolvedGraph& graph,
+                                                  const std::vector<SetDemand>& demands) {
     std::map<VkDescriptorType, uint32_t> counts;
     uint32_t sets = 0;
     for (const SetDemand& demand : demands) {
         const uint32_t pass_sets = demand.ring_phases * kFramesInFlight;
         sets += pass_sets;
         for (const ShaderBinding& binding : demand.interface->bindings)
-            if (binding.set == kPortSet) counts[to_vk(binding.kind)] += binding.count * pass_sets;
+            if (binding.set == kPortSet)
+                counts[to_vk(binding.kind)] += descriptor_count(graph, *demand.pass, binding) * pass_sets;
         if (params_in_buffer(*demand.interface)) counts[VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER] += pass_sets;
     }
     if (counts.empty()) return DescriptorPoolHandle{};

@@ -31,11 +31,12 @@ struct DescriptorSources {
 // The descriptor sets that one pass needs from the pool.
 struct SetDemand {
     const ShaderInterface* interface = nullptr;
+    const PassDecl* pass = nullptr;
     // The period of the pass: the number of frames after which it uses the same copies of its resources
     // again. Each frame of the period needs one set for every frame slot.
     uint32_t ring_phases = 1;
 };
-[[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device,
+[[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const ResolvedGraph& graph,
                                                                 const std::vector<SetDemand>& demands);
 
 // Makes the descriptor sets that a pass needs in one frame of its period, one for each frame slot.

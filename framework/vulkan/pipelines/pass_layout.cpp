@@ -1,5 +1,6 @@
 #include "vulkan/pipelines/pass_layout.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "vulkan/device/executor_errors.h"
@@ -9,11 +10,12 @@
 namespace weft::vk {
 namespace {
 
-std::vector<VkDescriptorSetLayoutBinding> port_bindings(const ShaderInterface& interface) {
+std::vector<VkDescriptorSetLayoutBinding> port_bindings(const ResolvedGraph& graph, const PassDecl& pass,
+                                                        const ShaderInterface& interface) {
     std::vector<VkDescriptorSetLayoutBinding> out;
     for (const ShaderBinding& binding : interface.bindings)
         if (binding.set == kPortSet)
-            out.push_back({binding.binding, to_vk(binding.kind), binding.count,
+            out.push_back({binding.binding, to_vk(binding.kind), descriptor_count(graph, pass, binding),
                            shader_stages_to_vk(binding.stages), nullptr});
     if (params_in_buffer(interface))
         out.push_back({interface.params.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
@@ -54,10 +56,17 @@ Result<std::vector<VkDescriptorSetLayout>> choose_sets(const FramePlan& plan, co
 
 }  // namespace
 
+uint32_t descriptor_count(const ResolvedGraph& graph, const PassDecl& pass, const ShaderBinding& binding) {
+    if (!binding.is_runtime_array) return binding.count;
+    for (const UseDecl& use : pass.uses)
+        if (use.binding == binding.binding) return std::max(1u, graph.resources[use.resource].textures);
+    return 1;
+}
+
 Result<PassLayout> make_pass_layout(Device& device, const FramePlan& plan, const PassDecl& pass,
                                     const ShaderInterface& interface, const DrawSource* draws) {
     PassLayout layout;
-    const std::vector<VkDescriptorSetLayoutBinding> bindings = port_bindings(interface);
+    const std::vector<VkDescriptorSetLayoutBinding> bindings = port_bindings(plan.graph, pass, interface);
     for (const ShaderBinding& binding : interface.bindings)
         if (binding.set < kSetCount) layout.declares[binding.set] = true;
     if (params_in_buffer(interface)) layout.declares[kPortSet] = true;

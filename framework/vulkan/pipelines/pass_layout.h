@@ -23,6 +23,11 @@ inline constexpr uint32_t kSetCount = 4;
     return interface.has_params && !interface.params.push_constants;
 }
 
+// Returns the number of descriptors of a port's binding. The table of textures that the pass binds gives the
+// size of an array without a size.
+[[nodiscard]] uint32_t descriptor_count(const ResolvedGraph& graph, const PassDecl& pass,
+                                        const ShaderBinding& binding);
+
 struct PassLayout {
     SetLayoutHandle ports;
     // A layout without bindings, for unused sets below the highest set in use.

@@ -152,10 +152,10 @@ Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& object
     for (const PassId id : objects.plan.schedule.order) {
         const PassDecl& pass = objects.plan.graph.passes[id];
         if (!runs_shader(pass.kind)) continue;
-        demands.push_back({&input.shaders->find(pass.shader)->second.interface,
+        demands.push_back({&input.shaders->find(pass.shader)->second.interface, &pass,
                            static_cast<uint32_t>(objects.resources.rings.period(pass))});
     }
-    Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, demands);
+    Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, objects.plan.graph, demands);
     if (!pool) return pool.take_errors();
     objects.pool = std::move(*pool);
     Result<PipelineCacheHandle> cache = make_pipeline_cache(device);

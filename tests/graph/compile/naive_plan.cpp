@@ -124,7 +124,8 @@ void plan_barriers(FramePlan& plan) {
         const PassDecl& pass = graph.passes[id];
         for (size_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];
-            if (moved_before(pass, u)) continue;
+            // The images of a table of textures are not known to the plan.
+            if (moved_before(pass, u) || graph.resources[use.resource].textures > 0) continue;
             layouts.move(use.resource, use.range, {kEveryStage, kEveryAccess, use.state.layout},
                          BarrierReason::waw, step.barriers);
             touched[use.resource] = 1;

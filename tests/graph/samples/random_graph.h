@@ -48,9 +48,12 @@ struct RandomGraphOptions {
     bool depth_input = false;
     // Adds groups of passes that draw on the same image and can share one rendering scope.
     bool layers = false;
+    // Adds passes that sample tables of textures. The shaders of tests/graph/shaders/ have no tables, so such
+    // graphs cannot run on a device.
+    bool tables = false;
 };
 
-// Returns options with all optional features enabled.
+// Returns options with all optional features enabled that can run on a device.
 [[nodiscard]] RandomGraphOptions all_features();
 
 [[nodiscard]] ResolvedGraph random_graph(uint32_t seed, const RandomGraphOptions& options = {});

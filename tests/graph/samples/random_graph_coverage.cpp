@@ -69,6 +69,7 @@ void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     });
     depth_inputs += any_live_pass(plan, tests_against_its_input);
     merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.merges_render_pass; });
+    tables += any_live_use(plan, [](const ResourceDecl& r) { return r.textures > 0; });
     culled += plan.schedule.order.size() < plan.graph.passes.size() ? 1 : 0;
 }
 
@@ -93,6 +94,7 @@ std::string GraphCoverage::text() const {
     share("after edges", after);
     share("arrays of mips", arrays);
     share("depth as input", depth_inputs);
+    share("tables of textures", tables);
     share("culled passes", culled);
     share("merged scopes", merged_scopes);
     return all;

@@ -41,6 +41,8 @@ struct GraphCoverage {
     uint32_t arrays = 0;
     // Frames in which a live pass uses a depth image as attachment and as input.
     uint32_t depth_inputs = 0;
+    // Frames in which a live pass samples a table of textures.
+    uint32_t tables = 0;
     uint32_t culled = 0;
     uint32_t merged_scopes = 0;
 

@@ -5,6 +5,7 @@
 // - passes that write a part of a resource, or modify a resource in place;
 // - history, kept content, `after` lists and queue hints;
 // - passes that draw all views of a list, into layers or rectangles;
+// - passes that sample a table of textures;
 // - every type of pass except C++ passes.
 //
 // The order of the passes in a text has no meaning, so a text lists its passes in random order. The generator

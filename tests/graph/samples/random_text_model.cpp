@@ -34,9 +34,14 @@ class Writer {
         };
         const bool output =
             std::any_of(model_.passes.begin(), model_.passes.end(), presents) || model_.idle_output;
+        const bool table = std::ranges::any_of(model_.passes, [](const TextPass& p) {
+            return std::ranges::any_of(p.in,
+                                       [](const TextPort& port) { return port.ref.words == "pictures"; });
+        });
         return std::string(
                    "\"imports\": {\"opaque\": \"drawlist\", \"noise\": \"image\", "
                    "\"instances\": \"buffer\"") +
+               (table ? ", \"pictures\": \"textures\"" : "") +
                (output ? ", \"backbuffer\": \"output\"},\n" : "},\n");
     }
 

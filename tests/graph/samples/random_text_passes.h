@@ -90,6 +90,14 @@ class RandomTextPasses : public RandomTextFrame {
         read_colors(inputs);
         write("dst", output_of_last_pass());
     }
+    // Adds a pass that samples the table of textures "pictures".
+    void look_up() {
+        add_pass("lookup", "compute", "look_up.comp");
+        choose_condition(20);
+        read_colors(1);
+        model_.passes.back().in.push_back(said("pictures", "pictures"));
+        write("dst", output_of_last_pass());
+    }
     void draw() {
         constexpr const char* kShaders[] = {"draw_1.frag", "draw_2.frag"};
         const uint32_t inputs = between(1, 2);

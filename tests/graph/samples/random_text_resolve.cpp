@@ -24,7 +24,16 @@ ShaderBinding foreign_set(uint32_t set) {
     return binding;
 }
 
-ShaderCatalog make_shaders() {
+// Returns an array for a table of three textures: without a size if the device has tables.
+ShaderBinding table(const DeviceProfile& profile) {
+    ShaderBinding binding = sampled("pictures");
+    binding.is_array = true;
+    binding.is_runtime_array = profile.texture_table > 0;
+    binding.count = binding.is_runtime_array ? 1 : 4;
+    return binding;
+}
+
+ShaderCatalog make_shaders(const DeviceProfile& profile) {
     const ShaderBinding a = sampled("a"), b = sampled("b"), c = sampled("c");
     const ShaderBinding dst = image_out("dst", Format::undefined);
     const ShaderBinding words_in = buffer("a", true, false), words_out = buffer("dst", false, true);
@@ -38,6 +47,8 @@ ShaderCatalog make_shaders() {
     for (const Format format : {Format::rgba16f, Format::rgba8, Format::r32f})
         shaders["update_" + std::string(format_info(format).name) + ".comp"] =
             seeded(compute({a, image_in_out("x", format)}));
+    shaders["look_up.comp"] = seeded(compute({a, table(profile), dst}));
+    shaders["look_up.comp"].interface.needs_texture_tables = profile.texture_table > 0;
     shaders["draw_1.frag"] = seeded(fragment({"color"}, {a}));
     shaders["draw_2.frag"] = with_switches(seeded(fragment({"color"}, {a, b})), false);
     shaders["scene"] = fragment({"color"});
@@ -74,6 +85,7 @@ ImportCatalog make_imports() {
     noise.resource.import->entry =
         noise.resource.import->exit = {stage::kComputeShader, access::kSampledRead, Layout::shader_read_only};
     noise.resource.import->concurrent = true;
+    catalog.imports["pictures"] = texture_table("pictures", 3);
     ImportDecl& instances = add("instances", ImportKind::buffer);
     instances.resource.kind = ResourceKind::buffer;
     instances.resource.size_bytes = 6400;
@@ -91,7 +103,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
     if (!merged) return merged.take_errors();
     Result<GraphDesc> graph = parse(*merged);
     if (!graph) return graph.take_errors();
-    const ShaderCatalog shaders = make_shaders();
+    const ShaderCatalog shaders = make_shaders(profile);
     const ImportCatalog imports = make_imports();
     const PassCatalog passes;
     Diagnostics warnings;

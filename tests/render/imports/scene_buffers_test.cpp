@@ -67,6 +67,8 @@ TEST(SceneBuffers, TheCatalogueHasTheirSizesAndCounts) {
     EXPECT_EQ(catalog.numbers.at("instanceCount"), static_cast<double>(scene->instances.size()));
     EXPECT_EQ(catalog.numbers.at("meshCount"), static_cast<double>(scene->meshes.size()));
     EXPECT_EQ(catalog.numbers.at("materialCount"), static_cast<double>(scene->materials.size()));
+    EXPECT_GE(catalog.imports.at("materialTextures").resource.textures, 2u);
+    EXPECT_EQ(scene_imports({64, 64, 1}).imports.at("materialTextures").resource.textures, 1u);
     // Without a scene, and for an empty scene, each buffer has one element.
     const scene::Scene empty;
     for (const scene::Scene* none : {static_cast<const scene::Scene*>(nullptr), &empty})

@@ -14,7 +14,8 @@ std::map<std::string, std::string> snippets_of(const std::string& page) {
     bool inside = false;
     for (std::string line; std::getline(lines, line);) {
         if (!inside && line.starts_with(kBegin) && line.ends_with(kEnd)) {
-            name = line.substr(kBegin.size(), line.size() - kBegin.size() - kEnd.size());
+            // "NAME needs KEY" is a graph that only some devices can run.
+            name = line.substr(kBegin.size(), line.find(' ', kBegin.size()) - kBegin.size());
         } else if (!name.empty() && line.starts_with(kFence)) {
             if (inside) name.clear();
             inside = !inside;

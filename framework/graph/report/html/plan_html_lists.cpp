@@ -29,6 +29,7 @@ void close_table(Markup& out) {
 }
 
 std::string shape_text(const ResourceDecl& r) {
+    if (r.textures > 0) return count_text(r.textures, "texture");
     if (r.kind == ResourceKind::buffer) return "buffer, " + bytes_text(r.size_bytes);
     return std::string(format_info(r.format).name) + ", " + std::to_string(r.extent.width) + " \xC3\x97 " +
            std::to_string(r.extent.height);
@@ -37,6 +38,8 @@ std::string shape_text(const ResourceDecl& r) {
 std::string lasts_text(const FramePlan& plan, ResourceId id) {
     const ResourceDecl& r = plan.graph.resources[id];
     if (!plan.live.live_resources[id]) return "unused: no running pass uses it";
+    if (!r.texture_files.empty()) return "table of textures from files";
+    if (r.textures > 0) return "table of textures of the program";
     if (!r.file.empty()) return "content of the file " + r.file;
     if (r.lifetime == ResourceLifetime::imported)
         return r.import ? std::string("imported: before the frame in layout ") +

@@ -5,6 +5,7 @@
 #include "graph/resolve/bind/bind_pass.h"
 #include "graph/resolve/bind/bind_references.h"
 #include "graph/resolve/bind/check_array.h"
+#include "graph/resolve/bind/check_table.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
 
@@ -45,6 +46,7 @@ void bind_pass(PassBinding& pass) {
         bind_shader_ports(pass);
         check_shader_fit(pass);
         check_image_count(pass);
+        check_table_support(pass);
         bind_constants(pass);
         return;
     }
@@ -56,6 +58,7 @@ void bind_pass(PassBinding& pass) {
     } else {
         bind_fixed_ports(pass);
     }
+    refuse_tables(pass);
 }
 
 void suspect_outputs(PassId id, const BoundPass& pass, Suspects& suspects) {

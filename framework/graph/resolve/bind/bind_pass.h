@@ -28,7 +28,7 @@ struct PassBinding {
 
 // Matches the ports of a pass by name with the bindings and fragment outputs of its shader, and reports ports
 // and bindings without a counterpart. The way in which the shader uses a binding determines the access of the
-// port. Errors: W112, W165, W170, W171, W173, W182.
+// port. Errors: W112, W165, W170, W171, W173, W182, W196, W232.
 void bind_shader_ports(PassBinding& pass);
 // Binds the ports of clear, copy, blit and readback passes, whose ports have fixed meanings. Errors: W175.
 void bind_fixed_ports(PassBinding& pass);

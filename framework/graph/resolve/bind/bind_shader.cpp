@@ -4,6 +4,7 @@
 
 #include "graph/resolve/bind/bind_pass.h"
 #include "graph/resolve/bind/check_array.h"
+#include "graph/resolve/bind/check_table.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
 
@@ -85,7 +86,24 @@ class ShaderBinder {
         }
     }
 
+    const ShaderBinding* find_binding(const UseDecl& use) const {
+        const auto& bindings = at_.draft.shader->bindings;
+        const auto found = std::ranges::find_if(
+            bindings, [&](const ShaderBinding& b) { return is_port(b) && b.name == use.port; });
+        return found == bindings.end() ? nullptr : &*found;
+    }
+
+    void bind_table(UseDecl& use, PortDraft& port) {
+        const ShaderBinding* binding = is_bound(port) ? find_binding(use) : nullptr;
+        if (binding == nullptr && is_bound(port) && !use.is_output) return report_no_binding(use, port);
+        if (!check_table(at_, use, binding)) return;
+        port.binding = binding;
+        use.binding = binding->binding;
+        use.access = Access::sampled_read;
+    }
+
     void bind(UseDecl& use, PortDraft& port) {
+        if (is_table(at_, use)) return bind_table(use, port);
         if (use.each != EachPart::none && !is_bound(port)) return report_no_array(at_, use, port);
         if (port.is_depth_port) return bind_depth(use, port);
         if (port.is_view) {
@@ -98,11 +116,9 @@ class ShaderBinder {
             return;
         }
         if (use.is_output && at_.draft.decl.kind != PassKind::compute && bind_color(use, port)) return;
-        const auto& bindings = at_.draft.shader->bindings;
-        const auto found = std::ranges::find_if(
-            bindings, [&](const ShaderBinding& b) { return is_port(b) && b.name == use.port; });
-        if (found == bindings.end()) return report_no_binding(use, port);
-        port.binding = &*found;
+        const ShaderBinding* found = find_binding(use);
+        if (found == nullptr) return report_no_binding(use, port);
+        port.binding = found;
         use.binding = found->binding;
         if (!check_direction(use, *found) || !check_array(at_, use, port, *found)) return;
         use.access = access_of(use, port, *found);

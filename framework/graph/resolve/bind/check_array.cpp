@@ -50,6 +50,15 @@ bool check_array(PassBinding& pass, const UseDecl& use, const PortDraft& port, c
         add_help(d, "use one buffer with an array in it, or one port for each buffer");
         return false;
     }
+    if (binding.is_runtime_array) {
+        Diagnostic& d = pass.error(use.loc, "W232",
+                                   each_port_text(pass, use) + " is an array without a size in shader " +
+                                       shader + ", but " + quote(pass.declared.resource_name(use.resource)) +
+                                       " is no table of textures");
+        add_help(d,
+                 "bind a table: an import of the kind \"textures\", or a resource with the key \"textures\"");
+        return false;
+    }
     if (use.each == EachPart::none && !binding.is_array) return true;
     if (use.each == EachPart::none) {
         Diagnostic& d = pass.error(use.loc, "W196",

@@ -7,7 +7,7 @@
 namespace weft {
 
 // Checks that a port is an array of descriptors exactly if it has "each", and that the array has an element
-// for each mip or layer. Returns false after reporting an error. Errors: W173, W196.
+// for each mip or layer. Returns false after reporting an error. Errors: W173, W196, W232.
 [[nodiscard]] bool check_array(PassBinding& pass, const UseDecl& use, const PortDraft& port,
                                const ShaderBinding& binding);
 // Reports "each" of a port that cannot be an array. Errors: W196.

@@ -29,6 +29,7 @@ void check_format(const ResourceDesc& desc, const ResourceDecl& decl, Reporter& 
                  "use a colour format, for example \"r32f\"");
         return;
     }
+    if (!desc.textures.empty()) return;
     const uint64_t wanted = content_bytes(decl);
     if (desc.file.width_px > 0 || desc.file.size_bytes == wanted) return;
     add_help(reporter.error(desc.file.loc, "W146",
@@ -44,7 +45,8 @@ void check_files(const Declared& declared, const FormattedGraph& graph, Reporter
     check_writers(declared, graph, reporter);
     for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDesc* desc = declared.shapes.origins[id].desc;
-        if (!desc || desc->file.name.empty() || desc->is_buffer || graph.suspects.shapes[id]) continue;
+        if (!desc || desc->is_buffer || graph.suspects.shapes[id]) continue;
+        if (desc->file.name.empty() && desc->textures.empty()) continue;
         check_format(*desc, graph.resources[id], reporter);
     }
 }

@@ -51,7 +51,8 @@ class ParamCosts {
         const char* output = import_kind_name(ImportKind::output);
         for (const auto& [name, import] : graph_.imports)
             if (import.kind != output && !named.contains(name) && !costs_.contains(name + "Draws") &&
-                !costs_.contains(name + "Views") && !is_included(graph_.sources, import.loc))
+                !costs_.contains(name + "Views") && !costs_.contains(name + "Count") &&
+                !is_included(graph_.sources, import.loc))
                 reporter.warn(import.loc, "W134",
                               (import.kind == "turns" ? "no group" : "no pass") +
                                   std::string(" uses the import ") + quote(name),

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view kDrawsSuffix = "Draws";
 constexpr std::string_view kViewsSuffix = "Views";
+constexpr std::string_view kTexturesSuffix = "Count";
 
 // Returns true if the name stands for the number of draws in an imported draw list. Example: "opaqueDraws"
 // for the list "opaque". Returns false if the graph defines a size with this name.
@@ -26,6 +27,16 @@ bool counts_views(const Declared& declared, std::string_view name) {
     name.remove_suffix(kViewsSuffix.size());
     const auto list = declared.values.views.find(name);
     return list != declared.values.views.end() && !list->second.single;
+}
+
+// Returns true if the name stands for the number of textures in a table, for example "materialTexturesCount".
+bool counts_textures(const GraphDesc& graph, std::string_view name) {
+    if (!name.ends_with(kTexturesSuffix) || graph.sizes.contains(std::string(name))) return false;
+    name.remove_suffix(kTexturesSuffix.size());
+    const auto import = graph.imports.find(std::string(name));
+    if (import != graph.imports.end()) return import->second.kind == import_kind_name(ImportKind::textures);
+    const auto resource = graph.resources.find(std::string(name));
+    return resource != graph.resources.end() && !resource->second.textures.empty();
 }
 
 std::vector<double> evaluate_components(const ParamValueDesc& param, const Evaluator& evaluator) {
@@ -49,7 +60,7 @@ std::optional<MemberValue> member_value(const Declared& declared, const PassDraf
     const GraphDesc& graph = declared.input.graph;
     const bool named = draft.indices.contains(member) || graph.params.contains(member) ||
                        graph.consts.contains(member) || counts_draws(graph, member) ||
-                       counts_views(declared, member);
+                       counts_views(declared, member) || counts_textures(graph, member);
     if (!named) return std::nullopt;
     const std::optional<ExprValue> value = evaluator.find(member);
     if (!value) return std::nullopt;

@@ -56,6 +56,7 @@ class ResourceShaper {
 
     void run() {
         decl_.pre_exposed = desc_.pre_exposed;
+        if (!desc_.textures.empty()) return shape_table();
         if (desc_.clear) decl_.clear = evaluator_.color(*desc_.clear);
         if (!desc_.file.name.empty() && !import_file()) return;
         if (desc_.is_buffer) {
@@ -122,16 +123,47 @@ class ResourceShaper {
         // The layout shader_read_only between frames is only allowed for images that may be sampled.
         decl_.usage = usage::kTransferDst | (desc_.is_buffer ? 0 : usage::kSampled);
         if (!desc_.file.path.empty()) return true;
-        report_missing();
+        report_missing(desc_.file);
         return false;
     }
 
-    void report_missing() {
+    void report_missing(const FileDesc& file) {
         is_suspect_ = 1;
-        add_help(reporter_.error(
-                     desc_.file.loc, "W145",
-                     "the file " + quote(desc_.file.name) + " of " + quote(desc_.name) + " was not read"),
-                 "load the graph with load_graph(), which reads the files of resources");
+        add_help(
+            reporter_.error(file.loc, "W145",
+                            "the file " + quote(file.name) + " of " + quote(desc_.name) + " was not read"),
+            "load the graph with load_graph(), which reads the files of resources");
+    }
+
+    // Makes the resource a table of the pictures in the files. Like an image with a file, it is an import
+    // that is never written.
+    void shape_table() {
+        decl_.kind = ResourceKind::image;
+        decl_.lifetime = ResourceLifetime::imported;
+        decl_.import = ImportState{texture_table_state(), texture_table_state(), 0, true};
+        decl_.usage = usage::kTransferDst | usage::kSampled;
+        const std::optional<double> mips = number(desc_.mips, 1, "the mip count");
+        if (!mips) return;
+        for (const FileDesc& file : desc_.textures) {
+            const auto full = static_cast<uint32_t>(std::bit_width(std::max(file.width_px, file.height_px)));
+            decl_.texture_files.push_back({file.name, file.path, file.width_px, file.height_px,
+                                           desc_.full_mips ? full : std::min(full, at_least_one(*mips))});
+            check_texture(file);
+        }
+        decl_.textures = static_cast<uint32_t>(decl_.texture_files.size());
+    }
+
+    void check_texture(const FileDesc& file) {
+        if (file.path.empty()) return report_missing(file);
+        if (file.width_px == 0)
+            return report_misfit(file.loc,
+                                 "the file " + quote(file.name) + " of the table " + quote(desc_.name) +
+                                     " is no picture that Weft can read",
+                                 "save the picture as PNG, JPEG, Radiance HDR, EXR or PFM");
+        check_limit("texture " + quote(file.name) + " of " + quote(desc_.name) + " is " +
+                        std::to_string(file.width_px) + " x " + std::to_string(file.height_px) + " px",
+                    std::max(file.width_px, file.height_px), input_.profile.max_image_2d_px,
+                    input_.limits.image_side_px, "graph.imageSidePx", " px for each side");
     }
 
     // Returns the size of an image: that of its picture, or else the key "size".

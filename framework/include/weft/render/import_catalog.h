@@ -1,10 +1,11 @@
 // Purpose: lists the imports that a scene offers to graphs; needs no device. Three draw lists, "opaque",
 // "masked" and "transparent", together contain all draws of the scene. The draw list "anisotropic" repeats
 // some draws of "opaque" and "masked". Further imports: a buffer with the draw commands of each list
-// (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes, materials), and the
-// output image. The lists of views "sun" and "lampFaces" have the cascades of the sun and the views of the
-// scene's lamps. Graphs may also use the view "camera", the element types Light and DrawCommand and those of
-// the buffers, and the numbers directionalLights and environmentPictures.
+// (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes, materials), the
+// table materialTextures with the textures of all materials, and the output image. The lists of views "sun"
+// and "lampFaces" have the cascades of the sun and the views of the scene's lamps. Graphs may also use the
+// view "camera", the element types Light and DrawCommand and those of the buffers, and the numbers
+// directionalLights and environmentPictures.
 #pragma once
 
 #include <array>

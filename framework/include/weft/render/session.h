@@ -41,6 +41,9 @@ struct SessionInput {
     // The program's own lists of views: the number of views of each, by name. A graph imports them with the
     // kind "views", and FrameInput::views has their matrices.
     std::map<std::string, uint32_t, std::less<>> views = {};
+    // The program's own tables of textures, by name; see vk::ImportBindings::textures. A graph imports them
+    // with the kind "textures". The views must outlive the session.
+    std::map<std::string, std::vector<VkImageView>, std::less<>> textures = {};
     // Number of logical queues. The device must have been created with at least as many.
     uint32_t queues = 1;
     bool check_plan = false;  // True: the plan is checked before it runs. Debug builds always check it.

@@ -12,11 +12,14 @@ struct ShaderTarget {
     ShaderCapabilityMask capabilities = ~ShaderCapabilityMask{0};
     bool storage_read_without_format = true;
     uint64_t max_shared_bytes = UINT64_MAX;
+    // True: arrays of sampled images may have any index.
+    bool texture_tables = true;
     bool operator==(const ShaderTarget&) const = default;
 };
 
 [[nodiscard]] inline ShaderTarget shader_target(const DeviceProfile& profile) {
-    return {profile.shader_capabilities, profile.storage_read_without_format, profile.max_shared_bytes};
+    return {profile.shader_capabilities, profile.storage_read_without_format, profile.max_shared_bytes,
+            profile.texture_table > 0};
 }
 
 }  // namespace weft

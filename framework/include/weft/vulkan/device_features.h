@@ -30,6 +30,15 @@ struct OptionalFeatures {
     // Dynamic indices into arrays of uniform buffers. On llvmpipe, rewritten shaders use them; see
     // opaque_uniforms.h.
     bool uniform_array_indexing = false;
+    // The three features that tables of textures need; see texture_tables().
+    bool runtime_arrays = false;
+    bool sampled_array_indexing = false;
+    bool nonuniform_sampled_array_indexing = false;
+
+    // True: shaders can index tables of textures, with numbers that differ between invocations.
+    [[nodiscard]] bool texture_tables() const {
+        return runtime_arrays && sampled_array_indexing && nonuniform_sampled_array_indexing;
+    }
 };
 
 // The feature structs of Vulkan 1.0 to 1.3, linked through pNext. The class is not copyable, because the

@@ -46,6 +46,9 @@ struct ImportBindings {
     // next frame while the GPU reads that of the last one. Index: the slot that begin_frame() returned.
     std::map<std::string, std::array<VkBuffer, kFramesInFlight>, std::less<>> slot_buffers = {};
     std::map<std::string, const Image*, std::less<>> images;
+    // The tables of textures: for each texture, a view of type VK_IMAGE_VIEW_TYPE_2D. While frames run, the
+    // images are in the layout VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL. The views must outlive the executor.
+    std::map<std::string, std::vector<VkImageView>, std::less<>> textures = {};
 };
 
 struct FrameInput {
