@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/check_areas.h"
 #include "check/check_frame_slices.h"
 #include "check/check_groups.h"
 #include "check/check_indirect.h"
@@ -285,6 +286,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_pieces(plan, faults);
     if (faults.any("C344")) return false;
     check_indirect(plan, faults);
+    check_areas(plan, faults);
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);

@@ -194,6 +194,11 @@ VkDescriptorSet GpuScene::frame_set(uint32_t frame_slot, std::string_view view) 
     return frame_.set(frame_slot, view);
 }
 
+VkDescriptorSet GpuScene::frame_set_of_area(uint32_t frame_slot, std::string_view view,
+                                            const LiveArea& area) const {
+    return frame_.set(frame_slot, area_view(view, area));
+}
+
 bool GpuScene::add_frame_bytes(uint32_t frame_slot, std::string_view view, std::span<const FrameRange> ranges,
                                std::vector<std::byte>& bytes) const {
     frame_.add_bytes(frame_slot, view, ranges, bytes);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "weft/imports.h"
+#include "weft/live_value.h"
 #include "weft/shader_interface.h"
 #include "weft/vulkan/device.h"
 
@@ -57,6 +58,12 @@ class DrawSource {
     [[nodiscard]] virtual VkDescriptorSetLayout set_layout(uint32_t set) const = 0;
     // Returns descriptor set 0 of a frame slot for the view with the name `view`, such as "camera".
     [[nodiscard]] virtual VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const = 0;
+    // Returns set 0 of the same view for a pass that draws or writes images with a live size. Its viewport is
+    // this area of the frame. A source that does not know areas returns frame_set().
+    [[nodiscard]] virtual VkDescriptorSet frame_set_of_area(uint32_t frame_slot, std::string_view view,
+                                                            const LiveArea& /*area*/) const {
+        return frame_set(frame_slot, view);
+    }
     // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the
     // opposite winding.
     [[nodiscard]] virtual bool is_mirrored(std::string_view /*view*/) const { return false; }
