@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "check/check_areas.h"
 #include "check/check_frame_slices.h"
 #include "check/check_groups.h"
 #include "check/check_indirect.h"
@@ -289,6 +290,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_indirect(plan, faults);
     check_views(plan, faults);
     check_tables(plan, faults);
+    check_areas(plan, faults);
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);

@@ -174,6 +174,9 @@ class TransitionCheck {
                 "copy only a resource of the same name, format and age; convert only floats");
         const bool same = from.extent == decl.extent && from.mips == decl.mips &&
                           from.layers == decl.layers && from.size_bytes == decl.size_bytes;
+        if (!carry.resample && from.area != kNoId && decl.area == kNoId)
+            add("C370", carry.to, "gets an image of which only the area has content",
+                "scale the area to the whole image, or clear it");
         if (carry.resample ? decl.on_resize != OnResize::resample : !same)
             add("C370", carry.to, "has another size than the old resource that gives its content",
                 "after a change of size, follow onResize");

@@ -27,8 +27,12 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
 // Returns the view constants of this frame. The first frame has no previous frame, so it uses its own view as
 // the previous view.
 shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
-    shared::ViewConstants view = view_constants(camera, view_.steady_view_projection, size_.width,
-                                                size_.height, jitter_px(frame_index_, jitter_length_));
+    const glm::uvec2 output_px(size_.width, size_.height);
+    // The jitter is in pixels of the area in which passes draw the camera.
+    const glm::vec2 area_px = views_.camera_px(plan().graph, output_px);
+    const glm::vec2 jitter = jitter_px(frame_index_, jitter_length_) * (glm::vec2(output_px) / area_px);
+    shared::ViewConstants view =
+        view_constants(camera, view_.steady_view_projection, size_.width, size_.height, jitter);
     if (frame_index_ == 0) view.prev_view_projection = view.steady_view_projection;
     return view;
 }
@@ -48,6 +52,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     pre_exposure_ = frame.pre_exposure;
     scene.set_time(*slot, input.time_s);
     const scene::Camera camera = scene.placed(input.camera);
+    views_.set_scales(plan().graph, input.scales);
     view_ = find_view(camera);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     shared::FrameConstants constants = scene.frame_constants();
@@ -56,7 +61,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    views_.update({view_, sun_, scene.lights(), input.views});
+    views_.update({view_, sun_, scene.lights(), input.views}, plan().graph);
     if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views()); !set)
         return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};
@@ -64,6 +69,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
+    frame.scales = input.scales;
     scene.gpu().add_versions(frame.import_versions);
     // The textures of tables never change.
     for (const std::string& table : stage_.tables) frame.import_versions.emplace(table, 0);

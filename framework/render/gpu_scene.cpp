@@ -200,6 +200,11 @@ Result<std::unique_ptr<vk::ViewSets>> GpuScene::make_view_sets(std::span<const v
     return frame_.make_view_sets(places);
 }
 
+VkDescriptorSet GpuScene::frame_set_of_area(uint32_t frame_slot, std::string_view view,
+                                            const LiveArea& area) const {
+    return frame_.set(frame_slot, area_view(view, area));
+}
+
 bool GpuScene::add_frame_bytes(uint32_t frame_slot, std::string_view view, std::span<const FrameRange> ranges,
                                std::vector<std::byte>& bytes) const {
     frame_.add_bytes(frame_slot, view, ranges, bytes);

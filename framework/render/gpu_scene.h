@@ -42,6 +42,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
     [[nodiscard]] Result<std::unique_ptr<vk::ViewSets>> make_view_sets(
         std::span<const vk::ViewPlace> places) const override;
+    [[nodiscard]] VkDescriptorSet frame_set_of_area(uint32_t frame_slot, std::string_view view,
+                                                    const LiveArea& area) const override;
     [[nodiscard]] bool add_frame_bytes(uint32_t frame_slot, std::string_view view,
                                        std::span<const FrameRange> ranges,
                                        std::vector<std::byte>& bytes) const override;

@@ -21,6 +21,7 @@ layout(push_constant) uniform Params {
     // The values that are shown as black and as white. Exception: for depth (DECODE 5) they are values of
     // log2(1 + distance in metres), and `black`, the nearer one, is shown as white.
     float black, white;
+    vec2 shownUv;  // The part of `shown` that has content; `surface` has the same size.
 } params;
 
 float ranged(float x) { return (x - params.black) / (params.white - params.black); }
@@ -50,9 +51,9 @@ vec3 decoded(vec4 x) {
 }
 
 void main() {
-    const vec4 x = texture(shown, uv);
+    const vec4 x = texture(shown, uv * params.shownUv);
     const bool odd = any(isnan(x)) || any(isinf(x));
-    const bool nothing = HAS_surface && textureLod(surface, uv, 0.0).r <= 0.0;
+    const bool nothing = HAS_surface && textureLod(surface, uv * params.shownUv, 0.0).r <= 0.0;
     // NaN and infinity are shown in magenta, because they are usually errors.
     const vec3 picked = odd ? vec3(1.0, 0.0, 1.0) : nothing ? nothing_color(ivec2(gl_FragCoord.xy)) : clamp(decoded(x), 0.0, 1.0);
     color = vec4(with_legend(picked, DECODE, params.black, params.white), 1.0);

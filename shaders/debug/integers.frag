@@ -17,10 +17,11 @@ uniform sampler2D surface;  // Depth attachment drawn with `shown`. Pixels with 
 
 layout(push_constant) uniform Params {
     float black, white;  // The values that are shown as black and as white.
+    vec2 shownUv;        // The part of `shown` that has content; `surface` has the same size.
 } params;
 
 void main() {
-    const uvec4 x = texelFetch(shown, ivec2(uv * vec2(textureSize(shown, 0))), 0);
+    const uvec4 x = texelFetch(shown, ivec2(uv * params.shownUv * vec2(textureSize(shown, 0))), 0);
     const vec4 y = (vec4(x) - params.black) / (params.white - params.black);
     const vec3 picked = DECODE == 12   ? index_color(uint(x.r))
                         : DECODE == 11 ? heat_color(y.r)
@@ -29,7 +30,7 @@ void main() {
                         : DECODE == 9  ? y.bbb
                         : DECODE == 10 ? y.aaa
                                        : y.rgb;
-    const bool nothing = HAS_surface && textureLod(surface, uv, 0.0).r <= 0.0;
+    const bool nothing = HAS_surface && textureLod(surface, uv * params.shownUv, 0.0).r <= 0.0;
     const vec3 seen = nothing ? nothing_color(ivec2(gl_FragCoord.xy)) : clamp(picked, 0.0, 1.0);
     color = vec4(with_legend(seen, DECODE, params.black, params.white), 1.0);
 }

@@ -1,6 +1,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "graph/model/expr_op.h"
 #include "graph/parse/expression.h"
 
 namespace weft {
@@ -13,42 +14,6 @@ struct Outcome {
     const char* fault = nullptr;
     const char* help = nullptr;
 };
-
-using NumberFunction = double (*)(double, double);
-
-NumberFunction number_function(ExprOp op) {
-    switch (op) {
-        case ExprOp::add:
-            return [](double a, double b) { return a + b; };
-        case ExprOp::sub:
-            return [](double a, double b) { return a - b; };
-        case ExprOp::mul:
-            return [](double a, double b) { return a * b; };
-        case ExprOp::div:
-            return [](double a, double b) { return a / b; };
-        case ExprOp::mod:
-            return [](double a, double b) { return a - b * std::floor(a / b); };
-        case ExprOp::min:
-            return [](double a, double b) { return a < b ? a : b; };
-        case ExprOp::max:
-            return [](double a, double b) { return a > b ? a : b; };
-        case ExprOp::negate:
-            return [](double a, double) { return -a; };
-        case ExprOp::ceil:
-            return [](double a, double) { return std::ceil(a); };
-        case ExprOp::floor:
-            return [](double a, double) { return std::floor(a); };
-        case ExprOp::log2:
-            return [](double a, double) { return std::log2(a); };
-        default:
-            return nullptr;
-    }
-}
-
-bool is_binary(ExprOp op) {
-    return op == ExprOp::add || op == ExprOp::sub || op == ExprOp::mul || op == ExprOp::div ||
-           op == ExprOp::mod || op == ExprOp::min || op == ExprOp::max || op == ExprOp::make_size;
-}
 
 bool is_operand(ExprOp op) {
     return op == ExprOp::number || op == ExprOp::name || op == ExprOp::mips_of;
@@ -77,9 +42,7 @@ Outcome apply(ExprOp op, const ExprValue& a, const ExprValue& b) {
     if (op == ExprOp::make_size) return {size_value(a.x, b.x)};
     if (op == ExprOp::select_x) return {number_value(a.x)};
     if (op == ExprOp::select_y) return {number_value(a.y)};
-    const NumberFunction f = number_function(op);
-    assert(f != nullptr);
-    return {{f(a.x, b.x), f(a.y, b.y), a.is_size || b.is_size}};
+    return {{apply_op(op, a.x, b.x), apply_op(op, a.y, b.y), a.is_size || b.is_size}};
 }
 
 Diagnostic unknown(const ExprNode& node, const ExprNames& names, const SourceMap& sources) {

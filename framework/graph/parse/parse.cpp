@@ -54,9 +54,37 @@ void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
     });
 }
 
+// A live size: an object with the size and its scale.
+struct LiveSizeDraft {
+    Expr size;
+    SizeScaleDesc scale;
+};
+
+constexpr std::array kLiveSizeKeys{
+    KeyRule<LiveSizeDraft>{
+        "size", [](ParseContext& c, const JsonNode& n, LiveSizeDraft& d) { read_size(c, n, d.size); }},
+    KeyRule<LiveSizeDraft>{"scale", [](ParseContext& c, const JsonNode& n, LiveSizeDraft& d) {
+                               d.scale.loc = n.loc;
+                               read_string(c, n, d.scale.param);
+                           }}};
+
+void read_live_size(ParseContext& context, const JsonMember& member, GraphDesc& graph) {
+    LiveSizeDraft draft;
+    if (!read_object(context, member.value, "a live size", kLiveSizeKeys, draft)) return;
+    constexpr std::array<std::array<const char*, 2>, 2> kNeeded{
+        {{"size", "write the size at scale 1, for example \"size\": \"output\""},
+         {"scale", "write the name of a parameter, or only the size: \"render\": \"output\""}}};
+    for (const auto& [key, help] : kNeeded)
+        if (member.value.find(key) == nullptr) missing_key(context, member.key_loc, "a live size", key, help);
+    if (draft.size.empty() || draft.scale.param.empty()) return;
+    graph.sizes.emplace(member.key, std::move(draft.size));
+    graph.size_scales.emplace(member.key, std::move(draft.scale));
+}
+
 void read_sizes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_named(context, node, "a size", [&](const JsonMember& member) {
         if (!check_value_count(context, graph, member.key_loc)) return;
+        if (member.value.kind == JsonKind::object) return read_live_size(context, member, graph);
         Expr size;
         if (read_size(context, member.value, size)) graph.sizes.emplace(member.key, std::move(size));
     });
@@ -174,6 +202,7 @@ std::string stem(const std::string& path) {
 void list_graph_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "graph", kTopKeys);
     list_keys(lists, "import", kImportKeys);
+    list_keys(lists, "liveSize", kLiveSizeKeys);
     lists.push_back({"importKind", false, import_kinds()});
     list_keys(lists, "tier", kTierKeys);
     list_keys(lists, "patch", kPatchKeys);

@@ -79,7 +79,7 @@ constexpr NumberRule kSide{1, kMaxRectPx, true};
 constexpr NumberRule kFloat{-3.4e38, 3.4e38, false};
 
 void read_state_number(ParseContext& context, const JsonNode& node, const NumberRule& rule, PassDesc& pass,
-                       StateSetter set) {
+                       StateSetter set, std::optional<RectSideDesc> rect = {}) {
     if (node.kind == JsonKind::number) {
         int64_t whole = 0;
         float number = 0;
@@ -89,7 +89,7 @@ void read_state_number(ParseContext& context, const JsonNode& node, const Number
             set(pass.state, node.number);
         return;
     }
-    StateNumberDesc late{{}, rule.least, rule.most, rule.whole, set};
+    StateNumberDesc late{{}, rule.least, rule.most, rule.whole, set, rect};
     if (read_expression(context, node, late.value)) pass.state_numbers.push_back(std::move(late));
 }
 
@@ -186,9 +186,11 @@ void read_rect(ParseContext& context, const JsonNode& node, const NumberRule& pl
         [](RasterState& s, double v) { (s.*Rect)->y = static_cast<int32_t>(v); },
         [](RasterState& s, double v) { (s.*Rect)->width = static_cast<uint32_t>(v); },
         [](RasterState& s, double v) { (s.*Rect)->height = static_cast<uint32_t>(v); }};
-    for (size_t i = 0; i < kSet.size(); ++i) {
+    constexpr bool kScissor = Rect == &RasterState::scissor;
+    for (uint32_t i = 0; i < kSet.size(); ++i) {
         const PointerScope scope(context, std::to_string(i));
-        read_state_number(context, node.items[i], i < 2 ? place : kSide, pass, kSet[i]);
+        read_state_number(context, node.items[i], i < 2 ? place : kSide, pass, kSet[i],
+                          RectSideDesc{kScissor, i});
     }
 }
 

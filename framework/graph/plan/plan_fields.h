@@ -43,7 +43,7 @@ void visit_fields(V& v, const ResourceDecl& x) {
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
     v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import),
         v("clear", x.clear);
-    v("file", x.file), v("textures", x.textures), v("textureFiles", x.texture_files);
+    v("file", x.file), v("textures", x.textures), v("textureFiles", x.texture_files), v("area", x.area);
 }
 template <class V>
 void visit_fields(V& v, const VersionSource& x) {
@@ -99,7 +99,29 @@ template <class V>
 void visit_fields(V& v, const ParamWrite& x) {
     v("member", x.member), v("offsetBytes", x.offset_bytes), v("scalar", x.scalar),
         v("components", x.components);
-    v("builtin", x.builtin), v("resource", x.resource), v("use", x.use), v("value", x.value);
+    v("builtin", x.builtin), v("resource", x.resource), v("use", x.use), v("value", x.value),
+        v("live", x.live);
+}
+template <class V>
+void visit_fields(V& v, const LiveStep& x) {
+    v("op", x.op), v("number", x.number), v("value", x.value);
+}
+template <class V>
+void visit_fields(V& v, const LiveValue& x) {
+    v("name", x.name), v("param", x.param), v("least", x.least), v("most", x.most), v("steps", x.steps),
+        v("scale", x.scale);
+}
+template <class V>
+void visit_fields(V& v, const LiveArea& x) {
+    v("image", x.image), v("mip", x.mip);
+}
+template <class V>
+void visit_fields(V& v, const LiveCount& x) {
+    v("value", x.value), v("side", x.side), v("mip", x.mip), v("per", x.per);
+}
+template <class V>
+void visit_fields(V& v, const LiveSide& x) {
+    v("scissor", x.scissor), v("side", x.side), v("value", x.value);
 }
 template <class V>
 void visit_fields(V& v, const SpecValue& x) {
@@ -127,6 +149,7 @@ void visit_fields(V& v, const PassDecl& x) {
         v("drawCountUse", x.draw_count_use), v("mostDraws", x.most_draws), v("viewUse", x.view_use);
     v("frameSlice", x.frame_slice), v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit),
         v("carries", x.carries);
+    v("area", x.area), v("liveGroups", x.live_groups), v("liveSides", x.live_sides);
 }
 template <class V>
 void visit_fields(V& v, const GroupDecl& x) {
@@ -142,7 +165,7 @@ template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {
     v("name", x.name), v("outputExtent", x.output_extent), v("resources", x.resources), v("passes", x.passes);
     v("edges", x.edges), v("output", x.output), v("params", x.params), v("restUnitCount", x.rest_unit_count);
-    v("groups", x.groups), v("views", x.views);
+    v("groups", x.groups), v("views", x.views), v("liveValues", x.live_values);
 }
 template <class V>
 void visit_fields(V& v, const LiveGraph& x) {

@@ -122,7 +122,13 @@ const char* enum_name(StencilOp value) {
 
 const char* enum_name(Builtin value) {
     return pick(value, std::array{"none", "frame_index", "time_s", "delta_time_s", "pre_exposure",
-                                  "prev_pre_exposure", "valid"});
+                                  "prev_pre_exposure", "valid", "unit_valid", "unit_bits", "live",
+                                  "area_size", "area_uv", "area_uv_most"});
+}
+
+const char* enum_name(ExprOp value) {
+    return pick(value, std::array{"number", "name", "mips", ".x", ".y", "+", "-", "*", "/", "%", "negate",
+                                  "min", "max", "ceil", "floor", "log2", "size"});
 }
 
 const char* enum_name(ScalarType value) {

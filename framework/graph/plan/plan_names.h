@@ -33,5 +33,6 @@ namespace weft {
 [[nodiscard]] const char* enum_name(Builtin value);
 [[nodiscard]] const char* enum_name(ParamCost value);
 [[nodiscard]] const char* enum_name(ScalarType value);
+[[nodiscard]] const char* enum_name(ExprOp value);
 
 }  // namespace weft

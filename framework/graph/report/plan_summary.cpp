@@ -10,6 +10,7 @@
 #include "graph/plan/plan_fields.h"
 #include "graph/plan/plan_names.h"
 #include "graph/report/group_phrases.h"
+#include "graph/report/live_phrases.h"
 #include "graph/report/plan_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/memory_report.h"
@@ -72,12 +73,13 @@ std::string extent_fact(const Extent3D& e) {
     return std::to_string(e.width) + "x" + std::to_string(e.height) + "x" + std::to_string(e.depth);
 }
 
-void add_params(const PassDecl& pass, Facts& facts) {
+void add_params(const ResolvedGraph& graph, const PassDecl& pass, Facts& facts) {
     for (const ParamWrite& p : pass.params) {
         std::string text = "param " + p.member + " =";
         if (p.builtin != Builtin::none) text.append(" ").append(enum_name(p.builtin));
         for (size_t i = 0; p.builtin == Builtin::none && i < p.components; ++i)
             text += " " + std::to_string(p.value.at(i));
+        for (const uint32_t value : p.live) text += " " + live_name(graph, value);
         facts.push_back(std::move(text));
     }
     for (const NamedValue& p : pass.custom_params)
@@ -130,6 +132,8 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
     if (!plan.live.live_passes[id]) facts.push_back("culled: " + plan.live.details[id]);
     if (pass.kind == PassKind::compute)
         facts.push_back("groups " + extent_fact({pass.groups[0], pass.groups[1], pass.groups[2]}));
+    for (const LiveCount& count : pass.live_groups)
+        if (count.value != kNoId) facts.push_back("groups follow " + live_name(plan.graph, count.value));
     if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
         facts.push_back("render extent " + extent_fact(pass.render_extent));
     for (const std::string& list : pass.draw_lists)
@@ -144,7 +148,7 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
         facts.push_back("executes " + std::string(pass.draw_count_use == kNoId ? "" : "up to ") +
                         count_text(pass.most_draws, "draw command"));
     add_fields("state ", pass.state, facts);
-    add_params(pass, facts);
+    add_params(plan.graph, pass, facts);
     for (const UseDecl& use : pass.uses) {
         facts.push_back(std::string(use.is_output ? "out " : "in ") + use.port + " = " +
                         describe_part(plan, use.resource, use.range) +
@@ -171,6 +175,7 @@ std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId id
     } else if (r.kind == ResourceKind::image) {
         facts.push_back("format " + std::string(format_info(r.format).name));
         facts.push_back("extent " + extent_fact(r.extent));
+        if (r.area != kNoId) facts.push_back("area " + describe_area(plan.graph, r));
         facts.push_back(count_text(r.mips, "mip") + ", " + count_text(r.layers, "layer") + ", " +
                         count_text(r.samples, "sample") + ", " + enum_name(r.image_kind));
     }

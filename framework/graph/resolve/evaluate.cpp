@@ -52,11 +52,49 @@ double value_of(const std::string& name, const ParamDesc& param,
     return given != params.end() ? given->second : param.default_value;
 }
 
+// Checks the scale of a live size. A scale without an error is added to `scales`.
+void add_scale(const GraphDesc& graph, const SizeScaleDesc& scale, std::set<std::string>& scales,
+               Reporter& reporter) {
+    const auto refuse = [&](SourceLoc loc, const std::string& message, const std::string& help) {
+        add_help(reporter.error(loc, "W236", message), help);
+    };
+    const auto param = graph.params.find(scale.param);
+    if (param == graph.params.end()) {
+        std::vector<std::string> known;
+        for (const auto& [name, unused] : graph.params) known.push_back(name);
+        const std::string near = did_you_mean_text(scale.param, known);
+        return refuse(scale.loc, "the scale of a size names no parameter: " + quote(scale.param),
+                      near.empty() ? "add the parameter: \"params\": { " + quote(scale.param) +
+                                         ": { \"default\": 1, \"range\": [0.5, 1] } }"
+                                   : near);
+    }
+    const auto& range = param->second.range;
+    if (range && (*range)[0] > 0 && (*range)[1] <= 1) {
+        scales.insert(scale.param);
+        return;
+    }
+    refuse(param->second.loc,
+           "parameter " + quote(scale.param) + " is the scale of a size, but " +
+               (range ? "its range is from " + number_text((*range)[0]) + " to " + number_text((*range)[1])
+                      : "it has no range"),
+           "add a range above 0 and at most 1, for example \"range\": [0.5, 1]; for larger images, make the "
+           "\"size\" larger");
+}
+
+// Returns the parameters that are scales of live sizes.
+std::set<std::string> find_scales(const GraphDesc& graph, Reporter& reporter) {
+    std::set<std::string> scales, seen;
+    for (const auto& [name, scale] : graph.size_scales)
+        if (seen.insert(scale.param).second) add_scale(graph, scale, scales, reporter);
+    return scales;
+}
+
 void add_params(const ResolveInput& input, Values& values, Reporter& reporter) {
+    values.scales = find_scales(input.graph, reporter);
     for (Diagnostic& fault : param_faults(input.graph, input.request.params)) reporter.add(std::move(fault));
     for (const auto& [name, param] : input.graph.params) {
         const double value = value_of(name, param, input.request.params);
-        values.by_name[name] = number_value(value);
+        values.by_name[name] = number_value(values.scales.contains(name) ? 1 : value);
         if (!allows(param, value)) values.faulty.insert(name);
         values.params.push_back({name, value, ParamCost::nothing});
     }
@@ -140,7 +178,7 @@ class NamedEvaluator {
     void finish(const std::string& name, const Expr& expression) {
         if (is_faulty(name)) return;
         if (const auto value = evaluate_number_or_size(name, expression)) {
-            values_.by_name[name] = *value;
+            values_.by_name[name] = graph_.size_scales.contains(name) ? whole_pixels(*value) : *value;
         } else {
             values_.faulty.insert(name);
         }
@@ -153,6 +191,13 @@ class NamedEvaluator {
             reporter_.error(expression.loc, "W106", "constant " + quote(name) + " is a size, not a number");
         add_help(d, "use .x or .y of the size, or move the constant to \"sizes\"");
         return std::nullopt;
+    }
+
+    // Returns the value of a live size at scale 1, rounded as the sizes of images are. A value that is not
+    // above 0 stays, so that the image with this size reports it.
+    static ExprValue whole_pixels(const ExprValue& size) {
+        const auto side = [](double px) { return px > 0 ? std::max(1.0, std::floor(px)) : px; };
+        return size_value(side(size.x), side(size.y));
     }
 
     bool is_faulty(const std::string& name) const { return values_.faulty.contains(name); }

@@ -1,6 +1,6 @@
 // Purpose: the first stage of resolve(). Finds the values of parameters, constants and sizes, which all later
 // expressions can name. Also finds the lists of views.
-// Errors: W106, W107, W109, W118, W120, W191, W230.
+// Errors: W106, W107, W109, W118, W120, W191, W230, W236.
 #pragma once
 
 #include <map>
@@ -28,11 +28,13 @@ struct ViewList {
 };
 
 struct Values {
+    // Sizes and scales have their values at scale 1, because the plan is made for this scale.
     std::map<std::string, ExprValue> by_name;
     // Names without a value, because an error in their definition was reported.
     std::set<std::string, std::less<>> faulty;
     // The parameters of the graph, sorted by name. weigh_params() fills in their costs later.
     std::vector<GraphParam> params;
+    std::set<std::string> scales;  // The parameters that are scales of live sizes.
     uint32_t frames = 1;
     std::map<std::string, ViewList, std::less<>> views;  // All lists of views, by name.
 };

@@ -24,6 +24,8 @@ constexpr std::array kBuiltins{
     BuiltinName{"time", Builtin::time_s},
 };
 constexpr std::string_view kSizeSuffix = "Size";
+constexpr std::string_view kUvSuffix = "Uv";
+constexpr std::string_view kUvMostSuffix = "UvMost";
 constexpr std::string_view kValidSuffix = "Valid";
 constexpr std::string_view kBitsSuffix = "ValidBits";
 constexpr std::string_view kCountSuffix = "Count";
@@ -111,8 +113,9 @@ class BlockFiller : PassStage<Blocks> {
             store(member, write, {0}, shader_loc());
             return true;
         }
-        return from_port_size(member, write) || from_port_valid(member, write) ||
-               from_port_bits(member, write) || from_port_count(member, write);
+        return from_port_size(member, write) || from_port_uv(member, write) ||
+               from_port_valid(member, write) || from_port_bits(member, write) ||
+               from_port_count(member, write);
     }
 
     // Returns the use of the port whose name and `suffix` form `name`, for example port "hdr" for "hdrSize".
@@ -231,6 +234,28 @@ class BlockFiller : PassStage<Blocks> {
         return true;
     }
 
+    // Fills a member such as "colorUv" or "colorUvMost"; see follow_areas() for images with a live size. For
+    // all others, the area is the whole image.
+    bool from_port_uv(const BlockMember& member, ParamWrite& write) {
+        for (const std::string_view suffix : {kUvSuffix, kUvMostSuffix}) {
+            if (!member.name.ends_with(suffix)) continue;
+            if (stands_for_absent(member.name, suffix)) {
+                store(member, write, {1, 1}, shader_loc());
+                return true;
+            }
+            const UseDecl* use = port_before(member.name, suffix);
+            if (!use || graph_.resources[use->resource].kind == ResourceKind::buffer)
+                return suspects_.passes[pass_];
+            const Extent3D extent = use_extent(graph_.resources, *use);
+            const double edge = suffix == kUvSuffix ? 0 : 0.5;
+            store(member, write,
+                  {(extent.width - edge) / extent.width, (extent.height - edge) / extent.height},
+                  shader_loc());
+            return true;
+        }
+        return false;
+    }
+
     void store(const BlockMember& member, ParamWrite& write, const std::vector<double>& values,
                SourceLoc loc) {
         if (values.size() != member.rows) {
@@ -266,7 +291,8 @@ class BlockFiller : PassStage<Blocks> {
         for (const BuiltinName& builtin : kBuiltins) known.emplace_back(builtin.name);
         for (const UseDecl& use : bound_.uses) {
             if (graph_.resources[use.resource].kind == ResourceKind::image && table_size(use) == 0)
-                known.push_back(use.port + "Size");
+                for (const std::string_view suffix : {kSizeSuffix, kUvSuffix, kUvMostSuffix})
+                    known.push_back(use.port + std::string(suffix));
             known.push_back(use.port + "Valid");
             known.push_back(use.port + "ValidBits");
             if (use.each != EachPart::none || table_size(use) > 0) known.push_back(use.port + "Count");

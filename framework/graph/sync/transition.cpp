@@ -30,11 +30,13 @@ bool can_blit(const ResourceDecl& from, const ResourceDecl& to) {
 
 // Decides how a resource of the new plan gets its first content: from the old plan's resource of the same
 // name, in the same memory, copied, or scaled and converted; or by a clear.
+// An image that had a live size may have content only in its area, so an image without one cannot copy it.
 ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
                            old_decl.image_kind == decl.image_kind && old_decl.samples == decl.samples;
     if (!same_kind) return ContentAction::clear;
-    if (same_shape(old_decl, decl) && old_decl.format == decl.format)
+    const bool only_area = old_decl.area != kNoId && decl.area == kNoId;
+    if (same_shape(old_decl, decl) && old_decl.format == decl.format && !only_area)
         return old_decl.shared && decl.shared && old_decl.usage == decl.usage ? ContentAction::share
                                                                               : ContentAction::copy;
     return can_blit(old_decl, decl) ? ContentAction::resample : ContentAction::clear;
@@ -179,6 +181,8 @@ std::string difference_text(const ResourceDecl& from, const ResourceDecl& to) {
                 std::string(format_info(to.format).name);
     if (!same_shape(from, to))
         text += std::string(text.empty() ? "" : ",") + " from " + size_text(from) + " to " + size_text(to);
+    if (from.area != kNoId && to.area == kNoId)
+        text += std::string(text.empty() ? "" : ",") + " from a live size to a fixed size";
     return text;
 }
 

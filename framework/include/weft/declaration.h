@@ -15,6 +15,7 @@
 #include "weft/format.h"
 #include "weft/graph_param.h"
 #include "weft/id.h"
+#include "weft/live_value.h"
 #include "weft/raster_state.h"
 #include "weft/resource_usage.h"
 #include "weft/sampler.h"
@@ -126,6 +127,10 @@ struct ResourceDecl {
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
     // its own; absent: 0.
     std::optional<std::array<float, 4>> clear;
+    // For an image with a live size: an index into ResolvedGraph::live_values, the size of the area that
+    // passes use in a frame. The area of the first mip is this size, rounded down, from 1 to `extent`. kNoId:
+    // passes use the whole image.
+    uint32_t area = kNoId;
     SourceLoc loc;
 
     [[nodiscard]] SubresourceRange whole() const;
@@ -223,7 +228,10 @@ struct AttachmentDecl {
 // (ParamWrite::resource): 1 if a frame has written its content, 0 if the content is still the initial value.
 // `unit_valid` and `unit_bits` belong to a port (ParamWrite::use) whose resource units write: 1 if all of
 // these units have run since the resource was made or cleared; `unit_bits` has one bit for each layer of the
-// port.
+// port. The values from `live` on follow live scales. `live`: each component is a value of the list
+// ResolvedGraph::live_values (ParamWrite::live). The others belong to a port (ParamWrite::use) with a live
+// image. `area_size`: the size of its area in pixels. `area_uv`: the size of the area divided by that of the
+// image. `area_uv_most`: the largest texture coordinate at which a linear filter reads only the area.
 enum class Builtin : uint8_t {
     none,
     frame_index,
@@ -234,6 +242,10 @@ enum class Builtin : uint8_t {
     valid,
     unit_valid,
     unit_bits,
+    live,
+    area_size,
+    area_uv,
+    area_uv_most,
 };
 
 // The value of one member of the shader's block `Params`: a constant in `value`, or a Builtin of the frame.
@@ -244,8 +256,12 @@ struct ParamWrite {
     uint8_t components = 1;
     Builtin builtin = Builtin::none;
     ResourceId resource = kNoId;  // Only for Builtin::valid: the resource with history.
-    uint32_t use = kNoId;         // Only for unit_valid and unit_bits: index into PassDecl::uses of the port.
+    // Only for unit_valid, unit_bits, area_size, area_uv and area_uv_most: index into PassDecl::uses of the
+    // port.
+    uint32_t use = kNoId;
     std::array<double, 4> value{0, 0, 0, 0};
+    // Only for Builtin::live: the value of each component, an index into ResolvedGraph::live_values.
+    std::vector<uint32_t> live;
 };
 
 struct SpecValue {
@@ -317,6 +333,13 @@ struct PassDecl {
     // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
     // last frame to the copy of this frame, before all other passes that use this copy.
     bool carries = false;
+    // The area that the pass draws to or writes in each frame, if its images have a live size.
+    // `render_extent` and `groups` are those of scale 1. The executor replaces the numbers of workgroups by
+    // `live_groups` (empty, or one for each dimension), and the numbers of viewport and scissor by
+    // `live_sides`.
+    LiveArea area;
+    std::vector<LiveCount> live_groups;
+    std::vector<LiveSide> live_sides;
     // The author's order of passes that do not depend on each other: by this key, then by name. Passes of a
     // graph file have the key 0; a program that makes a graph in memory can set other keys.
     uint32_t order_key = 0;
@@ -364,8 +387,10 @@ struct ResolvedGraph {
     // The import of kind "output", to which the picture is written; kNoId if the graph has no output.
     ResourceId output = kNoId;
     std::vector<GraphParam> params;  // The graph's parameters with their values.
-    uint32_t rest_unit_count = 0;    // Number of units; see PassDecl::rest_unit.
-    std::vector<GroupDecl> groups;   // Sorted by name. Their units have the highest numbers.
+    // The values that depend on live scales. Each value depends only on values before it.
+    std::vector<LiveValue> live_values;
+    uint32_t rest_unit_count = 0;   // Number of units; see PassDecl::rest_unit.
+    std::vector<GroupDecl> groups;  // Sorted by name. Their units have the highest numbers.
     // The lists of views that passes use, and the lists that these show in mirrors, sorted by name.
     std::vector<ViewListDecl> views;
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "weft/declaration.h"
+#include "weft/expr_op.h"
 #include "weft/source.h"
 
 namespace weft {
@@ -19,26 +20,6 @@ namespace weft {
 // form: "half.x + 1" becomes half, .x, 1, +. Names are parameters, constants, sizes or indices of repeats;
 // `.x`, `.y` and mips(res) are operations. evaluate() in framework/graph/parse/expression.h computes the
 // value.
-enum class ExprOp : uint8_t {
-    number,
-    name,
-    mips_of,
-    select_x,
-    select_y,
-    add,
-    sub,
-    mul,
-    div,
-    mod,
-    negate,
-    min,
-    max,
-    ceil,
-    floor,
-    log2,
-    make_size,  // Makes a size from two numbers, as in "size": [w, h].
-};
-
 struct ExprNode {
     ExprOp op = ExprOp::number;
     double number = 0;
@@ -59,6 +40,12 @@ struct Expr {
 // A colour: one expression for each channel, in the order r, g, b, a.
 struct ColorDesc {
     std::array<Expr, 4> channels;
+};
+
+// The key "scale" of a size: in each frame, passes use only a part of the images with this size.
+struct SizeScaleDesc {
+    std::string param;  // The parameter with the scale, from above 0 to 1.
+    SourceLoc loc;
 };
 
 // A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth, or .range(a..b)
@@ -226,6 +213,12 @@ struct ResolveDesc {
 // Stores a number in the fixed-function state of a pass.
 using StateSetter = void (*)(RasterState&, double);
 
+// A number of the viewport or the scissor rectangle: side 0 to 3 is x, y, width, height.
+struct RectSideDesc {
+    bool scissor = false;
+    uint32_t side = 0;
+};
+
 // A number of the fixed-function state that the graph gives as an expression. resolve() evaluates `value`,
 // checks that the result is in [least, most] and whole if required, and stores it with `set`.
 struct StateNumberDesc {
@@ -233,6 +226,7 @@ struct StateNumberDesc {
     double least = 0, most = 0;
     bool whole = false;
     StateSetter set = nullptr;
+    std::optional<RectSideDesc> rect = {};  // Absent: the number belongs to no rectangle.
 };
 
 // Places in the file of state that only some devices support, for the messages about missing features.
@@ -379,6 +373,7 @@ struct GraphDesc {
     std::map<std::string, Expr> consts;
     std::map<std::string, ParamDesc> params;
     std::map<std::string, Expr> sizes;
+    std::map<std::string, SizeScaleDesc> size_scales;  // The scales of live sizes, by the name of the size.
     std::map<std::string, ImportDesc> imports;
     std::map<std::string, ViewListDesc> views;
     std::map<std::string, ResourceDesc> resources;

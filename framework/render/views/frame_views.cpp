@@ -1,6 +1,7 @@
 #include "render/views/frame_views.h"
 
 #include <algorithm>
+#include <set>
 
 namespace weft::render {
 namespace {
@@ -37,6 +38,10 @@ Diagnostic too_few(const std::string& list, size_t given, size_t wanted) {
 
 }  // namespace
 
+std::string area_view(std::string_view view, const LiveArea& area) {
+    return std::string(view) + " in " + std::to_string(area.image) + "." + std::to_string(area.mip);
+}
+
 void FrameViews::set_plan(const FramePlan& plan) {
     lists_ = plan.graph.views;
     std::map<std::string, glm::uvec2> used;
@@ -53,6 +58,38 @@ void FrameViews::set_plan(const FramePlan& plan) {
         views_.push_back({name});
         sizes_px_.push_back(size);
     }
+    add_area_views(plan);
+}
+
+// Adds the views for passes with an area, one for each pair of a view and an area.
+void FrameViews::add_area_views(const FramePlan& plan) {
+    area_views_.clear();
+    camera_area_ = {};
+    std::set<std::string> known;
+    for (const PassId id : plan.schedule.order) {
+        const PassDecl& pass = plan.graph.passes[id];
+        if (pass.area.image == kNoId || is_in_buffer(pass.view)) continue;
+        const auto extent = [&](const LiveArea& area) {
+            return mip_extent(plan.graph.resources[area.image].extent, area.mip).width;
+        };
+        const bool draws_camera = pass.kind == PassKind::raster && pass.view == kCamera;
+        if (draws_camera && (camera_area_.image == kNoId || extent(pass.area) > extent(camera_area_)))
+            camera_area_ = pass.area;
+        if (!known.insert(area_view(pass.view, pass.area)).second) continue;
+        const auto view = std::ranges::find(views_, pass.view, &FrameView::name);
+        area_views_.push_back({static_cast<uint32_t>(view - views_.begin()), pass.area});
+    }
+    for (const AreaView& view : area_views_) views_.push_back({area_view(views_[view.view].name, view.area)});
+}
+
+void FrameViews::set_scales(const ResolvedGraph& graph, const Scales& scales) {
+    evaluate_live(graph, scales, live_);
+}
+
+glm::uvec2 FrameViews::camera_px(const ResolvedGraph& graph, glm::uvec2 output_px) const {
+    if (camera_area_.image == kNoId) return output_px;
+    const Extent3D area = live_area(graph, camera_area_, live_);
+    return {area.width, area.height};
 }
 
 bool FrameViews::is_in_buffer(const std::string& view) const {
@@ -70,10 +107,11 @@ Status FrameViews::check(const ViewLists& program) const {
     return Unit{};
 }
 
-void FrameViews::update(const ViewSources& sources) {
+void FrameViews::update(const ViewSources& sources, const ResolvedGraph& graph) {
     const Frame frame{sources, lamp_views(sources.lights)};
     std::map<std::string, glm::mat4> now;
-    for (size_t i = 0; i < views_.size(); ++i) {
+    const size_t plain_views = views_.size() - area_views_.size();
+    for (size_t i = 0; i < plain_views; ++i) {
         FrameView& view = views_[i];
         const ViewName name = parts_of(view.name);
         view.constants = make(frame, name.list, name.index);
@@ -89,6 +127,15 @@ void FrameViews::update(const ViewSources& sources) {
         now.emplace(view.name, steady);
     }
     before_ = std::move(now);
+    for (size_t i = 0; i < area_views_.size(); ++i) {
+        FrameView& view = views_[plain_views + i];
+        const FrameView& plain = views_[area_views_[i].view];
+        const Extent3D area = live_area(graph, area_views_[i].area, live_);
+        view.constants = plain.constants;
+        view.mirrored = plain.mirrored;
+        view.constants.viewport_px = {area.width, area.height};
+        view.constants.inverse_viewport = 1.0f / view.constants.viewport_px;
+    }
 }
 
 shared::ViewConstants FrameViews::make(const Frame& frame, const std::string& name, uint32_t index) const {

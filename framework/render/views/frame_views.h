@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "graph/live/live_frame.h"
 #include "render/views/sun_cascades.h"
 #include "render/views/view_matrices.h"
 #include "weft/plan.h"
@@ -23,6 +24,9 @@ struct FrameView {
     bool mirrored = false;  // True if the picture is a mirror image.
 };
 
+// Returns the name of a view for passes with this area; see DrawSource::frame_set_of_area().
+[[nodiscard]] std::string area_view(std::string_view view, const LiveArea& area);
+
 // The inputs from which the views of a frame are computed.
 struct ViewSources {
     const shared::ViewConstants& camera;
@@ -38,9 +42,15 @@ class FrameViews {
     void set_plan(const FramePlan& plan);
     // Checks that the program gives all views of its lists that the plan uses. Error: W193.
     [[nodiscard]] Status check(const ViewLists& program) const;
+    // Evaluates the live sizes of the plan for the next frame. Call it before camera_px() and update().
+    void set_scales(const ResolvedGraph& graph, const Scales& scales);
+    // Returns the area in which raster passes draw the camera, if it has a live size; else `output_px`. The
+    // jitter of the camera moves the picture by fractions of these pixels.
+    [[nodiscard]] glm::uvec2 camera_px(const ResolvedGraph& graph, glm::uvec2 output_px) const;
     // Computes all views of the next frame. check() must have accepted the lists of the program.
-    void update(const ViewSources& sources);
-    // Returns the views of the frame. The first is the camera.
+    void update(const ViewSources& sources, const ResolvedGraph& graph);
+    // Returns the views of the frame. The first is the camera. A view for passes with an area follows the
+    // other views.
     [[nodiscard]] const std::vector<FrameView>& views() const { return views_; }
 
  private:
@@ -50,6 +60,7 @@ class FrameViews {
     };
     // Returns true if the GPU reads the view from a buffer.
     [[nodiscard]] bool is_in_buffer(const std::string& view) const;
+    void add_area_views(const FramePlan& plan);
     // Returns the constants of a view, but without its own size and previous matrix.
     [[nodiscard]] shared::ViewConstants make(const Frame& frame, const std::string& list,
                                              uint32_t index) const;
@@ -60,6 +71,14 @@ class FrameViews {
     std::vector<FrameView> views_;
     // The size of each view in pixels; 0 if no raster or fullscreen pass draws it.
     std::vector<glm::uvec2> sizes_px_;
+    // A view for passes with an area: the same view with another viewport.
+    struct AreaView {
+        uint32_t view = 0;  // Index into views_ of the view.
+        LiveArea area;
+    };
+    std::vector<AreaView> area_views_;  // They follow the other views in views_.
+    LiveArea camera_area_;              // The largest area in which raster passes draw the camera.
+    std::vector<LiveNumber> live_;      // The values of ResolvedGraph::live_values in this frame.
     // The matrices of the previous frame, without jitter, by the name of the view.
     std::map<std::string, glm::mat4> before_;
 };

@@ -116,7 +116,7 @@ Status ReplayExecutor::complete(uint32_t slot) {
         frame.timing.passes.push_back(pass_timing(position, times[position], frame));
     timings_.push_back(std::move(frame.timing));
     if (timings_.size() > kMostTimings) timings_.erase(timings_.begin());
-    objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, readbacks_);
+    objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, frame.areas, readbacks_);
     return Unit{};
 }
 
@@ -277,9 +277,12 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     InFlight& in_flight = in_flight_[slot];
     in_flight.frame_index = frame.frame_index;
     const Stopwatch record_watch;
+    objects_->areas.begin_frame(plan().graph, frame.scales, objects_->resources.rings, frames_run_);
+    if (!plan().graph.live_values.empty()) in_flight.areas = objects_->areas.all();
     choose_units(frame, prepare_uploads(frame, slot), slot);
     objects_->timer.reset(slot);
-    objects_->params.write(plan(), {frame, {objects_->resources, frames_run_}, &objects_->validity}, slot);
+    objects_->params.write(
+        plan(), {frame, {objects_->resources, frames_run_}, objects_->areas, &objects_->validity}, slot);
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);
     in_flight.wakes = chosen_.wakes;

@@ -52,6 +52,12 @@ Status ReplayExecutor::take_over(Predecessor predecessor) {
         return quiet;
     }
     objects_->resources.rings.inherit(old.objects_->resources.rings, old.frames_run_, predecessor.transition);
+    for (const ContentCopy& carried : predecessor.transition.carried)
+        if (!carried.resample && !carried.shared)
+            objects_->areas.inherit(
+                objects_->resources.rings.copy(carried.to, 0),
+                old.objects_->areas.area_before(old.plan().graph, carried.from, old.objects_->resources.rings,
+                                                old.frames_run_));
     rest_.inherit(old.rest_, match_units(old.plan(), plan(), predecessor.transition,
                                          [&](Position old_position, Position position) {
                                              return same_pipelines(old.objects_->passes[old_position],
@@ -91,8 +97,8 @@ void ReplayExecutor::record_start(VkCommandBuffer commands) const {
     if (!predecessor_) return record_prologue(device_, commands, objects_->plan, objects_->resources);
     const ReplayExecutor& old = executor_of(*predecessor_);
     record_transition(device_, commands, predecessor_->transition,
-                      {old.objects_->plan, {old.objects_->resources, old.frames_run_}},
-                      {objects_->plan, {objects_->resources, 0}});
+                      {old.objects_->plan, {old.objects_->resources, old.frames_run_}, old.objects_->areas},
+                      {objects_->plan, {objects_->resources, 0}, objects_->areas});
 }
 
 void ReplayExecutor::inherit_results() {

@@ -18,9 +18,9 @@ VkImageSubresourceLayers layers_of(const ResourceDecl& decl, uint32_t mip) {
 }
 
 // Returns the size of a mip level in pixels, as the second corner in a VkImageBlit. The first corner is
-// {0, 0, 0}.
-VkOffset3D end_of(const ResourceDecl& decl, uint32_t mip) {
-    const Extent3D extent = mip_extent(decl.extent, mip);
+// {0, 0, 0}. `area` is the size of the first mip, or of its part that has content.
+VkOffset3D end_of(const Extent3D& area, uint32_t mip) {
+    const Extent3D extent = mip_extent(area, mip);
     return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height),
             static_cast<int32_t>(extent.depth)};
 }
@@ -30,6 +30,8 @@ struct Images {
     const ResourceDecl& decl;
     VkImage from;
     VkImage to;
+    Extent3D old_area;  // The part of the old image that has content.
+    Extent3D area;      // The part of the new image that gets content by a blit.
 };
 
 void stretch(const Device& device, VkCommandBuffer commands, const Images& images) {
@@ -39,9 +41,9 @@ void stretch(const Device& device, VkCommandBuffer commands, const Images& image
         const uint32_t old_mip = std::min(mip, images.old_decl.mips - 1);
         VkImageBlit blit{};
         blit.srcSubresource = layers_of(images.old_decl, old_mip);
-        blit.srcOffsets[1] = end_of(images.old_decl, old_mip);
+        blit.srcOffsets[1] = end_of(images.old_area, old_mip);
         blit.dstSubresource = layers_of(images.decl, mip);
-        blit.dstOffsets[1] = end_of(images.decl, mip);
+        blit.dstOffsets[1] = end_of(images.area, mip);
         blits.push_back(blit);
     }
     device.fn().vkCmdBlitImage(commands, images.from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, images.to,
@@ -72,8 +74,13 @@ void record_copies(const Device& device, VkCommandBuffer commands, const Content
                                     to.resources.buffer(carry.to), 1, &region);
         return;
     }
-    const Images images{from.plan.graph.resources[carry.from], decl, from.resources.image(carry.from),
-                        to.resources.image(carry.to)};
+    const Images images{
+        from.plan.graph.resources[carry.from],
+        decl,
+        from.resources.image(carry.from),
+        to.resources.image(carry.to),
+        from.areas.area_before(from.plan.graph, carry.from, from.resources.rings(), from.resources.frame()),
+        to.areas.area(carry.to)};
     carry.resample ? stretch(device, commands, images) : copy(device, commands, images);
 }
 

@@ -2,6 +2,7 @@
 // plan: the copies, scaling blits and clears of a TransitionPlan. They replace the new plan's prologue.
 #pragma once
 
+#include "vulkan/memory/frame_areas.h"
 #include "vulkan/memory/resource_table.h"
 #include "weft/transition.h"
 
@@ -13,6 +14,7 @@ namespace weft::vk {
 struct PlanSide {
     const FramePlan& plan;
     FrameResources resources;
+    const FrameAreas& areas;
 };
 
 void record_transition(const Device& device, VkCommandBuffer commands, const TransitionPlan& transition,

@@ -95,6 +95,20 @@ bool add_imports(const UnitInputContext& context, const PassDecl& pass, std::vec
     return true;
 }
 
+// Adds the areas of the live images that the pass uses. A change of the area changes what the pass has to
+// write, also if its Params do not change.
+void add_areas(const UnitInputContext& context, const PassDecl& pass, std::vector<std::byte>& bytes,
+               Comparison& comparison) {
+    const FramePlan& plan = context.objects.plan;
+    for (const UseDecl& use : pass.uses) {
+        if (plan.graph.resources[use.resource].area == kNoId) continue;
+        const Extent3D& area = context.objects.areas.area(use.resource);
+        add_number(uint64_t{area.width} << 32 | area.height, bytes);
+        comparison.part(
+            bytes, [&](size_t) { return "the area of " + quoted(plan.graph.resources[use.resource].name); });
+    }
+}
+
 void add_inputs(const UnitInputContext& context, Position position, UnitInput& input,
                 Comparison& comparison) {
     if (!input) return;
@@ -106,8 +120,10 @@ void add_inputs(const UnitInputContext& context, Position position, UnitInput& i
     bytes.resize(old + pass.params_bytes);
     // The validity of what the pass reads is left out: a unit whose results become valid has run, and so it
     // wakes its readers.
-    write_params(plan.graph, id, {context.frame, context.resources}, std::span(bytes).subspan(old));
+    write_params(plan.graph, id, {context.frame, context.resources, context.objects.areas},
+                 std::span(bytes).subspan(old));
     comparison.part(bytes, [&](size_t at) { return member_at(pass, at); });
+    add_areas(context, pass, bytes, comparison);
     // The values of passes without a shader, such as the value of a clear.
     for (const float channel : pass.clear) {
         uint32_t bits = 0;

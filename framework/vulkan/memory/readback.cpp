@@ -54,8 +54,17 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
     return memory;
 }
 
+ImageRegions ReadbackMemory::regions_of(const Place& place, const ResourceDecl& decl, const UseDecl& use,
+                                        const Extent3D& area) {
+    if (area == decl.extent) return place.regions;
+    ResourceDecl part = decl;
+    part.extent = area;
+    return image_regions(part, use.range, place.offset_bytes);
+}
+
 void ReadbackMemory::record(const Device& device, VkCommandBuffer commands, Position position, uint32_t slot,
-                            const FramePlan& plan, const FrameResources& resources) const {
+                            const FramePlan& plan, const FrameResources& resources,
+                            const FrameAreas& areas) const {
     const UseDecl& use = plan.graph.passes[plan.schedule.order[position]].uses[0];
     for (const Place& place : places_) {
         if (place.position != position) continue;
@@ -65,9 +74,11 @@ void ReadbackMemory::record(const Device& device, VkCommandBuffer commands, Posi
                                         &copy);
             continue;
         }
+        const ImageRegions regions =
+            regions_of(place, plan.graph.resources[use.resource], use, areas.area(use.resource));
         device.fn().vkCmdCopyImageToBuffer(
             commands, resources.image(use.resource), to_vk(use.state.layout), memory_[slot].handle(),
-            static_cast<uint32_t>(place.regions.copies.size()), place.regions.copies.data());
+            static_cast<uint32_t>(regions.copies.size()), regions.copies.data());
     }
 }
 
@@ -81,7 +92,7 @@ void ReadbackMemory::record_visibility(const Device& device, VkCommandBuffer com
 }
 
 void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,
-                             std::vector<ReadbackData>& out) const {
+                             std::span<const Extent3D> areas, std::vector<ReadbackData>& out) const {
     for (const Place& place : places_) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[place.position]];
         const ResourceDecl& decl = plan.graph.resources[pass.uses[0].resource];
@@ -93,9 +104,11 @@ void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t fram
             const auto bytes = staging.subspan(place.offset_bytes, place.buffer.size_bytes);
             data.bytes.assign(bytes.begin(), bytes.end());
         } else {
+            const UseDecl& use = pass.uses[0];
+            const Extent3D area = areas.empty() ? decl.extent : areas[use.resource];
             data.format = decl.format;
-            data.extent = mip_extent(decl.extent, pass.uses[0].range.mip);
-            data.bytes = pack(place.regions, staging);
+            data.extent = mip_extent(area, use.range.mip);
+            data.bytes = pack(regions_of(place, decl, use, area), staging);
         }
         out.push_back(std::move(data));
     }

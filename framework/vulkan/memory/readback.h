@@ -4,8 +4,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "vulkan/memory/frame_areas.h"
 #include "vulkan/memory/image_regions.h"
 #include "vulkan/memory/resource_table.h"
 #include "vulkan/memory/slot_buffers.h"
@@ -19,14 +21,15 @@ class ReadbackMemory {
 
     // Records the copy commands of the readback pass at index `position` of the execution order.
     void record(const Device& device, VkCommandBuffer commands, Position position, uint32_t slot,
-                const FramePlan& plan, const FrameResources& resources) const;
+                const FramePlan& plan, const FrameResources& resources, const FrameAreas& areas) const;
     // Records a barrier that makes the readback copies of a batch visible to the host. Call this after all
     // passes of the batch are recorded.
     void record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot,
                            const Batch& batch) const;
     // Appends the data of each readback pass to `out`, in schedule order. Call this after the frame in `slot`
-    // has finished.
-    void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,
+    // has finished. `areas`: the areas that the images had in this frame, by ResourceId; empty if the plan
+    // has no live sizes.
+    void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index, std::span<const Extent3D> areas,
                  std::vector<ReadbackData>& out) const;
 
  private:
@@ -35,9 +38,13 @@ class ReadbackMemory {
         uint64_t offset_bytes = 0;
         // The part of the buffer that the pass reads; its size is 0 if the pass reads an image.
         ByteRange buffer;
-        // Copy regions of the image that the pass reads; empty if the pass reads a buffer.
+        // Copy regions of the image that the pass reads; empty if the pass reads a buffer. For an image with
+        // a live size, they are those of scale 1.
         ImageRegions regions;
     };
+    // Returns the copy regions for a frame in which the image has this area.
+    [[nodiscard]] static ImageRegions regions_of(const Place& place, const ResourceDecl& decl,
+                                                 const UseDecl& use, const Extent3D& area);
     std::vector<Place> places_;
     SlotBuffers memory_;
 };

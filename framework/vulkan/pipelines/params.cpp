@@ -12,7 +12,20 @@ namespace {
 // Alignment of each block in bytes: the largest minUniformBufferOffsetAlignment that Vulkan allows.
 constexpr uint64_t kUniformAlignmentBytes = 256;
 
-double builtin_value(PassId pass, const ParamWrite& write, uint32_t component, const FrameValues& values) {
+// Returns the value of a member that describes the area of a port. Components are 0 (x) and 1 (y).
+double area_value(const ResolvedGraph& graph, const UseDecl& use, Builtin builtin, uint32_t component,
+                  const FrameAreas& areas) {
+    const auto side = [&](const Extent3D& extent) -> double {
+        return component == 0 ? extent.width : extent.height;
+    };
+    const double area = side(areas.area(use.resource, use.range.mip));
+    const double whole = side(mip_extent(graph.resources[use.resource].extent, use.range.mip));
+    if (builtin == Builtin::area_size) return area;
+    return (builtin == Builtin::area_uv ? area : area - 0.5) / whole;
+}
+
+double builtin_value(const ResolvedGraph& graph, PassId pass, const ParamWrite& write, uint32_t component,
+                     const FrameValues& values) {
     const FrameInput& frame = values.frame;
     switch (write.builtin) {
         case Builtin::none:
@@ -32,6 +45,13 @@ double builtin_value(PassId pass, const ParamWrite& write, uint32_t component, c
             return frame.pre_exposure;
         case Builtin::prev_pre_exposure:
             return frame.prev_pre_exposure;
+        case Builtin::live:
+            return values.areas.values()[write.live[component]].x;
+        case Builtin::area_size:
+        case Builtin::area_uv:
+        case Builtin::area_uv_most:
+            return area_value(graph, graph.passes[pass].uses[write.use], write.builtin, component,
+                              values.areas);
     }
     return 0;
 }
@@ -62,8 +82,9 @@ void write_params(const ResolvedGraph& graph, PassId pass, const FrameValues& va
     std::fill(bytes.begin(), bytes.end(), std::byte{0});
     for (const ParamWrite& write : graph.passes[pass].params) {
         for (uint32_t i = 0; i < write.components; ++i) {
-            const double value =
-                write.builtin == Builtin::none ? write.value[i] : builtin_value(pass, write, i, values);
+            const double value = write.builtin == Builtin::none
+                                     ? write.value[i]
+                                     : builtin_value(graph, pass, write, i, values);
             const uint32_t bits = bits_of(write.scalar, value);
             const size_t offset = write.offset_bytes + size_t{i} * sizeof bits;
             assert(offset + sizeof bits <= bytes.size());

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "graph/rest/unit_validity.h"
+#include "vulkan/memory/frame_areas.h"
 #include "vulkan/memory/resource_table.h"
 #include "vulkan/memory/slot_buffers.h"
 #include "weft/vulkan/executor.h"
@@ -20,6 +21,7 @@ namespace weft::vk {
 struct FrameValues {
     const FrameInput& frame;
     FrameResources resources;
+    const FrameAreas& areas;
     // Null: the values Builtin::unit_valid and Builtin::unit_bits become 0.
     const UnitValidity* validity = nullptr;
 };

@@ -42,7 +42,8 @@ struct PlanObjects {
           views(device, plan, resources),
           samplers(device),
           dummies(device),
-          validity(plan) {}
+          validity(plan),
+          areas(plan) {}
     PlanObjects(const PlanObjects&) = delete;
     PlanObjects& operator=(const PlanObjects&) = delete;
 
@@ -61,6 +62,7 @@ struct PlanObjects {
     UploadMemory uploads;
     ReadbackMemory readbacks;
     UnitValidity validity;
+    FrameAreas areas;
     PassTimer timer;
     PipelineCacheHandle cache;
     DescriptorPoolHandle pool;

@@ -10,7 +10,10 @@ namespace {
 
 // Returns descriptor set 0 of the pass.
 VkDescriptorSet frame_set(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
-    if (pass.view_use == kNoId) return context.objects.draws->frame_set(context.slot, pass.view);
+    const DrawSource& draws = *context.objects.draws;
+    if (pass.view_use == kNoId)
+        return pass.area.image == kNoId ? draws.frame_set(context.slot, pass.view)
+                                        : draws.frame_set_of_area(context.slot, pass.view, pass.area);
     const Position position(static_cast<uint32_t>(&prepared - context.objects.passes.data()));
     return context.objects.view_sets.set(position, context.resources.frame(), context.slot);
 }
@@ -37,7 +40,7 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
     std::vector<std::byte> bytes(pass.params_bytes);
     const ResolvedGraph& graph = context.objects.plan.graph;
     write_params(graph, PassId(static_cast<uint32_t>(&pass - graph.passes.data())),
-                 {context.frame, context.resources, &context.objects.validity}, bytes);
+                 {context.frame, context.resources, context.objects.areas, &context.objects.validity}, bytes);
     fn.vkCmdPushConstants(context.commands, layout, prepared.layout.push_stages, 0, pass.params_bytes,
                           bytes.data());
 }
@@ -129,6 +132,17 @@ uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const Pre
     return context.objects.draws->record(draws);
 }
 
+// Begins the rendering scope of a pass. If its attachments have a live size, the scope covers their area.
+void begin_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+    const RenderingScope& scope = prepared.scope(context.resources.frame());
+    if (pass.area.image == kNoId)
+        return begin_rendering(context.device, context.commands, scope, scope.area.extent, pass.state);
+    const FrameAreas& areas = context.objects.areas;
+    const Extent3D area = areas.area(ResourceId(pass.area.image), pass.area.mip);
+    begin_rendering(context.device, context.commands, scope, {area.width, area.height},
+                    live_state(pass, areas.values()));
+}
+
 }  // namespace
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
@@ -138,20 +152,20 @@ void record_compute(const RecordContext& context, const PassDecl& pass, const Pr
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_COMPUTE);
     const IndirectPlace sizes = place_of(context, pass, pass.indirect_use);
     if (sizes.buffer != VK_NULL_HANDLE)
-        fn.vkCmdDispatchIndirect(context.commands, sizes.buffer, sizes.offset_bytes);
-    else
-        fn.vkCmdDispatch(context.commands, pass.groups[0], pass.groups[1], pass.groups[2]);
+        return fn.vkCmdDispatchIndirect(context.commands, sizes.buffer, sizes.offset_bytes);
+    const std::array<uint32_t, 3> groups = live_groups(pass, context.objects.areas.values());
+    fn.vkCmdDispatch(context.commands, groups[0], groups[1], groups[2]);
 }
 
 void record_fullscreen(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
-    begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
+    begin_pass(context, pass, prepared);
     draw_vertices(context, pass, prepared, 3, 1);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 
 void record_raster(const RecordContext& context, Position position, const PassDecl& pass,
                    const PreparedPass& prepared) {
-    begin_rendering(context.device, context.commands, prepared.scope(context.resources.frame()), pass.state);
+    begin_pass(context, pass, prepared);
     if (pass.draws_without_list() && pass.draw_commands_use != kNoId)
         draw_vertices_indirectly(context, pass, prepared);
     else if (pass.vertices > 0)
@@ -180,7 +194,7 @@ void record_pass(const RecordContext& context, Position position) {
             return record_copy(context, pass);
         case PassKind::readback:
             return objects.readbacks.record(context.device, context.commands, position, context.slot,
-                                            objects.plan, context.resources);
+                                            objects.plan, context.resources, objects.areas);
         case PassKind::custom:
             return objects.uploads.record(context.device, context.commands, position, *prepared.type, pass,
                                           context.slot, context.resources);

@@ -19,13 +19,11 @@ void select_mip(Region& region, const SubresourceRange& from, const SubresourceR
 }
 
 void copy_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
-    const FramePlan& plan = context.objects.plan;
-    const Extent3D& source_extent = plan.graph.resources[from.resource].extent;
     std::vector<VkImageCopy> copies;
     for (uint32_t i = 0; i < std::min(from.range.mips, to.range.mips); ++i) {
         VkImageCopy copy{};
         select_mip(copy, from.range, to.range, i);
-        copy.extent = to_vk(mip_extent(source_extent, from.range.mip + i));
+        copy.extent = to_vk(context.objects.areas.area(from.resource, from.range.mip + i));
         copies.push_back(copy);
     }
     context.device.fn().vkCmdCopyImage(context.commands, context.resources.image(from.resource),
@@ -39,17 +37,16 @@ VkOffset3D far_corner(const Extent3D& extent) {
             static_cast<int32_t>(extent.depth)};
 }
 
-// Blits each mip level of the range `from` to the mip level with the same position in the range `to`.
+// Blits each mip level of the range `from` to the mip level with the same position in the range `to`. Of
+// images with a live size, it reads and writes the area.
 void blit_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
-    const FramePlan& plan = context.objects.plan;
+    const FrameAreas& areas = context.objects.areas;
     std::vector<VkImageBlit> blits;
     for (uint32_t i = 0; i < std::min(from.range.mips, to.range.mips); ++i) {
         VkImageBlit blit{};
         select_mip(blit, from.range, to.range, i);
-        blit.srcOffsets[1] =
-            far_corner(mip_extent(plan.graph.resources[from.resource].extent, from.range.mip + i));
-        blit.dstOffsets[1] =
-            far_corner(mip_extent(plan.graph.resources[to.resource].extent, to.range.mip + i));
+        blit.srcOffsets[1] = far_corner(areas.area(from.resource, from.range.mip + i));
+        blit.dstOffsets[1] = far_corner(areas.area(to.resource, to.range.mip + i));
         blits.push_back(blit);
     }
     context.device.fn().vkCmdBlitImage(context.commands, context.resources.image(from.resource),

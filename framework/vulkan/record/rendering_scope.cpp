@@ -46,6 +46,14 @@ Result<VkRenderingAttachmentInfo> attachment(const PassDecl& pass, const Attachm
     return info;
 }
 
+// Returns the part of a scissor rectangle inside the area. Vulkan requires that a pass draws only there.
+RectPx inside(const RectPx& scissor, const VkExtent2D& area) {
+    const auto x = std::min(static_cast<uint32_t>(scissor.x), area.width);
+    const auto y = std::min(static_cast<uint32_t>(scissor.y), area.height);
+    return {static_cast<int32_t>(x), static_cast<int32_t>(y), std::min(scissor.width, area.width - x),
+            std::min(scissor.height, area.height - y)};
+}
+
 }  // namespace
 
 VkClearColorValue clear_color(Format format, const std::array<float, 4>& value) {
@@ -99,9 +107,9 @@ Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassSte
 }
 
 void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
-                     const RasterState& state) {
+                     const VkExtent2D& area, const RasterState& state) {
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
-    info.renderArea = scope.area;
+    info.renderArea.extent = area;
     info.layerCount = scope.layers;
     info.colorAttachmentCount = static_cast<uint32_t>(scope.colors.size());
     info.pColorAttachments = scope.colors.data();
@@ -110,7 +118,7 @@ void begin_rendering(const Device& device, VkCommandBuffer commands, const Rende
     const DeviceFunctions& fn = device.fn();
     if (scope.begins) fn.vkCmdBeginRendering(commands, &info);
 
-    const RectPx whole{0, 0, scope.area.extent.width, scope.area.extent.height};
+    const RectPx whole{0, 0, area.width, area.height};
     const RectPx view = state.viewport.value_or(whole);
     const VkViewport viewport{static_cast<float>(view.x),
                               static_cast<float>(view.y),
@@ -119,7 +127,7 @@ void begin_rendering(const Device& device, VkCommandBuffer commands, const Rende
                               0,
                               1};
     fn.vkCmdSetViewport(commands, 0, 1, &viewport);
-    const RectPx cut = state.scissor.value_or(whole);
+    const RectPx cut = inside(state.scissor.value_or(whole), area);
     const VkRect2D scissor{{cut.x, cut.y}, {cut.width, cut.height}};
     fn.vkCmdSetScissor(commands, 0, 1, &scissor);
     fn.vkCmdSetCullMode(commands, to_vk(state.cull));

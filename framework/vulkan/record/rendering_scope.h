@@ -26,9 +26,10 @@ struct RenderingScope {
                                                           ViewCache& views, uint64_t frame);
 
 // Begins the rendering scope, unless a previous pass has begun it. Sets the dynamic state of the pass:
-// viewport, scissor, cull mode, front face.
+// viewport, scissor, cull mode, front face. `area`: the part of the attachments at the top left to which the
+// pass draws.
 void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
-                     const RasterState& state);
+                     const VkExtent2D& area, const RasterState& state);
 // Ends the rendering scope, unless the next pass continues it.
 void end_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope);
 

@@ -25,9 +25,13 @@ class ParamCosts {
         add(graph_.frames, ParamCost::live);
     }
 
+    // A scale of a live size has the value 1 wherever the graph depends on it, so its changes are live.
     ParamCost cost_of(const std::string& name) const {
         const auto found = costs_.find(name);
-        return found != costs_.end() ? found->second : ParamCost::nothing;
+        if (found == costs_.end()) return ParamCost::nothing;
+        const bool scales = std::ranges::any_of(graph_.size_scales,
+                                                [&](const auto& size) { return size.second.param == name; });
+        return scales ? std::min(found->second, ParamCost::live) : found->second;
     }
 
     // Warns about names that nothing uses. Gives no warnings if an error may hide a use, and none for names
@@ -73,6 +77,8 @@ class ParamCosts {
         if (constant != graph_.consts.end()) add(constant->second, cost);
         const auto size = graph_.sizes.find(name);
         if (size != graph_.sizes.end()) add(size->second, cost);
+        const auto scale = graph_.size_scales.find(name);
+        if (scale != graph_.size_scales.end()) add_name(scale->second.param, ParamCost::live);
     }
 
     void add(const Expr& expression, ParamCost cost) {

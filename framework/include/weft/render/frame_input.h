@@ -1,6 +1,6 @@
-// Purpose: the values that a program may change from frame to frame. Parameters of the graph are not among
-// them: to change a parameter, swap the plan (Session::prepare()). Units: seconds; exposure in EV (radiance
-// is stored multiplied by 2^EV).
+// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only scales
+// of live sizes are among them: to change another parameter, swap the plan (Session::prepare()). Units:
+// seconds; exposure in EV (radiance is stored multiplied by 2^EV).
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "weft/live_value.h"
 #include "weft/scene/scene.h"
 
 namespace weft::render {
@@ -34,6 +35,9 @@ struct FrameInput {
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
+    // Scales of the graph's live sizes in this frame, by the name of the parameter. They are clamped to the
+    // ranges of the parameters. A scale that is not in the map has the value of its parameter.
+    Scales scales = {};
 };
 
 }  // namespace weft::render

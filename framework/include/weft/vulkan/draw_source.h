@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "weft/imports.h"
+#include "weft/live_value.h"
 #include "weft/result.h"
 #include "weft/shader_interface.h"
 #include "weft/vulkan/device.h"
@@ -79,6 +80,12 @@ class DrawSource {
     [[nodiscard]] virtual Result<std::unique_ptr<ViewSets>> make_view_sets(
         std::span<const ViewPlace> /*places*/) const {
         return std::unique_ptr<ViewSets>();
+    }
+    // Returns set 0 of the same view for a pass that draws or writes images with a live size. Its viewport is
+    // this area of the frame. A source that does not know areas returns frame_set().
+    [[nodiscard]] virtual VkDescriptorSet frame_set_of_area(uint32_t frame_slot, std::string_view view,
+                                                            const LiveArea& /*area*/) const {
+        return frame_set(frame_slot, view);
     }
     // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the
     // opposite winding.

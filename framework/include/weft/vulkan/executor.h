@@ -64,6 +64,9 @@ struct FrameInput {
     // For each import of kind "turns": the rounds of the group to run in this frame, in this order. A group
     // without a list runs its rounds in turn.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
+    // Scales of live sizes in this frame, by the name of the parameter. A scale outside of the range of its
+    // parameter is clamped. A scale that is not in the map has the value of its parameter.
+    Scales scales = {};
 };
 
 // Hooks for tests: they omit barriers, so that a test can check that the validation layer reports the missing

@@ -1,0 +1,37 @@
+// Purpose: evaluates the values of a plan that follow live scales, for one frame, and the numbers of passes
+// that are computed from them. This is arithmetic on data of the plan; it decides nothing. Units: pixels.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "weft/declaration.h"
+
+namespace weft {
+
+// The value of a LiveValue in a frame. For a number, both components are equal. If an expression has no value
+// for the scales of the frame, for example because it divides by zero, its value is 0.
+struct LiveNumber {
+    double x = 0;
+    double y = 0;
+    bool operator==(const LiveNumber&) const = default;
+};
+
+// Evaluates ResolvedGraph::live_values. Index of the result: as in that list. Uses the memory of `values`
+// again. A scale outside of its range is clamped to the range.
+void evaluate_live(const ResolvedGraph& graph, const Scales& scales, std::vector<LiveNumber>& values);
+
+// Returns the area of the first mip of an image: the value rounded down, from 1 to the extent of the image.
+// Without a live size, returns the extent of the image.
+[[nodiscard]] Extent3D live_area(const ResourceDecl& image, std::span<const LiveNumber> values);
+// Returns the area of a mip of a live image. `area.image` must not be kNoId.
+[[nodiscard]] Extent3D live_area(const ResolvedGraph& graph, const LiveArea& area,
+                                 std::span<const LiveNumber> values);
+// Returns the numbers of workgroups of a compute pass.
+[[nodiscard]] std::array<uint32_t, 3> live_groups(const PassDecl& pass, std::span<const LiveNumber> values);
+// Returns the state of a pass that draws, with its viewport and scissor in this frame.
+[[nodiscard]] RasterState live_state(const PassDecl& pass, std::span<const LiveNumber> values);
+
+}  // namespace weft

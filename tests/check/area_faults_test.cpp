@@ -1,0 +1,99 @@
+// Each test breaks the areas of a correct plan in one way. The checker must report C351.
+#include <algorithm>
+
+#include "tests/graph/resolve/live/live_fixture.h"
+#include "weft/check/check_plan.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+class AreaFault : public LiveTest {
+ protected:
+    AreaFault() {
+        const ResolvedGraph graph =
+            good(body(R"j(, "state": {"scissor": [0, 0, "render.x", "floor(render.y / 2)"]})j"));
+        plan = compile(graph, content_needs(graph), {});
+    }
+    bool has_fault() {
+        const Diagnostics faults = check_plan(plan);
+        return std::ranges::any_of(faults, [](const Diagnostic& d) { return d.code == "C351"; });
+    }
+    PassDecl& pass(const char* name) { return plan.graph.passes[find_pass(plan.graph, name)]; }
+    ResourceDecl& image(const char* name) { return plan.graph.resources[find_resource(plan.graph, name)]; }
+    ParamWrite& member(const char* of, const char* name) {
+        return *std::ranges::find(pass(of).params, name, &ParamWrite::member);
+    }
+
+    FramePlan plan;
+};
+
+TEST_F(AreaFault, TheSoundPlanHasNone) {
+    EXPECT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
+}
+
+TEST_F(AreaFault, AnotherExtentThanTheAreaAtScaleOne) {
+    image("color").extent.width -= 1;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, TheAreaOfAnotherSize) {
+    image("color").area = image("low").area;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, ACopyOfTheRingWithoutAnArea) {
+    image("past[-1]").area = kNoId;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AnAreaOfAnImageThatKeepsItsContent) {
+    image("backbuffer").area = image("color").area;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, APassWithoutTheAreaOfItsAttachment) {
+    pass("paint").area = {};
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, ACopyBetweenDifferentAreas) {
+    image("other").area = kNoId;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, OtherWorkgroupsAtScaleOne) {
+    pass("shrink").live_groups[1].per = 7;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AnotherRectangleAtScaleOne) {
+    pass("paint").state.scissor->height += 1;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AMemberThatFollowsNoValue) {
+    member("paint", "size").live.pop_back();
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AMemberThatFollowsThePortOfAnotherImage) {
+    member("shrink", "srcUv").use = 99;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AValueThatDependsOnALaterOne) {
+    LiveValue& half = plan.graph.live_values[image("low").area];
+    half.steps.front() = {ExprOp::name, 0, image("low").area};
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AScaleAboveOne) {
+    LiveValue& first = plan.graph.live_values.front();
+    ASSERT_FALSE(first.most == 0) << "the scale";
+    first.most = 2;
+    EXPECT_TRUE(has_fault());
+}
+
+}  // namespace
+}  // namespace weft::test
