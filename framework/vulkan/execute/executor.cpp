@@ -94,7 +94,7 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
 
 PassTiming ReplayExecutor::pass_timing(Position position, double gpu_ms, const InFlight& frame) const {
     const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
-    PassTiming timing{pass.name, gpu_ms, false, {}};
+    PassTiming timing{.pass = pass.name, .gpu_ms = gpu_ms};
     if (position < frame.draws_left_out.size()) timing.draws_left_out = frame.draws_left_out[position];
     if (pass.rest_unit == kNoId || frame.wakes.empty()) return timing;
     const Wake& wake = frame.wakes[pass.rest_unit];
