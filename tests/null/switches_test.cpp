@@ -22,8 +22,10 @@ class Switches : public ResolveTest {
     Switches() { shaders = switch_shaders(); }
 
     static FramePlan plan_of(const ResolvedGraph& graph, uint32_t queues) {
+        DeviceProfile device;
+        device.queue_families = {{QueueKind::graphics, 1}, {QueueKind::compute, 2}, {QueueKind::transfer, 1}};
         CompileOptions options;
-        options.queues = logical_queues({}, queues);
+        options.queues = logical_queues(device, queues);
         return compile(graph, content_needs(graph), options);
     }
 

@@ -54,13 +54,12 @@ std::vector<PassVariant> variants_of(const Declared& declared, const VersionedGr
                                      Reporter& reporter) {
     const PassDraft& draft = declared.expansion.passes[pass];
     const BoundPass& bound = versioned.passes[pass];
-    // Combinations that no frame can have, or in which the pass does not run, have no variant of their own.
+    // Combinations in which the pass does not run have no variant of their own.
     const CombinationSet runs_in = draft.decl.runs_in;
-    const auto known = static_cast<CombinationSet>((1u << (1u << declared.expansion.switches.size())) - 1);
     std::vector<PassVariant> variants;
     std::vector<Inputs> inputs;
     for (Combination c = kCombinationCount; c-- > 0;) {
-        if (!has_combination(known & runs_in, c)) continue;
+        if (!has_combination(runs_in, c)) continue;
         const Inputs own = inputs_in(bound, c);
         const auto place = std::ranges::find(inputs, own) - inputs.begin();
         if (place == std::ssize(inputs)) {
