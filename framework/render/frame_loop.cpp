@@ -64,6 +64,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
+    frame.switches = &input.switches;
     scene.gpu().add_versions(frame.import_versions);
     for (const auto& [name, file] : stage_.files) frame.import_versions.emplace(name, file.hash());
     return stage_.executor->run(frame);

@@ -45,6 +45,7 @@ class ReplayExecutor final : public Executor {
         uint64_t frame_index = 0;
         std::vector<Wake> wakes;               // Index: unit.
         std::vector<uint32_t> draws_left_out;  // Index: position of the pass.
+        Combination switches = kAllSwitchesOn;
         FrameTiming timing;
     };
     // Pipelines that amend() replaced by new ones, and the frame slots whose frames in flight may still use

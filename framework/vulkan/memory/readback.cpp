@@ -80,10 +80,11 @@ void ReadbackMemory::record_visibility(const Device& device, VkCommandBuffer com
     if (copies) host_visibility_barrier(device, commands, memory_[slot].handle());
 }
 
-void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,
+void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index, Combination switches,
                              std::vector<ReadbackData>& out) const {
     for (const Place& place : places_) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[place.position]];
+        if (!has_combination(pass.runs_in, switches)) continue;
         const ResourceDecl& decl = plan.graph.resources[pass.uses[0].resource];
         ReadbackData data;
         data.pass = pass.name;

@@ -25,8 +25,9 @@ class ReadbackMemory {
     void record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot,
                            const Batch& batch) const;
     // Appends the data of each readback pass to `out`, in schedule order. Call this after the frame in `slot`
-    // has finished.
-    void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,
+    // has finished. `switches`: the switches that were on in that frame; a pass that was off delivers
+    // nothing.
+    void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index, Combination switches,
                  std::vector<ReadbackData>& out) const;
 
  private:

@@ -178,6 +178,7 @@ ShaderCatalog switch_shaders() {
     shaders["s0.comp"] = compute({image_out("dst")});
     shaders["s1.comp"] = compute({sampled("a"), image_out("dst")});
     shaders["i1.comp"] = compute({image_in("a"), image_out("dst")});
+    shaders["s0.frag"] = fragment({"dst"});
     shaders["s1.frag"] = fragment({"dst"}, {sampled("a")});
     shaders["s2.comp"] = compute({sampled("a"), sampled("b"), image_out("dst")});
     shaders["v2.comp"] =

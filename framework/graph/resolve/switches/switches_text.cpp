@@ -3,33 +3,33 @@
 #include <bit>
 
 namespace weft {
-namespace {
 
-// Returns the combinations in which the switches of `named` are as in `values`.
-CombinationSet combinations_like(uint32_t named, Combination values) {
+CombinationSet SwitchValues::combinations() const {
     CombinationSet set = 0;
     for (Combination c = 0; c < kCombinationCount; ++c)
         if ((c & named) == (values & named)) set = static_cast<CombinationSet>(set | 1u << c);
     return set;
 }
 
-}  // namespace
+SwitchValues fewest_values(const std::vector<SwitchDecl>& switches, CombinationSet set) {
+    const uint32_t all = (1u << switches.size()) - 1;
+    SwitchValues best{all, 0};
+    for (uint32_t named = all + 1; named-- > 0;)
+        for (Combination values = 0; values <= all; ++values) {
+            const SwitchValues tried{named, values};
+            const bool fewer = std::popcount(named) <= std::popcount(best.named);
+            if (fewer && (values & ~named) == 0 && (tried.combinations() & ~set) == 0) best = tried;
+        }
+    return best;
+}
 
-std::string switches_text(const std::vector<SwitchDecl>& switches, CombinationSet set) {
-    const uint32_t known = (1u << switches.size()) - 1;
-    for (int count = 0; count <= static_cast<int>(kMostSwitches); ++count)
-        for (uint32_t named = 0; named <= known; ++named)
-            for (Combination values = 0; values <= known; ++values) {
-                if (std::popcount(named) != count || (values & ~named) != 0) continue;
-                if ((combinations_like(named, values) & ~set) != 0) continue;
-                std::string text;
-                for (uint32_t s = 0; s < switches.size(); ++s)
-                    if ((named >> s & 1u) != 0)
-                        text += (text.empty() ? "\"" : " and \"") + switches[s].param +
-                                ((values >> s & 1u) != 0 ? "\" is on" : "\" is off");
-                return text;
-            }
-    return "";
+std::string values_text(const std::vector<SwitchDecl>& switches, const SwitchValues& values) {
+    std::string text;
+    for (uint32_t s = 0; s < switches.size(); ++s)
+        if ((values.named >> s & 1u) != 0)
+            text += (text.empty() ? "\"" : " and \"") + switches[s].param +
+                    ((values.values >> s & 1u) != 0 ? "\" is on" : "\" is off");
+    return text;
 }
 
 }  // namespace weft

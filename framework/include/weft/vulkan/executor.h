@@ -62,8 +62,8 @@ struct FrameInput {
     // without a list runs its rounds in turn.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
     // Switches by the name of their parameter: true is on. A switch without an entry has the value of its
-    // parameter. Names that are no switches are ignored.
-    std::map<std::string, bool, std::less<>> switches = {};
+    // parameter. Names that are no switches are ignored. Null: no entries.
+    const std::map<std::string, bool, std::less<>>* switches = nullptr;
 };
 
 // Hooks for tests: they omit barriers, so that a test can check that the validation layer reports the missing
