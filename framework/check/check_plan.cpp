@@ -16,6 +16,11 @@ Diagnostics check_plan(const FramePlan& plan) {
     uint32_t history = 0;
     for (const ResourceDecl& resource : plan.graph.resources) history = std::max(history, resource.history);
     check::Replay(plan, faults).run(3 + history);
+    // The barriers do not depend on the switches. But without the accesses of a pass, the remaining accesses
+    // must still be ordered, and each of them must find content. The first replay has all switches on.
+    const Combination all = (1u << plan.graph.switches.size()) - 1;
+    for (Combination combination = 0; combination < all; ++combination)
+        check::Replay(plan, faults, combination).run(4 + history);
     return faults.take();
 }
 

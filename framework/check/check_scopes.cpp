@@ -55,7 +55,8 @@ class ScopeRule {
             return fault("one of the two passes does not draw");
         if (!first_.after.empty() || !second_.barriers.empty())
             return fault("barriers are recorded between the two passes");
-        if (first_pass_.frame_slices != 0 || second_pass_.frame_slices != 0)
+        if (first_pass_.frame_slices != 0 || second_pass_.frame_slices != 0 ||
+            first_pass_.switch_id != kNoId || second_pass_.switch_id != kNoId)
             return fault("one of the two passes does not draw in every frame");
         if (first_pass_.render_extent != second_pass_.render_extent)
             return fault("the two passes have different render extents");

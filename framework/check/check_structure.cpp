@@ -15,6 +15,7 @@
 #include "check/check_pieces.h"
 #include "check/check_rest_units.h"
 #include "check/check_scopes.h"
+#include "check/check_switches.h"
 #include "check/check_tables.h"
 #include "check/check_views.h"
 #include "check/memory_collisions.h"
@@ -303,6 +304,8 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_transfers(plan, faults);
     check_stages(plan, faults);
     check_frame_slices(plan, faults);
+    check_switches(plan, faults);
+    if (faults.any("C349")) return false;
     check_rest_units(plan, faults);
     check_groups(plan, faults);
     return true;

@@ -54,9 +54,10 @@ AccessState effective_state(const UseDecl& use, const AttachmentOps* ops) {
     return state;
 }
 
-Replay::Replay(const FramePlan& plan, FaultList& faults)
+Replay::Replay(const FramePlan& plan, FaultList& faults, Combination combination)
     : plan_(plan),
       faults_(faults),
+      combination_(combination),
       clock_(plan),
       logs_(plan.schedule.queues.size()),
       holders_(plan),
@@ -170,8 +171,10 @@ Actor Replay::actor_of_use(PassId pass, uint32_t use) const {
 
 void Replay::uses(const PassStep& step, bool scope_continues) {
     const PassDecl& pass = plan_.graph.passes[step.pass];
+    if (!has_combination(pass.runs_in, combination())) return;
     for (uint32_t u = 0; u < pass.uses.size(); ++u) {
         const UseDecl& use = pass.uses[u];
+        if (!is_active(use)) continue;
         const AttachmentOps* ops = ops_of(step, u);
         const AccessState state = effective_state(use, ops);
         if (reads(use.access)) {

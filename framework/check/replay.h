@@ -2,6 +2,7 @@
 // of the content, the queue family that owns it, and the accesses that later accesses must wait for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace weft::check {
 
 class Replay {
  public:
-    Replay(const FramePlan& plan, FaultList& faults);
+    // Simulates frames in which the switches are as in `combination`. In frame 2, all switches are on, so
+    // that passes also start and stop between frames.
+    Replay(const FramePlan& plan, FaultList& faults, Combination combination = kAllSwitchesOn);
     void run(uint32_t frames);
 
  private:
@@ -31,6 +34,18 @@ class Replay {
     // rendering scope.
     void step(const PassStep& step, bool scope_continues);
     void uses(const PassStep& step, bool scope_continues);
+    [[nodiscard]] Combination combination() const { return frame_ == 2 ? kAllSwitchesOn : combination_; }
+    // Returns true if the pass accesses the resource of the use in the current frame.
+    [[nodiscard]] bool is_active(const UseDecl& use) const {
+        return has_combination(use.used_in, combination());
+    }
+    // Returns the pass whose content a reader sees if it wants the version of `wanted`: another one if that
+    // pass is switched off. Returns nullopt if no version is left.
+    [[nodiscard]] std::optional<PassId> version_left(PassId wanted, ResourceId resource,
+                                                     const SubresourceRange& cell) const;
+    // Returns " in frames in which "fog" is off", or an empty text if all switches are on.
+    [[nodiscard]] std::string switches_text() const;
+    void expect_written_output(ResourceId id, const Cell& cell);
 
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);
@@ -87,6 +102,7 @@ class Replay {
 
     const FramePlan& plan_;
     FaultList& faults_;
+    Combination combination_;
     BatchClock clock_;
     std::vector<BarrierLog> logs_;  // Index: queue. All barriers recorded on the queue so far.
     // The next three are temporary values of barriers() and carry(). They are members so that their memory is

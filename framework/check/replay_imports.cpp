@@ -51,6 +51,7 @@ void Replay::leave_imports() {
             std::erase_if(cell.reads, [](const AccessRecord& r) { return is_outside(r.actor()); });
             const bool touched = cell.content.kind == Content::Kind::written ||
                                  cell.layout != Layout::undefined || !cell.reads.empty();
+            expect_written_output(id, cell);
             if (touched) expect_order(actor(kNoId), outside, cell, exit, writes_next);
         }
     }

@@ -144,7 +144,8 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
     if (source != use.sources.end()) hint = static_cast<size_t>(source - use.sources.begin());
     const PassId wanted = source == use.sources.end() ? kNoId : source->producer;
     const Content& found = cell.content;
-    if (is_wanted_content(use, cell, wanted)) return;
+    const std::optional<PassId> left = version_left(wanted, use.resource, cell.range);
+    if (left && is_wanted_content(use, cell, *left)) return;
     if (wanted == kNoId && is_latest_content(id, use, cell)) return;
     std::string holds = "has no content";
     if (found.kind == Content::Kind::written)
@@ -156,13 +157,16 @@ void Replay::expect_content(PassId id, const UseDecl& use, const Cell& cell, siz
     if (found.kind == Content::Kind::overwritten)
         holds = "was overwritten by " + faults_.actor_text({found.pass, found.frame}, frame_) + " through " +
                 faults_.resource_name(found.through) + ", which shares the same memory";
+    const std::string when = switches_text();
     faults_.add(
-        "C330", use.loc,
+        when.empty() ? "C330" : "C349", use.loc,
         "pass " + faults_.pass_name(id) + " reads " + faults_.part_name(use.resource, cell.range) + " as " +
             (wanted == kNoId ? std::string("it was before the frame")
                              : "pass " + faults_.pass_name(wanted) + " leaves it") +
-            ", but the resource " + holds,
-        "the order of passes, the store operation of an attachment, or the sharing of memory is wrong");
+            ", but" + (when.empty() ? "" : when) + " the resource " + holds,
+        when.empty()
+            ? "the order of passes, the store operation of an attachment, or the sharing of memory is wrong"
+            : "while a pass is switched off, its readers need the version before or another resource");
 }
 
 // Checks that no other resource in the same memory is still in use before `resource` is written. The first

@@ -78,6 +78,11 @@ inline bool defined_before_frame(const ResourceDecl& resource) {
     return resource.lifetime != ResourceLifetime::transient;
 }
 
+// Returns the switches that are on in this frame.
+[[nodiscard]] inline Combination switches_in(const SwitchChoice& switches, uint32_t frame) {
+    return frame < switches.size() ? switches[frame] : kAllSwitchesOn;
+}
+
 // Returns true if the unit rests in this frame. kNoId stands for a pass without a unit.
 [[nodiscard]] inline bool rests(const RestChoice& resting, uint32_t unit, uint32_t frame) {
     return unit != kNoId && frame < resting.size() && unit < resting[frame].size() &&

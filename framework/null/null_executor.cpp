@@ -79,9 +79,10 @@ class Execution {
     void read(uint32_t id, const Node& node) {
         const PassInstance& instance = timeline_.instances[node.instance];
         const PassDecl& pass = pass_of(instance);
-        if (!runs_in_frame(pass, node.frame)) return;
+        if (!runs_in_frame(pass, node.frame) || !has_combination(pass.runs_in, switches(node))) return;
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];
+            if (!has_combination(use.used_in, switches(node))) continue;
             const EffectiveUse effective = effective_use(pass, step_of(instance), u);
             if (!effective.reads || !(effective.stages & node.stage)) continue;
             const Accessor accessor{id, node.stage, effective.access & ~access::kAllWrites, use.state.layout};
@@ -98,12 +99,18 @@ class Execution {
         }
     }
 
+    [[nodiscard]] Combination switches(const Node& node) const {
+        return switches_in(options_.switches, node.frame);
+    }
+
     ValueHash inputs(const Node& node) const {
         const PassId id = step_of(timeline_.instances[node.instance]).pass;
-        ValueHash hash = pass_values(plan_.graph, plan_.live, id, node.frame, options_.inputs);
+        ValueHash hash =
+            pass_values(plan_.graph, plan_.live, id, {node.frame, switches(node)}, options_.inputs);
         const Gathered& gathered = gathered_[node.instance];
         for (uint32_t u = 0; u < gathered.uses.size(); ++u)
-            if (sees_content(plan_.graph.passes[id].uses[u]))
+            if (sees_content(plan_.graph.passes[id].uses[u]) &&
+                has_combination(plan_.graph.passes[id].uses[u].used_in, switches(node)))
                 for (const Gathered::Value& v : gathered.uses[u]) hash.add(v.value);
         return hash;
     }
@@ -111,7 +118,7 @@ class Execution {
     void write(uint32_t id, const Node& node) {
         const PassInstance& instance = timeline_.instances[node.instance];
         const PassDecl& pass = pass_of(instance);
-        if (!runs_in_frame(pass, node.frame)) return;
+        if (!runs_in_frame(pass, node.frame) || !has_combination(pass.runs_in, switches(node))) return;
         const ValueHash hash = inputs(node);
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];
@@ -157,9 +164,10 @@ class Execution {
     void observe_pass(uint32_t instance) {
         const PassInstance& i = timeline_.instances[instance];
         const PassDecl& pass = pass_of(i);
-        if (!pass.side_effect) return;
+        const Combination switches = switches_in(options_.switches, i.frame);
+        if (!pass.side_effect || !has_combination(pass.runs_in, switches)) return;
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
-            if (!sees_content(pass.uses[u])) continue;
+            if (!sees_content(pass.uses[u]) || !has_combination(pass.uses[u].used_in, switches)) continue;
             const std::vector<Gathered::Value>& values = gathered_[instance].uses[u];
             size_t index = 0;
             for_each_cell(plan_.graph.resources[pass.uses[u].resource], pass.uses[u],

@@ -37,6 +37,9 @@ using InputChoice = std::vector<std::vector<uint32_t>>;
 // In a frame that the list does not contain, the rounds that do not rest run in the order of their numbers.
 using RoundOrder = std::vector<std::vector<uint32_t>>;
 
+// Index: frame. The switches that are on in the frame. In a frame that the list does not contain, all are on.
+using SwitchChoice = std::vector<Combination>;
+
 struct NullOptions {
     uint32_t frames = 3;
     // Selects the order if `order` is `shuffled`. For a write that may happen in several stages, the seed
@@ -46,6 +49,7 @@ struct NullOptions {
     RestChoice resting = {};
     InputChoice inputs = {};
     RoundOrder rounds = {};
+    SwitchChoice switches = {};
 };
 
 // A number that stands for the content of a subresource or buffer. Equal numbers mean equal content; 0 means
@@ -76,7 +80,7 @@ struct NullRun {
 // given by the graph. It uses only the declarations.
 [[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3,
                                     const RestChoice& resting = {}, const InputChoice& inputs = {},
-                                    const RoundOrder& rounds = {});
+                                    const RoundOrder& rounds = {}, const SwitchChoice& switches = {});
 
 // Returns a text for each observed value of `wanted` that `found` lacks or has with another value. Undefined
 // values in `wanted`, and values that only `found` has, are not compared.

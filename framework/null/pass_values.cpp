@@ -64,13 +64,16 @@ CellValue first_frame_value(const ResourceDecl& resource) {
     return hash.value();
 }
 
-ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId id, uint32_t frame,
+ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId id, const FrameChoice& choice,
                       const InputChoice& inputs) {
+    const uint32_t frame = choice.frame;
     const PassDecl& pass = graph.passes[id];
+    const PassVariant* variant =
+        pass.variants.empty() ? nullptr : &pass.variants[variant_in(pass, choice.switches)];
     ValueHash hash;
     hash.add(pass.name);
     if (frame < inputs.size() && id < inputs[frame].size()) hash.add(uint64_t{inputs[frame][id]});
-    for (const ParamWrite& param : pass.params) {
+    for (const ParamWrite& param : variant != nullptr ? variant->params : pass.params) {
         if (param.builtin != Builtin::none) {
             hash.add(builtin_value(graph, live, param, frame));
             continue;
@@ -78,7 +81,8 @@ ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId 
         for (const double component : param.value) hash.add(component);
     }
     for (const NamedValue& param : pass.custom_params) hash.add(param.name).add(param.value);
-    for (const SpecValue& value : pass.spec_values) hash.add(uint64_t{value.id} << 32 | value.bits);
+    for (const SpecValue& value : variant != nullptr ? variant->spec_values : pass.spec_values)
+        hash.add(uint64_t{value.id} << 32 | value.bits);
     for (const float component : pass.clear) hash.add(double{component});
     return hash;
 }

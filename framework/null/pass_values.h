@@ -26,12 +26,18 @@ class ValueHash {
 [[nodiscard]] CellValue import_value(const ResourceDecl& import, const SubresourceRange& cell);
 // Returns the initial value of every cell of a persistent resource.
 [[nodiscard]] CellValue first_frame_value(const ResourceDecl& resource);
+// A frame, and the switches that are on in it.
+struct FrameChoice {
+    uint32_t frame = 0;
+    Combination switches = kAllSwitchesOn;
+};
+
 // Returns the hash of all inputs of a pass in one frame except the resource content it reads: its name,
 // number in `inputs`, parameters, specialisation values, clear value and builtins. The builtin `valid` of a
 // resource of age a is 1 from frame a on if a live pass writes the ring, otherwise 0. The builtins of
 // units are 0. All other builtins have the frame number.
 [[nodiscard]] ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId pass,
-                                    uint32_t frame, const InputChoice& inputs);
+                                    const FrameChoice& choice, const InputChoice& inputs);
 // Returns the value that the pass writes to one cell. The hash `inputs` must already include pass_values()
 // and all values that the pass read, use by use.
 [[nodiscard]] CellValue written_value(const ValueHash& inputs, const UseDecl& use,

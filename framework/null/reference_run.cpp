@@ -97,12 +97,13 @@ struct Versions {
 class Reference {
  public:
     Reference(const ResolvedGraph& graph, const LiveGraph& live, const RestChoice& resting,
-              const InputChoice& inputs, const RoundOrder& rounds)
+              const InputChoice& inputs, const RoundOrder& rounds, const SwitchChoice& switches)
         : graph_(graph),
           live_(live),
           resting_(resting),
           inputs_(inputs),
           rounds_(rounds),
+          switches_(switches),
           used_(used_resources(graph, live)),
           written_(graph.resources.size(), 0),
           rested_(graph.resources.size(), 0) {
@@ -146,7 +147,8 @@ class Reference {
  private:
     void run_pass(PassId pass) {
         const PassDecl& decl = graph_.passes[pass];
-        const bool runs = runs_in_frame(decl, frame_) && !rests(resting_, decl.rest_unit, frame_);
+        const bool runs = runs_in_frame(decl, frame_) && !rests(resting_, decl.rest_unit, frame_) &&
+                          has_combination(decl.runs_in, switches());
         runs ? execute(pass) : pass_on(pass);
     }
 
@@ -202,11 +204,11 @@ class Reference {
 
     void execute(PassId id) {
         const PassDecl& pass = graph_.passes[id];
-        ValueHash hash = pass_values(graph_, live_, id, frame_, inputs_);
+        ValueHash hash = pass_values(graph_, live_, id, {frame_, switches()}, inputs_);
         bool defined = true;
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {
             const UseDecl& use = pass.uses[u];
-            if (!sees_content(use)) continue;
+            if (!sees_content(use) || !has_combination(use.used_in, switches())) continue;
             const ResourceDecl& decl = graph_.resources[use.resource];
             for_each_cell(decl, use, [&](uint32_t cell, const SubresourceRange& range) {
                 const PassId source = source_of(use, range);
@@ -229,8 +231,8 @@ class Reference {
         }
     }
 
-    // Simulates a pass that does not run in this frame, because another frame slice runs or because it rests.
-    // Its outputs keep their content.
+    // Simulates a pass that does not run in this frame, because another frame slice runs, because it rests,
+    // or because its switch is off. Its outputs keep their content.
     void pass_on(PassId id) {
         for (const UseDecl& use : graph_.passes[id].uses) {
             if (!writes(use.access)) continue;
@@ -240,6 +242,8 @@ class Reference {
             });
         }
     }
+
+    [[nodiscard]] Combination switches() const { return switches_in(switches_, frame_); }
 
     void observe_after_frame(ResourceId id) {
         for_each_cell(graph_.resources[id], [&](uint32_t cell, const SubresourceRange& range) {
@@ -252,6 +256,7 @@ class Reference {
     const RestChoice& resting_;
     const InputChoice& inputs_;
     const RoundOrder& rounds_;
+    const SwitchChoice& switches_;
     // Index: ResourceId. `used_`: 1 if a live pass uses a resource of the same ring. `written_`: 1 if a live
     // pass writes this resource. `rested_`: 1 if a rest unit writes this resource.
     std::vector<uint8_t> used_, written_, rested_;
@@ -264,8 +269,9 @@ class Reference {
 }  // namespace null
 
 NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames,
-                      const RestChoice& resting, const InputChoice& inputs, const RoundOrder& rounds) {
-    return null::Reference(graph, live, resting, inputs, rounds).run(frames);
+                      const RestChoice& resting, const InputChoice& inputs, const RoundOrder& rounds,
+                      const SwitchChoice& switches) {
+    return null::Reference(graph, live, resting, inputs, rounds, switches).run(frames);
 }
 
 }  // namespace weft

@@ -70,6 +70,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     frame.host = &host;
     frame.turns = input.turns;
     frame.scales = input.scales;
+    frame.switches = &input.switches;
     scene.gpu().add_versions(frame.import_versions);
     // The textures of tables never change.
     for (const std::string& table : stage_.tables) frame.import_versions.emplace(table, 0);

@@ -17,7 +17,7 @@ const std::array<NullOptions, 4> kJudgedOrders{{{3, 0, NullOrder::delayed},
                                                 {3, 1, NullOrder::recorded},
                                                 {3, 2, NullOrder::shuffled},
                                                 {3, 3, NullOrder::shuffled}}};
-// Number of frames that a plan with rest units runs.
+// Number of frames that a plan with rest units or switches runs.
 constexpr uint32_t kRestFrames = 5;
 
 // Returns the rounds of all groups that run, in a random order.
@@ -42,9 +42,12 @@ class Judge {
                 for (uint8_t& unit : rests) unit = frame > 0 && random() % 2 == 0 ? 1 : 0;
                 options.rounds.push_back(shuffled_rounds(plan, rests, random));
             }
-            if (units > 0) options.frames = kRestFrames;
+            // The switches are on in frame 0. In the other frames, random ones are on.
+            for (uint32_t frame = 0; !plan.graph.switches.empty() && frame < kRestFrames; ++frame)
+                options.switches.push_back(frame == 0 ? kAllSwitchesOn : random() % kCombinationCount);
+            if (units > 0 || !plan.graph.switches.empty()) options.frames = kRestFrames;
             runs_.push_back({options, run_reference(plan.graph, plan.live, options.frames, options.resting,
-                                                    options.inputs, options.rounds)});
+                                                    options.inputs, options.rounds, options.switches)});
         }
     }
 

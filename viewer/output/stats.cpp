@@ -35,11 +35,13 @@ Json passes_json(const StatsInput& input) {
         const PassDecl& pass = graph.passes[input.plan.schedule.order[p]];
         std::vector<double> times;
         std::vector<double> left_out;
-        uint32_t rested = 0;
+        uint32_t rested = 0, switched_off = 0;
         Json woken = Json::object();
         for (const vk::FrameTiming& frame : input.timings)
             for (const vk::PassTiming& timing : frame.passes) {
                 if (timing.pass != pass.name) continue;
+                switched_off += timing.switched_off ? 1 : 0;
+                if (timing.switched_off) continue;
                 if (!timing.rested) times.push_back(timing.gpu_ms);
                 if (!timing.rested) left_out.push_back(timing.draws_left_out);
                 rested += timing.rested ? 1 : 0;
@@ -51,6 +53,7 @@ Json passes_json(const StatsInput& input) {
                           {"bytes", port_bytes(graph, pass)},
                           {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)}});
         if (pass.culls_draws) passes.back()["draws_left_out"] = distribution(std::move(left_out));
+        if (pass.switch_id != kNoId) passes.back()["switched_off_frames"] = switched_off;
         if (pass.rest_unit == kNoId) continue;
         passes.back()["rested_frames"] = rested;
         passes.back()["woken_by"] = std::move(woken);

@@ -107,6 +107,16 @@ void read_rest(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_bool(context, node, pass.rests);
 }
 
+// Reads the name of a parameter, or "!name" for the opposite.
+void read_live_switch(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    pass.switch_loc = node.loc;
+    std::string text;
+    if (!read_string(context, node, text)) return;
+    pass.switch_inverted = text.starts_with('!');
+    if (pass.switch_inverted) text.erase(0, 1);
+    if (check_identifier(context, "a parameter", text, node.loc)) pass.switch_param = std::move(text);
+}
+
 void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.after, pass.after_locs);
     for (std::string& name : pass.after) name = context.pass_name(name);
@@ -153,6 +163,7 @@ constexpr std::array kPassKeys{
     PassKey{"into", kDrawing, parse_into},
     PassKey{"perFrame", kAll & ~kReadback, read_per_frame},
     PassKey{"rest", kShaded | kTransfer | kClear, read_rest},
+    PassKey{"switch", kAll & ~kReadback, read_live_switch},
     PassKey{"groups", kCompute, read_groups},
     PassKey{"threads", kCompute, read_threads},
     PassKey{"state", kDrawing, parse_state},

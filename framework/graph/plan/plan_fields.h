@@ -61,6 +61,7 @@ void visit_fields(V& v, const UseDecl& x) {
         v("access", x.access), v("state", x.state);
     v("history", x.history), v("isOutput", x.is_output), v("sources", x.sources), v("binding", x.binding);
     v("sampler", x.sampler), v("wakes", x.wakes), v("latest", x.latest), v("each", x.each);
+    v("usedIn", x.used_in), v("passesOn", x.passes_on);
 }
 template <class V>
 void visit_fields(V& v, const EdgeDecl& x) {
@@ -128,6 +129,14 @@ void visit_fields(V& v, const SpecValue& x) {
     v("id", x.id), v("type", x.type), v("bits", x.bits);
 }
 template <class V>
+void visit_fields(V& v, const PassVariant& x) {
+    v("combinations", x.combinations), v("specValues", x.spec_values), v("params", x.params);
+}
+template <class V>
+void visit_fields(V& v, const SwitchDecl& x) {
+    v("param", x.param);
+}
+template <class V>
 void visit_fields(V& v, const NamedValue& x) {
     v("name", x.name), v("value", x.value);
 }
@@ -149,7 +158,8 @@ void visit_fields(V& v, const PassDecl& x) {
         v("drawCountUse", x.draw_count_use), v("mostDraws", x.most_draws), v("viewUse", x.view_use);
     v("frameSlice", x.frame_slice), v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit),
         v("carries", x.carries);
-    v("area", x.area), v("liveGroups", x.live_groups), v("liveSides", x.live_sides);
+    v("area", x.area), v("liveGroups", x.live_groups), v("liveSides", x.live_sides), v("switch", x.switch_id),
+        v("runsIn", x.runs_in), v("variants", x.variants);
 }
 template <class V>
 void visit_fields(V& v, const GroupDecl& x) {
@@ -165,7 +175,7 @@ template <class V>
 void visit_fields(V& v, const ResolvedGraph& x) {
     v("name", x.name), v("outputExtent", x.output_extent), v("resources", x.resources), v("passes", x.passes);
     v("edges", x.edges), v("output", x.output), v("params", x.params), v("restUnitCount", x.rest_unit_count);
-    v("groups", x.groups), v("views", x.views), v("liveValues", x.live_values);
+    v("groups", x.groups), v("views", x.views), v("liveValues", x.live_values), v("switches", x.switches);
 }
 template <class V>
 void visit_fields(V& v, const LiveGraph& x) {

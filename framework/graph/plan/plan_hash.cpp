@@ -15,6 +15,10 @@ std::string structure_hash(FramePlan plan) {
     for (PassDecl& pass : plan.graph.passes) {
         for (ParamWrite& write : pass.params) write.value = {};
         for (SpecValue& value : pass.spec_values) value.bits = 0;
+        for (PassVariant& variant : pass.variants) {
+            for (ParamWrite& write : variant.params) write.value = {};
+            for (SpecValue& value : variant.spec_values) value.bits = 0;
+        }
         for (NamedValue& value : pass.custom_params) value.value = 0;
         for (AttachmentDecl& color : pass.colors) color.blend = {};
         if (pass.depth) pass.depth->blend = {};
@@ -31,6 +35,10 @@ std::string values_hash(const ResolvedGraph& graph) {
         for (const PassDecl& pass : graph.passes) {
             for (const ParamWrite& write : pass.params) v("value", write.value);
             for (const SpecValue& value : pass.spec_values) v("bits", value.bits);
+            for (const PassVariant& variant : pass.variants) {
+                for (const ParamWrite& write : variant.params) v("value", write.value);
+                for (const SpecValue& value : variant.spec_values) v("bits", value.bits);
+            }
             for (const NamedValue& value : pass.custom_params) v("value", value.value);
             for (const AttachmentDecl& color : pass.colors) v("blend", color.blend);
             if (pass.depth) v("blend", pass.depth->blend);

@@ -104,7 +104,9 @@ std::string describe_round_rest(const FramePlan& plan, const GroupDecl& group, P
 
 std::string describe_rest(const FramePlan& plan, PassId id) {
     if (plan.graph.passes[id].rest_unit == kNoId)
-        return "pass " + describe_pass(plan, id) + " runs in every frame: it has no \"rest\"\n";
+        return "pass " + describe_pass(plan, id) +
+               (plan.graph.passes[id].switch_id == kNoId ? " runs in every frame: it has no \"rest\"\n"
+                                                         : " has no \"rest\", but a \"switch\"\n");
     if (const GroupDecl* group = group_of(plan, id)) return describe_round_rest(plan, *group, id);
     const std::string others = other_passes(plan, id);
     return "pass " + describe_pass(plan, id) + " rests" +

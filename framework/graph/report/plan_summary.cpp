@@ -12,6 +12,7 @@
 #include "graph/report/group_phrases.h"
 #include "graph/report/live_phrases.h"
 #include "graph/report/plan_phrases.h"
+#include "graph/report/switch_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/memory_report.h"
 
@@ -129,6 +130,8 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
         facts.push_back(describe_round(plan, id));
     else if (pass.rest_unit != kNoId)
         facts.emplace_back("rests");
+    if (pass.switch_id != kNoId)
+        facts.push_back("runs while " + describe_combinations(plan.graph, pass.runs_in));
     if (!plan.live.live_passes[id]) facts.push_back("culled: " + plan.live.details[id]);
     if (pass.kind == PassKind::compute)
         facts.push_back("groups " + extent_fact({pass.groups[0], pass.groups[1], pass.groups[2]}));

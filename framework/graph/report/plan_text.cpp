@@ -6,6 +6,7 @@
 #include "graph/plan/plan_names.h"
 #include "graph/report/group_phrases.h"
 #include "graph/report/live_phrases.h"
+#include "graph/report/switch_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/compile.h"
 #include "weft/report/memory_report.h"
@@ -65,6 +66,9 @@ class PlanText {
         areas();
         for (const GroupDecl& group : plan_.graph.groups)
             text_ += "group  " + group.name + ": " + describe_group(group) + "\n";
+        for (uint32_t s = 0; s < plan_.graph.switches.size(); ++s)
+            text_ +=
+                "switch " + plan_.graph.switches[s].param + ": passes " + switched_passes(plan_, s) + "\n";
         text_ += "order  " + schedule.chosen + "; candidates:";
         for (const ScheduleCandidate& c : schedule.candidates)
             text_ += " " + c.name + " (" + bytes_text(c.peak_live_bytes) + ", " +
@@ -137,6 +141,8 @@ class PlanText {
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
             text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
         if (decl.rest_unit != kNoId) text_ += "    " + unit(s.pass) + "\n";
+        if (decl.switch_id != kNoId)
+            text_ += "    runs while " + describe_combinations(plan_.graph, decl.runs_in) + "\n";
         if (decl.carries)
             text_ += "    Weft adds this pass, because a pass needs the content of the last frame in " +
                      resource(decl.uses.back().resource) + "\n";
@@ -148,7 +154,11 @@ class PlanText {
         }
         for (const UseDecl& use : decl.uses)
             text_ += std::string("    ") + (use.is_output ? "out " : "in  ") + use.port + " = " +
-                     part(use.resource, use.range) + " (" + access_name(use.access) + ")\n";
+                     part(use.resource, use.range) + " (" + access_name(use.access) + ")" +
+                     (use.used_in == kEveryCombination
+                          ? ""
+                          : " while " + describe_combinations(plan_.graph, use.used_in)) +
+                     "\n";
         for (const BarrierDecl& b : s.after) {
             text_ += "    after the pass";
             barrier(b);

@@ -50,6 +50,9 @@ struct PortDraft {
     bool is_draw_count = false;
     // True if the port is the element of a buffer with the constants of the view.
     bool is_view = false;
+    // The combinations of the switches in which the content that the port reads is valid: a pass of this
+    // frame has written it, or the reference means the content from before the frame.
+    CombinationSet valid_in = kEveryCombination;
     // True if "in" and "out" both name this port. The two are then one binding, which is read and written in
     // place.
     bool reads_own_port = false;

@@ -40,8 +40,8 @@ bool change_block(const Declared& declared, const PassDraft& draft, const Evalua
     return true;
 }
 
-// Returns the pass of the known graph for each pass of the expansion. A carry pass that nobody needs is not in
-// the known graph; its entry is kNoId. Returns nullopt if the passes differ otherwise.
+// Returns the pass of the known graph for each pass of the expansion. A carry pass that nobody needs is not
+// in the known graph; its entry is kNoId. Returns nullopt if the passes differ otherwise.
 std::optional<std::vector<PassId>> find_known(const Expansion& expansion, const ResolvedGraph& known) {
     std::vector<PassId> ids;
     PassId next(0);
@@ -74,6 +74,8 @@ std::optional<ResolvedGraph> with_new_values(const ResolveInput& input, const Re
         pass.flops = draft.decl.flops;
         const Evaluator evaluator = declared.evaluator(id, expansion.suspects, reporter);
         if (!change_block(declared, draft, evaluator, pass.params)) return std::nullopt;
+        for (PassVariant& variant : pass.variants)
+            if (!change_block(declared, draft, evaluator, variant.params)) return std::nullopt;
     }
     return check_custom_passes(declared, std::move(graph), expansion.suspects, reporter);
 }

@@ -54,13 +54,15 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
         pending.pop_back();
         for (const UseDecl& use : pass.uses) {
             live.live_resources[use.resource] = 1;
-            for (const VersionSource& source : use.sources) {
-                if (source.producer != kNoId)
-                    keep(source.producer, live, pending);
-                else if (graph.resources[use.resource].ring != kNoId)
-                    for (const PassId writer : writers[graph.resources[use.resource].ring])
-                        keep(writer, live, pending);
-            }
+            // Readers of this use see the versions in `passes_on` while the pass is switched off.
+            for (const std::vector<VersionSource>* versions : {&use.sources, &use.passes_on})
+                for (const VersionSource& source : *versions) {
+                    if (source.producer != kNoId)
+                        keep(source.producer, live, pending);
+                    else if (graph.resources[use.resource].ring != kNoId)
+                        for (const PassId writer : writers[graph.resources[use.resource].ring])
+                            keep(writer, live, pending);
+                }
         }
     }
 }

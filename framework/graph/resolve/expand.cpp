@@ -6,6 +6,7 @@
 #include "graph/resolve/expand/expand_groups.h"
 #include "graph/resolve/expand/expand_repeat.h"
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/switches/find_switches.h"
 
 namespace weft {
 namespace {
@@ -106,6 +107,7 @@ Expansion expand(const ResolveInput& input, const Values& values, const Shapes& 
     name_passes(evaluator, draft_passes(input, values, evaluator, shapes, expansion, reporter), expansion);
     if (!input.graph.groups.empty()) expand_groups(input, evaluator, expansion);
     PassReporter report(shapes, expansion, expansion.suspects, reporter);
+    find_switches(input, expansion, report);
     for (PassId id(0); id < expansion.passes.size(); ++id) {
         PassDraft& draft = expansion.passes[id];
         const Evaluator in_pass = evaluator.in_repeat(draft.indices, draft.instance > 0);

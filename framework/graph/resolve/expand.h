@@ -1,8 +1,8 @@
 // Purpose: the stage of resolve() that makes the passes of the graph from their descriptions. A description
 // results in one pass, in several passes (`repeat`), or in none (`if`). Each reference in
 // GraphRequest::observed becomes a separate pass that reads the resource back. Each pass gets its kind,
-// shader and fixed-function state. Each group gets its rounds. Errors: W106, W107, W109, W115, W125, W177,
-// W187, and those of references.
+// shader, fixed-function state and switch. Each group gets its rounds. Errors: W106, W107, W109, W115, W125,
+// W177, W187, W233, W235, and those of references.
 #pragma once
 
 #include <map>
@@ -50,6 +50,8 @@ struct Expansion {
     // Names of the descriptions whose `repeat` or `if` has an error, so that it is unknown whether the passes
     // run. The error was reported.
     std::set<std::string, std::less<>> faulty = {};
+    // The switches of the passes, sorted by the name of the parameter.
+    std::vector<SwitchDecl> switches = {};
     // The groups, sorted by name. Their units are not known yet.
     std::vector<GroupDecl> groups = {};
     // The descriptions of the passes that read back observed resources. PassDraft::desc points to them.

@@ -33,7 +33,10 @@ constexpr uint32_t kLayersPerWord = 32;
 
 class BlockFiller : PassStage<Blocks> {
  public:
-    using PassStage::PassStage;
+    // Fills the block for the given combination of the switches.
+    BlockFiller(const Declared& declared, const VersionedGraph& graph, PassId pass, Combination combination,
+                Blocks& blocks, Reporter& reporter)
+        : PassStage(declared, graph, pass, blocks, reporter), combination_(combination) {}
 
     void run() {
         report_params_without_member();
@@ -123,7 +126,9 @@ class BlockFiller : PassStage<Blocks> {
     const UseDecl* port_before(std::string_view name, std::string_view suffix) const {
         if (!name.ends_with(suffix)) return nullptr;
         name.remove_suffix(suffix.size());
-        const auto use = std::ranges::find(bound_.uses, name, &UseDecl::port);
+        const auto use = std::ranges::find_if(bound_.uses, [&](const UseDecl& u) {
+            return u.port == name && has_combination(u.used_in, combination_);
+        });
         return use == bound_.uses.end() ? nullptr : &*use;
     }
 
@@ -132,12 +137,17 @@ class BlockFiller : PassStage<Blocks> {
     bool stands_for_absent(std::string_view name, std::string_view suffix) const {
         if (!name.ends_with(suffix)) return false;
         name.remove_suffix(suffix.size());
-        return std::ranges::find(bound_.absent, name) != bound_.absent.end();
+        if (std::ranges::find(bound_.absent, name) != bound_.absent.end()) return true;
+        const auto is_port = [&](const UseDecl& u) { return u.port == name; };
+        const auto is_used = [&](const UseDecl& u) {
+            return is_port(u) && has_combination(u.used_in, combination_);
+        };
+        return std::ranges::any_of(bound_.uses, is_port) && std::ranges::none_of(bound_.uses, is_used);
     }
 
     // Fills a member such as "colorValid". It is 1 if a frame has written the content that the port "color"
-    // reads. It is 0 in two cases: the port reads content of an earlier frame that no frame has written yet,
-    // or the port is optional and has no resource.
+    // reads. It is 0 in three cases: the port reads content of an earlier frame that no frame has written
+    // yet, or the pass that writes the content is switched off, or the port is optional and has no resource.
     bool from_port_valid(const BlockMember& member, ParamWrite& write) {
         if (stands_for_absent(member.name, kValidSuffix)) {
             store(member, write, {0}, shader_loc());
@@ -145,6 +155,11 @@ class BlockFiller : PassStage<Blocks> {
         }
         const UseDecl* use = port_before(member.name, kValidSuffix);
         if (!use) return suspects_.passes[pass_] && member.name.ends_with(kValidSuffix);
+        const auto index = static_cast<size_t>(use - bound_.uses.data());
+        if (!has_combination(bound_.ports[index].valid_in, combination_)) {
+            store(member, write, {0}, shader_loc());
+            return true;
+        }
         if (use->history > 0) {
             write.builtin = Builtin::valid;
             write.resource = use->resource;
@@ -303,6 +318,8 @@ class BlockFiller : PassStage<Blocks> {
               {did_you_mean_text(member.name, known),
                "set the value in the pass: \"params\": { " + quote(member.name) + ": 0 }"});
     }
+
+    Combination combination_;
 };
 
 }  // namespace
@@ -312,9 +329,16 @@ Blocks fill_blocks(const Declared& declared, const VersionedGraph& graph, Suspec
     Blocks blocks{.passes = std::vector<PassBlock>(graph.passes.size()), .suspects = std::move(suspects)};
     for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         if (declared.expansion.passes[pass].shader)
-            BlockFiller(declared, graph, pass, blocks, reporter).run();
+            BlockFiller(declared, graph, pass, kAllSwitchesOn, blocks, reporter).run();
     }
     return blocks;
+}
+
+std::vector<ParamWrite> fill_block(const Declared& declared, const VersionedGraph& graph, PassId pass,
+                                   Combination combination, Reporter& reporter) {
+    Blocks blocks{.passes = std::vector<PassBlock>(graph.passes.size()), .suspects = graph.suspects};
+    BlockFiller(declared, graph, pass, combination, blocks, reporter).run();
+    return std::move(blocks.passes[pass].params);
 }
 
 }  // namespace weft

@@ -16,11 +16,14 @@ struct PassBlock {
     bool push_constants = false;  // True for push constants, false for a uniform block.
 };
 struct Blocks {
-    // The values of the block of each pass, indexed by PassId.
+    // The values of the block of each pass while all switches are on, indexed by PassId.
     std::vector<PassBlock> passes;
     Suspects suspects;
 };
 [[nodiscard]] Blocks fill_blocks(const Declared& declared, const VersionedGraph& graph, Suspects suspects,
                                  Reporter& reporter);
+// Returns the values of the block of one pass in a combination of the switches. The pass must have a shader.
+[[nodiscard]] std::vector<ParamWrite> fill_block(const Declared& declared, const VersionedGraph& graph,
+                                                 PassId pass, Combination combination, Reporter& reporter);
 
 }  // namespace weft

@@ -4,6 +4,7 @@
 #include "graph/resolve/carry/carry_passes.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/live/follow_areas.h"
+#include "graph/resolve/switches/make_variants.h"
 
 namespace weft {
 
@@ -26,6 +27,7 @@ ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
     const Dispatches dispatches = size_dispatches(declared, graph, attachments.suspects, reporter);
     const Blocks blocks = fill_blocks(declared, graph, dispatches.suspects, reporter);
     ResolvedGraph resolved = assemble(declared, graph, attachments, dispatches, blocks);
+    resolved = make_variants(declared, graph, std::move(resolved), reporter);
     resolved = follow_areas(declared, graph, blocks.suspects, std::move(resolved), reporter);
     resolved = check_custom_passes(declared, std::move(resolved), blocks.suspects, reporter);
     weigh_plan(resolved, reporter);

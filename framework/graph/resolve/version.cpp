@@ -35,6 +35,7 @@ VersionedGraph version(const Declared& declared, FormattedGraph graph, Suspects 
     std::vector<Cell> cells = separate_rounds(declared, make_cells(versioned, reporter), versioned, reporter);
     if (!order_writers(declared, versioned, cells, reporter)) return versioned;
     connect_versions(declared, cells, versioned, reporter);
+    connect_switched(declared, cells, versioned, reporter);
     check_sliced_reads(declared, cells, versioned, reporter);
     check_group_order(declared, versioned, reporter);
     find_rest_units(declared, cells, versioned, reporter);

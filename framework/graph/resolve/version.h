@@ -1,6 +1,6 @@
 // Purpose: the stage of resolve() that finds, for each use, the version of the resource that the use sees:
 // the content after one particular write. The versions determine the final access of each use and the edges
-// between passes. Errors: W104, W110, W111, W124, W150, W188, W190.
+// between passes. Errors: W104, W110, W111, W124, W150, W188, W190, W234, W235.
 #pragma once
 
 #include <vector>

@@ -33,9 +33,11 @@ std::vector<Written> versions_read(const ResolvedGraph& graph, const LiveGraph& 
     for (PassId id(0); id < graph.passes.size(); ++id) {
         if (!live.live_passes[id]) continue;
         for (const UseDecl& use : graph.passes[id].uses)
-            for (const VersionSource& source : use.sources)
-                if (source.producer != kNoId && draws[source.producer] != 0)
-                    versions.push_back({source.producer, use.resource, source.range});
+            // While a pass with a switch is off, the readers of its version see the versions in `passes_on`.
+            for (const std::vector<VersionSource>* seen : {&use.sources, &use.passes_on})
+                for (const VersionSource& source : *seen)
+                    if (source.producer != kNoId && draws[source.producer] != 0)
+                        versions.push_back({source.producer, use.resource, source.range});
     }
     std::stable_sort(versions.begin(), versions.end());
     return versions;

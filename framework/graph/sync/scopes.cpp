@@ -8,7 +8,7 @@ namespace {
 bool draws(const PassDecl& pass) {
     // A pass that does not run in every frame cannot share a rendering scope.
     return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0 &&
-           pass.rest_unit == kNoId;
+           pass.rest_unit == kNoId && pass.switch_id == kNoId;
 }
 
 // Returns the colour attachments sorted by location, then the depth attachment.

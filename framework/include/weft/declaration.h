@@ -22,6 +22,7 @@
 #include "weft/shader_interface.h"
 #include "weft/source.h"
 #include "weft/subresource.h"
+#include "weft/switches.h"
 #include "weft/view_list.h"
 
 namespace weft {
@@ -179,6 +180,12 @@ struct UseDecl {
     SamplerDecl sampler;
     // Only for passes with `rest`. False: a change of the content does not make the pass run.
     bool wakes = true;
+    // The combinations of the switches in which the pass uses the port's resource. In all other combinations,
+    // another use of the same port takes its place, or the port has no resource.
+    CombinationSet used_in = kEveryCombination;
+    // Only for what a pass with a switch writes: the versions that readers of this write see instead, in
+    // frames in which the pass does not run.
+    std::vector<VersionSource> passes_on;
     // True for a pass of a group that reads what other rounds of the group write, and for a readback of a
     // resource of a group. Such a pass sees the content at the time when it runs, whichever rounds have run
     // before, unless a pass of its own round has written the content.
@@ -270,6 +277,13 @@ struct SpecValue {
     uint32_t bits = 0;
 };
 
+// The specialisation constants and the Params block of a pass in some combinations of the switches.
+struct PassVariant {
+    CombinationSet combinations = kEveryCombination;
+    std::vector<SpecValue> spec_values;
+    std::vector<ParamWrite> params;
+};
+
 struct NamedValue {
     std::string name;
     double value = 0;
@@ -330,6 +344,15 @@ struct PassDecl {
     // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
     // In each frame, either all passes of a unit run, or none of them. kNoId: the pass runs in every frame.
     uint32_t rest_unit = kNoId;
+    // For a pass with `switch`: the index of the switch in ResolvedGraph::switches. kNoId: the pass has none.
+    uint32_t switch_id = kNoId;
+    // The combinations of the switches in which the pass runs. The barriers of the pass are recorded in every
+    // frame, even if the pass does not run.
+    CombinationSet runs_in = kEveryCombination;
+    // For a pass whose inputs depend on switches: one variant for each set of combinations in which all its
+    // inputs are the same. Each combination is in one variant. Empty: all combinations have `spec_values` and
+    // `params`. Otherwise these are the values of the first variant.
+    std::vector<PassVariant> variants;
     // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
     // last frame to the copy of this frame, before all other passes that use this copy.
     bool carries = false;
@@ -354,6 +377,12 @@ struct PassDecl {
 // Returns true if the pass runs in this frame. Frames are counted from the start of the plan. The barriers of
 // the pass are recorded in every frame, even if the pass does not run.
 [[nodiscard]] bool runs_in_frame(const PassDecl& pass, uint64_t frame);
+
+// Returns the index of the variant of the pass in this combination; 0 if the pass has no variants.
+[[nodiscard]] uint32_t variant_in(const PassDecl& pass, Combination combination);
+// Returns the pass as it is in one of its variants: it has the uses, specialisation constants and Params of
+// the variant. Uses that the variant does not have keep their index, but have no access and no binding.
+[[nodiscard]] PassDecl pass_of_variant(const PassDecl& pass, uint32_t variant);
 
 // A group of passes. Its rounds are units, and each frame runs some of them, in any order.
 struct GroupDecl {
@@ -389,14 +418,17 @@ struct ResolvedGraph {
     std::vector<GraphParam> params;  // The graph's parameters with their values.
     // The values that depend on live scales. Each value depends only on values before it.
     std::vector<LiveValue> live_values;
-    uint32_t rest_unit_count = 0;   // Number of units; see PassDecl::rest_unit.
-    std::vector<GroupDecl> groups;  // Sorted by name. Their units have the highest numbers.
+    uint32_t rest_unit_count = 0;      // Number of units; see PassDecl::rest_unit.
+    std::vector<GroupDecl> groups;     // Sorted by name. Their units have the highest numbers.
+    std::vector<SwitchDecl> switches;  // Sorted by the name of the parameter.
     // The lists of views that passes use, and the lists that these show in mirrors, sorted by name.
     std::vector<ViewListDecl> views;
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };
 
+// Returns the combination of the switches that the values of the parameters give.
+[[nodiscard]] Combination switches_of(const ResolvedGraph& graph);
 // Returns the group with this unit; null if the unit belongs to no group, or if it is kNoId.
 [[nodiscard]] const GroupDecl* find_group(const ResolvedGraph& graph, uint32_t unit);
 // Both functions return kNoId if the graph has no resource or pass of this name.

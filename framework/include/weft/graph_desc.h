@@ -260,6 +260,11 @@ struct PassDesc {
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // Values of the shader's specialisation constants, by name.
     Expr condition;  // The key "if": the pass is removed if the value is 0; absent: it is never removed.
+    // The key "switch": the name of the parameter that turns the pass on and off while frames are rendered;
+    // empty: none. `switch_inverted`: the pass runs while the parameter is 0, as with "!name".
+    std::string switch_param;
+    bool switch_inverted = false;
+    SourceLoc switch_loc;
     // The indices of the key "repeat". If there are several, the first is the outermost loop. The repeat of a
     // pass in a group begins with the indices of the group.
     std::vector<RepeatDesc> repeat;

@@ -48,6 +48,17 @@ std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t
     return counts;
 }
 
+// Returns the switches that are on in this frame.
+Combination switches_in(const ResolvedGraph& graph, const FrameInput& frame) {
+    Combination on = switches_of(graph);
+    for (uint32_t i = 0; frame.switches != nullptr && i < graph.switches.size(); ++i) {
+        const auto given = frame.switches->find(graph.switches[i].param);
+        if (given == frame.switches->end()) continue;
+        on = given->second ? on | 1u << i : on & ~(1u << i);
+    }
+    return on;
+}
+
 void begin_label(const Device& device, VkCommandBuffer commands, const std::string& name) {
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
     label.pLabelName = name.c_str();
@@ -94,7 +105,8 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
 
 PassTiming ReplayExecutor::pass_timing(Position position, double gpu_ms, const InFlight& frame) const {
     const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
-    PassTiming timing{pass.name, gpu_ms, false, {}};
+    PassTiming timing{.pass = pass.name, .gpu_ms = gpu_ms};
+    timing.switched_off = !has_combination(pass.runs_in, frame.switches);
     if (position < frame.draws_left_out.size()) timing.draws_left_out = frame.draws_left_out[position];
     if (pass.rest_unit == kNoId || frame.wakes.empty()) return timing;
     const Wake& wake = frame.wakes[pass.rest_unit];
@@ -116,7 +128,8 @@ Status ReplayExecutor::complete(uint32_t slot) {
         frame.timing.passes.push_back(pass_timing(position, times[position], frame));
     timings_.push_back(std::move(frame.timing));
     if (timings_.size() > kMostTimings) timings_.erase(timings_.begin());
-    objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, frame.areas, readbacks_);
+    objects_->readbacks.deliver(objects_->plan, slot, frame.frame_index, {frame.areas, frame.switches},
+                                readbacks_);
     return Unit{};
 }
 
@@ -186,9 +199,10 @@ TurnLists ReplayExecutor::prepare_uploads(const FrameInput& frame, uint32_t slot
     TurnLists turns = frame.turns;
     for (Position position(0); position < objects_->passes.size(); ++position) {
         const PreparedPass& prepared = objects_->passes[position];
-        if (!prepared.type) continue;
-        objects_->uploads.prepare(position, *prepared.type, plan.graph.passes[plan.schedule.order[position]],
-                                  frame.host != nullptr ? *frame.host : none, slot, turns);
+        const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+        if (!prepared.type || !has_combination(pass.runs_in, in_flight_[slot].switches)) continue;
+        objects_->uploads.prepare(position, *prepared.type, pass, frame.host != nullptr ? *frame.host : none,
+                                  slot, turns);
     }
     return turns;
 }
@@ -204,7 +218,8 @@ void ReplayExecutor::record_step(const RecordContext& context, const FrameStep& 
     if (context.labels) begin_label(device_, context.commands, name);
     if (position != hooks_.drop_barriers_of_position)
         record_barriers(device_, context.commands, step.barriers, plan, context.resources, recorded, true);
-    if (recorded.runs && runs_in_frame(plan.graph.passes[step.pass], frames_run_))
+    const PassDecl& pass = plan.graph.passes[step.pass];
+    if (recorded.runs && runs_in_frame(pass, frames_run_) && has_combination(pass.runs_in, context.switches))
         record_pass(context, position);
     record_barriers(device_, context.commands, step.after, plan, context.resources, recorded, false);
     if (context.labels) end_label(device_, context.commands);
@@ -233,7 +248,8 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
                                     frame,
                                     *objects_,
                                     {objects_->resources, frames_run_, slot},
-                                    in_flight_[slot].draws_left_out};
+                                    in_flight_[slot].draws_left_out,
+                                    in_flight_[slot].switches};
         objects_->timer.record_batch_start(context.commands, slot, i);
         for (const FrameStep& step : frame_steps(plan, batch, running, chosen_.rounds))
             record_step(context, step);
@@ -276,13 +292,16 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     if (!lost_.empty()) return lost_;
     InFlight& in_flight = in_flight_[slot];
     in_flight.frame_index = frame.frame_index;
+    in_flight.switches = switches_in(plan().graph, frame);
     const Stopwatch record_watch;
     objects_->areas.begin_frame(plan().graph, frame.scales, objects_->resources.rings, frames_run_);
     if (!plan().graph.live_values.empty()) in_flight.areas = objects_->areas.all();
     choose_units(frame, prepare_uploads(frame, slot), slot);
     objects_->timer.reset(slot);
     objects_->params.write(
-        plan(), {frame, {objects_->resources, frames_run_}, objects_->areas, &objects_->validity}, slot);
+        plan(),
+        {frame, {objects_->resources, frames_run_}, objects_->areas, &objects_->validity, in_flight.switches},
+        slot);
     if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
     record_frame(frame, slot);
     in_flight.wakes = chosen_.wakes;

@@ -46,6 +46,7 @@ class ReplayExecutor final : public Executor {
         std::vector<Wake> wakes;               // Index: unit.
         std::vector<uint32_t> draws_left_out;  // Index: position of the pass.
         std::vector<Extent3D> areas;  // FrameAreas::all() of the frame; empty if the plan has no live sizes.
+        Combination switches = kAllSwitchesOn;
         FrameTiming timing;
     };
     // Pipelines that amend() replaced by new ones, and the frame slots whose frames in flight may still use

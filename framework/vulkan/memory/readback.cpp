@@ -92,9 +92,10 @@ void ReadbackMemory::record_visibility(const Device& device, VkCommandBuffer com
 }
 
 void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index,
-                             std::span<const Extent3D> areas, std::vector<ReadbackData>& out) const {
+                             const FrameShape& frame, std::vector<ReadbackData>& out) const {
     for (const Place& place : places_) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[place.position]];
+        if (!has_combination(pass.runs_in, frame.switches)) continue;
         const ResourceDecl& decl = plan.graph.resources[pass.uses[0].resource];
         ReadbackData data;
         data.pass = pass.name;
@@ -105,7 +106,7 @@ void ReadbackMemory::deliver(const FramePlan& plan, uint32_t slot, uint64_t fram
             data.bytes.assign(bytes.begin(), bytes.end());
         } else {
             const UseDecl& use = pass.uses[0];
-            const Extent3D area = areas.empty() ? decl.extent : areas[use.resource];
+            const Extent3D area = frame.areas.empty() ? decl.extent : frame.areas[use.resource];
             data.format = decl.format;
             data.extent = mip_extent(area, use.range.mip);
             data.bytes = pack(regions_of(place, decl, use, area), staging);

@@ -15,6 +15,13 @@
 
 namespace weft::vk {
 
+// How a frame differed from other frames of its plan.
+struct FrameShape {
+    // The areas of the images, by ResourceId; empty if the plan has no live sizes.
+    std::span<const Extent3D> areas;
+    Combination switches = kAllSwitchesOn;  // The switches that were on.
+};
+
 class ReadbackMemory {
  public:
     [[nodiscard]] static Result<ReadbackMemory> create(Device& device, const FramePlan& plan);
@@ -27,9 +34,8 @@ class ReadbackMemory {
     void record_visibility(const Device& device, VkCommandBuffer commands, uint32_t slot,
                            const Batch& batch) const;
     // Appends the data of each readback pass to `out`, in schedule order. Call this after the frame in `slot`
-    // has finished. `areas`: the areas that the images had in this frame, by ResourceId; empty if the plan
-    // has no live sizes.
-    void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index, std::span<const Extent3D> areas,
+    // has finished. A pass that was switched off delivers nothing.
+    void deliver(const FramePlan& plan, uint32_t slot, uint64_t frame_index, const FrameShape& frame,
                  std::vector<ReadbackData>& out) const;
 
  private:

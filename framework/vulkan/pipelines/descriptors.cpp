@@ -137,7 +137,7 @@ Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const Resolved
     std::map<VkDescriptorType, uint32_t> counts;
     uint32_t sets = 0;
     for (const SetDemand& demand : demands) {
-        const uint32_t pass_sets = demand.ring_phases * kFramesInFlight;
+        const uint32_t pass_sets = demand.ring_phases * demand.variants * kFramesInFlight;
         sets += pass_sets;
         for (const ShaderBinding& binding : demand.interface->bindings)
             if (binding.set == kPortSet)
@@ -158,9 +158,8 @@ Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const Resolved
 }
 
 Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool, DescriptorSources sources,
-                                Position position, const ShaderInterface& interface,
+                                Position position, const PassDecl& pass, const ShaderInterface& interface,
                                 const PassLayout& layout) {
-    const PassDecl& pass = sources.plan.graph.passes[sources.plan.schedule.order[position]];
     if (!layout.has_ports()) return SlotSets{};
     SetWrites ports;
     for (const ShaderBinding& binding : interface.bindings) {

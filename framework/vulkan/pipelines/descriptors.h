@@ -35,14 +35,18 @@ struct SetDemand {
     // The period of the pass: the number of frames after which it uses the same copies of its resources
     // again. Each frame of the period needs one set for every frame slot.
     uint32_t ring_phases = 1;
+    // The number of variants of the pass. Each needs sets of its own.
+    uint32_t variants = 1;
 };
 [[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const ResolvedGraph& graph,
                                                                 const std::vector<SetDemand>& demands);
 
-// Makes the descriptor sets that a pass needs in one frame of its period, one for each frame slot.
+// Makes the descriptor sets that a pass needs in one of its variants and in one frame of its period, one for
+// each frame slot. `pass` is the pass at index `position` of the execution order, in that variant.
 // sources.resources selects the copies of resources with history for that frame.
 [[nodiscard]] Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool,
                                               DescriptorSources sources, Position position,
-                                              const ShaderInterface& interface, const PassLayout& layout);
+                                              const PassDecl& pass, const ShaderInterface& interface,
+                                              const PassLayout& layout);
 
 }  // namespace weft::vk

@@ -80,7 +80,10 @@ uint32_t bits_of(ScalarType scalar, double value) {
 void write_params(const ResolvedGraph& graph, PassId pass, const FrameValues& values,
                   std::span<std::byte> bytes) {
     std::fill(bytes.begin(), bytes.end(), std::byte{0});
-    for (const ParamWrite& write : graph.passes[pass].params) {
+    const PassDecl& decl = graph.passes[pass];
+    const std::vector<ParamWrite>& writes =
+        decl.variants.empty() ? decl.params : decl.variants[variant_in(decl, values.switches)].params;
+    for (const ParamWrite& write : writes) {
         for (uint32_t i = 0; i < write.components; ++i) {
             const double value = write.builtin == Builtin::none
                                      ? write.value[i]

@@ -24,6 +24,7 @@ struct FrameValues {
     const FrameAreas& areas;
     // Null: the values Builtin::unit_valid and Builtin::unit_bits become 0.
     const UnitValidity* validity = nullptr;
+    Combination switches = kAllSwitchesOn;  // The switches that are on in the frame.
 };
 
 // Writes the parameter values of a pass to `bytes`, which has PassDecl::params_bytes bytes. Bytes that belong

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/pipelines/opaque_uniforms.h"
@@ -103,18 +104,30 @@ Status make_memory(Device& device, const ExecutorInput& input, PlanObjects& obje
     return Unit{};
 }
 
-// Makes the descriptor sets of the pass at index `position` of the execution order, and its rendering scope
-// if it draws. They are for frame `frame` of the period of the pass. After one period, the pass uses the same
-// copies of its resources with history again.
-Status prepare_ring_phase(Device& device, PlanObjects& objects, Position position,
-                          const ShaderInterface& interface, uint64_t frame) {
+uint32_t variant_count(const PassDecl& pass) {
+    return std::max(1u, static_cast<uint32_t>(pass.variants.size()));
+}
+
+// Makes the descriptor sets of a variant of the pass at index `position` of the execution order, for each
+// frame of the period of the pass. After one period, the pass uses the same copies of its resources with
+// history again.
+Status prepare_port_sets(Device& device, PlanObjects& objects, Position position, const PassDecl& pass,
+                         const ShaderInterface& interface) {
     PreparedPass& prepared = objects.passes[position];
-    const DescriptorSources sources{objects.plan,  {objects.resources, frame}, objects.params,
-                                    objects.views, objects.samplers,           objects.dummies};
-    Result<SlotSets> sets =
-        make_port_sets(device, objects.pool.get(), sources, position, interface, prepared.layout);
-    if (!sets) return sets.take_errors();
-    prepared.port_sets.push_back(*sets);
+    for (uint64_t frame = 0; frame < objects.resources.rings.period(pass); ++frame) {
+        const DescriptorSources sources{objects.plan,  {objects.resources, frame}, objects.params,
+                                        objects.views, objects.samplers,           objects.dummies};
+        Result<SlotSets> sets =
+            make_port_sets(device, objects.pool.get(), sources, position, pass, interface, prepared.layout);
+        if (!sets) return sets.take_errors();
+        prepared.port_sets.push_back(*sets);
+    }
+    return Unit{};
+}
+
+// Makes the rendering scope of a pass that draws, for frame `frame` of the period of the pass.
+Status prepare_scope(PlanObjects& objects, Position position, uint64_t frame) {
+    PreparedPass& prepared = objects.passes[position];
     const PassStep& step = objects.plan.barriers.steps[position];
     if (objects.plan.graph.passes[step.pass].kind == PassKind::compute) return Unit{};
     Result<RenderingScope> scope =
@@ -136,14 +149,20 @@ Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjec
     prepared.layout = std::move(*layout);
     prepared.frame_ranges = program.interface.frame_ranges;
     for (uint64_t frame = 0; frame < objects.resources.rings.period(pass); ++frame) {
-        const Status ring_phase = prepare_ring_phase(device, objects, position, program.interface, frame);
-        if (!ring_phase) return ring_phase;
+        Status scope = prepare_scope(objects, position, frame);
+        if (!scope) return scope;
     }
-    Result<std::vector<DrawPipeline>> pipelines =
-        make_pipelines(device, {objects.plan, pass, program, prepared.layout, input.imports,
-                                objects.cache.get(), *input.pipelines, objects.pipeline_counts});
-    if (!pipelines) return pipelines.take_errors();
-    prepared.pipelines = std::move(*pipelines);
+    prepared.variants = variant_count(pass);
+    for (uint32_t variant = 0; variant < prepared.variants; ++variant) {
+        const PassDecl decl = pass_of_variant(pass, variant);
+        Status sets = prepare_port_sets(device, objects, position, decl, program.interface);
+        if (!sets) return sets;
+        Result<std::vector<DrawPipeline>> pipelines =
+            make_pipelines(device, {objects.plan, decl, program, prepared.layout, input.imports,
+                                    objects.cache.get(), *input.pipelines, objects.pipeline_counts});
+        if (!pipelines) return pipelines.take_errors();
+        std::ranges::move(*pipelines, std::back_inserter(prepared.pipelines));
+    }
     return Unit{};
 }
 
@@ -153,7 +172,7 @@ Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& object
         const PassDecl& pass = objects.plan.graph.passes[id];
         if (!runs_shader(pass.kind)) continue;
         demands.push_back({&input.shaders->find(pass.shader)->second.interface, &pass,
-                           static_cast<uint32_t>(objects.resources.rings.period(pass))});
+                           static_cast<uint32_t>(objects.resources.rings.period(pass)), variant_count(pass)});
     }
     Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, objects.plan.graph, demands);
     if (!pool) return pool.take_errors();
@@ -172,8 +191,16 @@ Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const Execu
     // pipeline.
     Result<PassLayout> layout = make_pass_layout(device, input.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();
-    return make_pipelines(device, {input.plan, pass, program, *layout, input.imports, cache, *input.pipelines,
-                                   amendment.counts});
+    std::vector<DrawPipeline> all;
+    for (uint32_t variant = 0; variant < variant_count(pass); ++variant) {
+        const PassDecl decl = pass_of_variant(pass, variant);
+        Result<std::vector<DrawPipeline>> pipelines = make_pipelines(
+            device,
+            {input.plan, decl, program, *layout, input.imports, cache, *input.pipelines, amendment.counts});
+        if (!pipelines) return pipelines.take_errors();
+        std::ranges::move(*pipelines, std::back_inserter(all));
+    }
+    return all;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "vulkan/memory/readback.h"
 #include "vulkan/memory/uploads.h"
@@ -19,19 +20,27 @@ namespace weft::vk {
 // The Vulkan objects needed to record one pass. The kind of the pass determines which members are set.
 struct PreparedPass {
     PassLayout layout;
-    // port_sets and scopes have one element for each frame of the period of the pass. After one period, the
-    // pass uses the same copies of its resources with history again.
+    // scopes has one element for each frame of the period of the pass, and so has port_sets for each variant
+    // of the pass, one variant after the other. After one period, the pass uses the same copies of its
+    // resources with history again.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
+    // Each variant of the pass has the same number of pipelines, one variant after the other.
     std::vector<DrawPipeline> pipelines;
+    uint32_t variants = 1;
     // The constants of frame and view that the shader reads; see ShaderInterface.
     std::vector<FrameRange> frame_ranges;
     // The program's callbacks for the pass; set only for custom passes.
     std::optional<PassType> type;
 
     [[nodiscard]] const RenderingScope& scope(uint64_t frame) const { return scopes[frame % scopes.size()]; }
-    [[nodiscard]] const VkDescriptorSet& port_set(uint64_t frame, uint32_t slot) const {
-        return port_sets[frame % port_sets.size()][slot];
+    [[nodiscard]] const VkDescriptorSet& port_set(uint32_t variant, uint64_t frame, uint32_t slot) const {
+        const size_t period = port_sets.size() / variants;
+        return port_sets[variant * period + frame % period][slot];
+    }
+    [[nodiscard]] std::span<const DrawPipeline> pipelines_of(uint32_t variant) const {
+        const size_t count = pipelines.size() / variants;
+        return std::span(pipelines).subspan(variant * count, count);
     }
 };
 

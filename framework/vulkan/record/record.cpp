@@ -29,8 +29,10 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
         fn.vkCmdBindDescriptorSets(context.commands, point, layout, kFrameSet, 1, &set, 0, nullptr);
     }
     if (prepared.layout.has_ports())
-        fn.vkCmdBindDescriptorSets(context.commands, point, layout, kPortSet, 1,
-                                   &prepared.port_set(context.resources.frame(), context.slot), 0, nullptr);
+        fn.vkCmdBindDescriptorSets(
+            context.commands, point, layout, kPortSet, 1,
+            &prepared.port_set(variant_in(pass, context.switches), context.resources.frame(), context.slot),
+            0, nullptr);
     if (prepared.layout.index_stages != 0) {
         const uint32_t index = 0;
         fn.vkCmdPushConstants(context.commands, layout, prepared.layout.index_stages, 0, sizeof index,
@@ -40,7 +42,9 @@ void bind_pass(const RecordContext& context, const PassDecl& pass, const Prepare
     std::vector<std::byte> bytes(pass.params_bytes);
     const ResolvedGraph& graph = context.objects.plan.graph;
     write_params(graph, PassId(static_cast<uint32_t>(&pass - graph.passes.data())),
-                 {context.frame, context.resources, context.objects.areas, &context.objects.validity}, bytes);
+                 {context.frame, context.resources, context.objects.areas, &context.objects.validity,
+                  context.switches},
+                 bytes);
     fn.vkCmdPushConstants(context.commands, layout, prepared.layout.push_stages, 0, pass.params_bytes,
                           bytes.data());
 }
@@ -66,7 +70,7 @@ FrontFace opposite(FrontFace face) {
 void bind_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                         prepared.pipelines[0].pipeline.get());
+                         prepared.pipelines_of(variant_in(pass, context.switches))[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
     // The triangle of a fullscreen pass is the same in every view.
     const DrawSource* draws = context.objects.draws;
@@ -148,7 +152,7 @@ void begin_pass(const RecordContext& context, const PassDecl& pass, const Prepar
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE,
-                         prepared.pipelines[0].pipeline.get());
+                         prepared.pipelines_of(variant_in(pass, context.switches))[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_COMPUTE);
     const IndirectPlace sizes = place_of(context, pass, pass.indirect_use);
     if (sizes.buffer != VK_NULL_HANDLE)
@@ -171,7 +175,7 @@ void record_raster(const RecordContext& context, Position position, const PassDe
     else if (pass.vertices > 0)
         draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
     else
-        for (const DrawPipeline& draw : prepared.pipelines)
+        for (const DrawPipeline& draw : prepared.pipelines_of(variant_in(pass, context.switches)))
             context.draws_left_out[position] += draw_list(context, pass, prepared, draw);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }

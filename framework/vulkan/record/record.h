@@ -16,6 +16,7 @@ struct RecordContext {
     FrameResources resources;
     // For each pass, by its position: the number of draws that were left out.
     std::vector<uint32_t>& draws_left_out;
+    Combination switches = kAllSwitchesOn;  // The switches that are on in the frame.
 };
 
 // Records the pass at index `position` of the execution order, without its barriers. Calls one of the

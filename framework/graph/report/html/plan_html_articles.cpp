@@ -129,6 +129,10 @@ void write_pass_article(const PlanPage& page, PassId pass, Markup& out) {
         if (const Result<std::string> why = explain_culled(plan, name)) write_sentences(out, *why);
     if (plan.graph.passes[pass].rest_unit != kNoId)
         if (const Result<std::string> why = explain_rest(plan, name)) write_sentences(out, *why);
+    const auto depends = [](const UseDecl& use) { return use.used_in != kEveryCombination; };
+    if (plan.graph.passes[pass].switch_id != kNoId ||
+        std::ranges::any_of(plan.graph.passes[pass].uses, depends))
+        if (const Result<std::string> why = explain_switch(plan, name)) write_sentences(out, *why);
     write_uses(plan, pass, out);
     write_attachments(plan, pass, out);
     write_pass_barriers(page, pass, out);

@@ -33,7 +33,7 @@ auto edge_order(const EdgeItem& e) {
 
 // Finds, for each cell of a resource (see SubresourceGrid), the passes whose writes can still be there at the
 // end of a frame. A later writer replaces earlier ones. Exception: a frame may skip a pass of a `perFrame`
-// repeat, so such a pass replaces no earlier writer and is only added to the list.
+// repeat or with a switch, so such a pass replaces no earlier writer and is only added to the list.
 class LastWriters {
  public:
     LastWriters(const FramePlan& plan, ResourceId resource, const std::vector<SubresourceRange>& read)
@@ -44,7 +44,7 @@ class LastWriters {
             for (const UseDecl& use : decl.uses) {
                 if (use.resource != resource || !writes(use.access)) continue;
                 for (const uint32_t cell : grid_.cells_of(use.range)) {
-                    if (decl.frame_slices == 0) writers_[cell].clear();
+                    if (decl.frame_slices == 0 && decl.switch_id == kNoId) writers_[cell].clear();
                     writers_[cell].push_back(pass);
                 }
             }

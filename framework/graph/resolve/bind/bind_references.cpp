@@ -239,23 +239,37 @@ class ReferenceBinder {
 
     // Binds an input to the resource that it names. If all writers of that resource are removed (`if`, or an
     // empty repeat), binds the input to its "else" instead. If there is no "else", an optional port stays
-    // unbound, and any other port is an error.
+    // unbound, and any other port is an error. If switches turn all writers off in some frames, the input is
+    // bound to both references, each with the combinations of the switches in which it is read.
     void add_input(PassId pass, const PortDesc& port, const Presence& presence,
                    std::vector<BoundPort>& ports) {
+        const CombinationSet runs_in = declared_.expansion.passes[pass].decl.runs_in;
+        bool found = false;    // True: a pass of the graph writes one of the references.
+        bool depends = false;  // True: the port is read only in some combinations of the switches.
+        CombinationSet missing = kEveryCombination;  // The combinations in which the port has no use yet.
         for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {
             if (!ref) break;
             std::optional<BoundPort> bound = bind_reference(pass, port, *ref, false);
             if (!bound) return;
             if (!ref->pass.empty()) presence.find_pins(pass, *ref, *bound);
             if (!presence.is_present(pass, *bound)) continue;
+            const CombinationSet present = presence.present_in(pass, *bound);
+            found = true;
+            if ((present & missing & runs_in) == 0) continue;
+            const bool is_last = (missing & runs_in & ~present) == 0;
+            bound->use.used_in = is_last ? missing : static_cast<CombinationSet>(present & missing);
+            missing = static_cast<CombinationSet>(missing & ~bound->use.used_in);
+            depends |= bound->use.used_in != kEveryCombination;
             ports.push_back(std::move(*bound));
-            return;
+            if (is_last) break;
         }
-        if (port.optional) {
+        const auto absent = static_cast<CombinationSet>(missing & runs_in);
+        if (missing == kEveryCombination && port.optional)
             result_.passes[pass].absent.push_back(port.port);
-        } else {
+        else if (missing == kEveryCombination && !found)
             presence.report_absent(pass, port);
-        }
+        else if ((absent != 0 && !port.optional) || (depends && !presence.can_depend(pass, port)))
+            presence.report_switched_off(pass, port, absent);
     }
 
     // Sorts `ports` by name, and appends them to the bound ports of the pass.

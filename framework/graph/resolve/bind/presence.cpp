@@ -5,6 +5,7 @@
 #include "graph/resolve/dropped_writer.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
+#include "graph/resolve/switches/switches_text.h"
 
 namespace weft {
 namespace {
@@ -40,6 +41,18 @@ bool share_a_part(const UseDecl& one, const UseDecl& other) {
     const SubresourceRange& b = other.range;
     return a.mip < b.mip + b.mips && b.mip < a.mip + a.mips && a.layer < b.layer + b.layers &&
            b.layer < a.layer + a.layers;
+}
+
+// Returns the reason why the inputs of the pass cannot depend on switches, or an empty text.
+std::string why_without_variants(const PassDraft& draft, const PortDesc& port) {
+    const PassDesc& desc = *draft.desc;
+    if (desc.rests) return "has \"rest\"";
+    if (!desc.group.empty()) return "belongs to a group";
+    if (!draft.is_observer && !has_shader(draft.decl.kind))
+        return "is a " + desc.type + " pass, which has no shader";
+    const bool counts =
+        (desc.indirect && &port == &*desc.indirect) || (desc.draw_count && &port == &*desc.draw_count);
+    return counts ? "reads numbers of draws or workgroups from the port" : "";
 }
 
 }  // namespace
@@ -100,6 +113,71 @@ bool Presence::is_present(PassId pass, const BoundPort& input) const {
         }
     }
     return false;
+}
+
+CombinationSet Presence::present_in(PassId pass, const BoundPort& input) const {
+    const Expansion& expansion = declared_.expansion;
+    const ResourceId resource = input.use.resource;
+    if (expansion.switches.empty() || declared_.shapes.origins[resource].has_content ||
+        suspects_.writers[resource])
+        return kEveryCombination;
+    // The named passes, and the other writers of the resource: if the named passes are off, the version of
+    // another writer may stay visible.
+    CombinationSet named = 0, others = 0;
+    std::set<std::string> other_names;
+    bool passes_version_on = input.draft.pins.empty(), any = false;
+    for (PassId writer(0); writer < outputs_.size(); ++writer) {
+        reporter_.spend(1 + outputs_[writer].size(), input.use.loc);
+        if (writer == pass) continue;
+        const bool shares = std::ranges::any_of(outputs_[writer], [&](const BoundPort& output) {
+            return output.use.resource == resource && share_a_part(output.use, input.use);
+        });
+        if (!shares) continue;
+        any = true;
+        const PassDraft& draft = expansion.passes[writer];
+        if (std::ranges::find(input.draft.pins, writer) != input.draft.pins.end()) {
+            named = static_cast<CombinationSet>(named | draft.decl.runs_in);
+            passes_version_on |= passes_on(*draft.desc, declared_.resource_name(resource));
+        } else {
+            others = static_cast<CombinationSet>(others | draft.decl.runs_in);
+            other_names.insert(draft.desc->name);
+        }
+    }
+    if (!any) return kEveryCombination;  // version() reports that no pass writes the resource.
+    const bool sees_others = passes_version_on || other_names.size() == 1 || named == 0;
+    return static_cast<CombinationSet>(named | (sees_others ? others : 0));
+}
+
+bool Presence::can_depend(PassId pass, const PortDesc& port) const {
+    const PassDraft& draft = declared_.expansion.passes[pass];
+    return !draft.is_observer && why_without_variants(draft, port).empty();
+}
+
+void Presence::report_switched_off(PassId pass, const PortDesc& port, CombinationSet absent) const {
+    const Expansion& expansion = declared_.expansion;
+    const PassDraft& draft = expansion.passes[pass];
+    const std::string without = why_without_variants(draft, port);
+    if (!without.empty() && (port.otherwise || port.optional)) {
+        Diagnostic& d = report_.error(pass, port.ref.loc, "W235",
+                                      name_reader(draft) + " " + without + ", so its port " +
+                                          quote(port.port) + " cannot depend on a switch");
+        add_help(d, "let a pass that always runs write " + quote(port.ref.name) +
+                        " before the pass with the switch");
+        add_help(d, "or keep the last content: add \"keep\": true to " + quote(port.ref.name));
+        return;
+    }
+    Diagnostic& d =
+        report_.error(pass, port.ref.loc, "W234",
+                      name_reader(draft) + " reads " + quote(port.ref.text) + ", but in frames in which " +
+                          switches_text(expansion.switches, absent) + ", no pass writes it");
+    if (without.empty() && !draft.is_observer) {
+        add_help(d, "name a replacement: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
+        add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
+    }
+    add_help(d, "or keep the last content: add \"keep\": true to " + quote(port.ref.name));
+    if (!draft.is_observer)
+        add_help(d, "or turn this pass off together with the pass that writes " + quote(port.ref.name) +
+                        ": give both the same \"switch\"");
 }
 
 void Presence::report_absent(PassId pass, const PortDesc& port) const {

@@ -1,7 +1,9 @@
 // Purpose: handles references to passes that `if` removes. Private to bind(). If a removed pass modifies a
 // resource in place, a reference to the version after that pass sees the previous version instead. If no
 // remaining pass writes the resource that a port reads, the port uses its "else". Without an "else", an
-// optional port stays unbound, and any other port is error W123.
+// optional port stays unbound, and any other port is error W123. If live switches remove the passes, an input
+// has several uses: one for each reference, with the combinations of the switches in which it is read.
+// Errors: W123, W234, W235.
 #pragma once
 
 #include <vector>
@@ -35,6 +37,14 @@ class Presence {
     // Returns false if the input has nothing to read, because the passes that would write it are removed.
     [[nodiscard]] bool is_present(PassId pass, const BoundPort& input) const;
     void report_absent(PassId pass, const PortDesc& port) const;
+    // Returns the combinations of the switches in which the input has something to read. In the others, the
+    // passes that would write it are switched off. `input` must be present.
+    [[nodiscard]] CombinationSet present_in(PassId pass, const BoundPort& input) const;
+    // Returns true if the port may have other resources, or none, in some combinations of the switches.
+    [[nodiscard]] bool can_depend(PassId pass, const PortDesc& port) const;
+    // Reports that the port cannot depend on switches, or that it has nothing to read in the combinations
+    // `absent`.
+    void report_switched_off(PassId pass, const PortDesc& port, CombinationSet absent) const;
 
  private:
     // Returns the names of all passes that write a resource, except the pass `except` and the other passes of

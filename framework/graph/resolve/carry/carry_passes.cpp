@@ -38,8 +38,9 @@ class NeededParts {
             for (const UseDecl& use : graph.passes[id].uses) {
                 if (use.resource != resource) continue;
                 if (writes(use.access)) note_write(use.range);
-                for (const VersionSource& source : use.sources)
-                    if (source.producer == carry) mark(source.range, needed_, whole_.aspects);
+                for (const std::vector<VersionSource>* versions : {&use.sources, &use.passes_on})
+                    for (const VersionSource& source : *versions)
+                        if (source.producer == carry) mark(source.range, needed_, whole_.aspects);
             }
         }
     }
@@ -99,8 +100,9 @@ void renumber(const std::vector<uint8_t>& removed, ResolvedGraph& graph) {
     graph.passes = std::move(passes);
     for (PassDecl& pass : graph.passes)
         for (UseDecl& use : pass.uses)
-            for (VersionSource& source : use.sources)
-                if (source.producer != kNoId) source.producer = ids[source.producer];
+            for (std::vector<VersionSource>* versions : {&use.sources, &use.passes_on})
+                for (VersionSource& source : *versions)
+                    if (source.producer != kNoId) source.producer = ids[source.producer];
     std::erase_if(graph.edges, [&](const EdgeDecl& e) { return removed[e.from] || removed[e.to]; });
     for (EdgeDecl& edge : graph.edges)
         edge = {ids[edge.from], ids[edge.to], edge.kind, edge.resource, edge.loc};

@@ -115,6 +115,7 @@ class ParamCosts {
             add(*expression, ParamCost::graph);
         add(pass.view_number, ParamCost::graph);
         add(pass.flops, ParamCost::live);
+        if (!pass.switch_param.empty()) add_name(pass.switch_param, ParamCost::live);
         for (const RepeatDesc& repeat : pass.repeat)
             for (const Expr* expression : {&repeat.first, &repeat.last, &repeat.step})
                 add(*expression, ParamCost::graph);

@@ -35,8 +35,9 @@ class PassFollower {
         find_area();
         if (pass_.kind == PassKind::compute && draft_.shader && !draft_.desc->indirect) follow_groups();
         follow_rects();
-        for (ParamWrite& write : pass_.params)
-            if (write.builtin == Builtin::none) follow_member(write);
+        follow_members(pass_.params, pass_.variants.empty() ? pass_.runs_in : combinations_of(0));
+        for (size_t i = 0; i < pass_.variants.size(); ++i)
+            follow_members(pass_.variants[i].params, combinations_of(i));
     }
 
  private:
@@ -101,7 +102,18 @@ class PassFollower {
                 for (const bool scissor : {false, true}) pass_.live_sides.push_back({scissor, side, *value});
     }
 
-    void follow_member(ParamWrite& write) {
+    // Returns the combinations of the switches in which a variant runs.
+    [[nodiscard]] CombinationSet combinations_of(size_t variant) const {
+        return static_cast<CombinationSet>(pass_.variants[variant].combinations & pass_.runs_in);
+    }
+
+    // `combinations`: the combinations of the switches in which the pass has these values.
+    void follow_members(std::vector<ParamWrite>& writes, CombinationSet combinations) {
+        for (ParamWrite& write : writes)
+            if (write.builtin == Builtin::none) follow_member(write, combinations);
+    }
+
+    void follow_member(ParamWrite& write, CombinationSet combinations) {
         const std::vector<ParamValueDesc>& given = draft_.desc->params;
         const auto param = std::ranges::find(given, write.member, &ParamValueDesc::name);
         if (param != given.end()) return follow_components(param->components, write);
@@ -113,7 +125,7 @@ class PassFollower {
             return follow_components({name}, write);
         }
         for (const AreaBuiltin& builtin : kAreaBuiltins)
-            if (follow_port(builtin, write)) return;
+            if (follow_port(builtin, write, combinations)) return;
     }
 
     void follow_components(const std::vector<Expr>& components, ParamWrite& write) {
@@ -134,11 +146,12 @@ class PassFollower {
     }
 
     // Returns true if the member has the name of a port with this suffix.
-    bool follow_port(const AreaBuiltin& builtin, ParamWrite& write) {
+    bool follow_port(const AreaBuiltin& builtin, ParamWrite& write, CombinationSet combinations) {
         std::string_view name = write.member;
         if (!name.ends_with(builtin.suffix)) return false;
         name.remove_suffix(builtin.suffix.size());
-        const auto use = std::ranges::find(bound_.uses, name, &UseDecl::port);
+        const auto use = std::ranges::find_if(
+            bound_.uses, [&](const UseDecl& u) { return u.port == name && (u.used_in & combinations) != 0; });
         if (use == bound_.uses.end()) return false;
         if (graph_.resources[use->resource].area == kNoId) return true;
         write.builtin = builtin.builtin;

@@ -24,6 +24,11 @@ void connect_versions(const Declared& declared, const std::vector<Cell>& cells, 
 // `perFrame` run only in some frames. Errors: W124.
 void check_sliced_reads(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                         Reporter& reporter);
+// Finds what readers see while passes with "switch" are off: fills in UseDecl::passes_on and
+// PortDraft::valid_in, and checks that each read has content in all combinations of the switches. Errors:
+// W234, W235.
+void connect_switched(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
+                      Reporter& reporter);
 // Finds the sets of passes with "rest" that must run together, and fills in VersionedGraph::rest_units.
 // Checks that a result that is kept from an earlier frame is the right one. Errors: W188.
 void find_rest_units(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,

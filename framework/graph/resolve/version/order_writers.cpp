@@ -182,6 +182,12 @@ class WriterOrder {
             writers.erase(carry);
         }
         const auto rank = [this](const CellUse& w) { return port(w).rank; };
+        // If a pass that always runs replaces all content, the passes with a switch change its version.
+        const auto always_fresh = [&](const CellUse& w) {
+            return drafts()[w.pass].decl.switch_id == kNoId && rank(w) == WriteRank::fresh;
+        };
+        if (std::ranges::count_if(writers, always_fresh) == 1)
+            return add_first(cell, std::ranges::find_if(writers, always_fresh)->pass, writers);
         const auto base = std::ranges::min_element(writers, {}, rank);
         if (rank(*base) == WriteRank::in_place || std::ranges::count(writers, rank(*base), rank) != 1) return;
         add_first(cell, base->pass, writers);

@@ -1,6 +1,6 @@
-// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only scales
-// of live sizes are among them: to change another parameter, swap the plan (Session::prepare()). Units:
-// seconds; exposure in EV (radiance is stored multiplied by 2^EV).
+// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only switches
+// and scales of live sizes are among them: to change another parameter, swap the plan (Session::prepare()).
+// Units: seconds; exposure in EV (radiance is stored multiplied by 2^EV).
 #pragma once
 
 #include <cstdint>
@@ -33,6 +33,10 @@ struct FrameInput {
     // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
     // entry, the group itself chooses: its rounds run in turn.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
+    // Switches of this frame. Key: the name of a parameter that passes name in "switch". Value: false turns
+    // these passes off. Without an entry, the value of the parameter decides. Other names are ignored. Params
+    // blocks keep the value of the parameter.
+    std::map<std::string, bool, std::less<>> switches = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
     // Scales of the graph's live sizes in this frame, by the name of the parameter. They are clamped to the

@@ -23,6 +23,9 @@ namespace weft {
 [[nodiscard]] Result<std::string> explain_wait(const FramePlan& plan, const std::string& pass);
 // Tells whether the pass rests, with which passes it runs together, and which changes make it run.
 [[nodiscard]] Result<std::string> explain_rest(const FramePlan& plan, const std::string& pass);
+// Tells when the pass is switched off and what its readers see then, and which of its inputs depend on
+// switches.
+[[nodiscard]] Result<std::string> explain_switch(const FramePlan& plan, const std::string& pass);
 // Lists the properties of the resource, its writers and readers, its lifetime and its place in memory.
 [[nodiscard]] Result<std::string> explain_resource(const FramePlan& plan, const std::string& resource);
 

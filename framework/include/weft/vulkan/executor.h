@@ -67,6 +67,9 @@ struct FrameInput {
     // Scales of live sizes in this frame, by the name of the parameter. A scale outside of the range of its
     // parameter is clamped. A scale that is not in the map has the value of its parameter.
     Scales scales = {};
+    // Switches by the name of their parameter: true is on. A switch without an entry has the value of its
+    // parameter. Names that are no switches are ignored. Null: no entries.
+    const std::map<std::string, bool, std::less<>>* switches = nullptr;
 };
 
 // Hooks for tests: they omit barriers, so that a test can check that the validation layer reports the missing

@@ -16,6 +16,8 @@ struct PassTiming {
     double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if it was not measured.
     // True if the pass did not run in this frame: it has `rest`, or other rounds of its group had their turn.
     bool rested = false;
+    // True if the pass did not run in this frame, because its switch was off.
+    bool switched_off = false;
     // For a pass with `rest` or in a group that ran: the reason, such as `pass "table" ran`. Empty for all
     // other passes.
     std::string woken_by;

@@ -1,0 +1,17 @@
+// Purpose: returns texts about passes with switches and about inputs that depend on switches.
+#pragma once
+
+#include <string>
+
+#include "weft/plan.h"
+
+namespace weft {
+
+// Returns the switches with which all combinations of the set are described, such as `"fog" is on`. Returns
+// an empty text if the set contains every combination.
+[[nodiscard]] std::string describe_combinations(const ResolvedGraph& graph, CombinationSet set);
+// Returns the names of the live passes that the switch turns on and off; the passes that run while it is off
+// have the mark "!".
+[[nodiscard]] std::string switched_passes(const FramePlan& plan, uint32_t switch_id);
+
+}  // namespace weft

@@ -1,0 +1,13 @@
+// Purpose: the stage of resolve() that makes the variants of passes whose inputs depend on switches: for each
+// set of combinations with the same inputs, the values of the constants HAS_<port> and of the block Params.
+// Errors: those of fill_blocks().
+#pragma once
+
+#include "graph/resolve/version.h"
+
+namespace weft {
+
+[[nodiscard]] ResolvedGraph make_variants(const Declared& declared, const VersionedGraph& versioned,
+                                          ResolvedGraph graph, Reporter& reporter);
+
+}  // namespace weft

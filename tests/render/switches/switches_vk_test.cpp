@@ -1,0 +1,174 @@
+// Tests passes with "switch" on the device. Whatever the program switches from frame to frame, each picture
+// must have the same bytes as that of a graph in which "if" has the same values, so that each change makes a
+// new plan.
+#include <algorithm>
+#include <random>
+
+#include "tests/render/session/object_counter.h"
+#include "tests/render/session_fixture.h"
+#include "tests/render/switches/count_allocations.h"
+
+namespace weft::test {
+namespace {
+
+constexpr const char* kSwitchesGraph = WEFT_SOURCE_DIR "/tests/render/switches/switches.json";
+const std::vector<std::string> kSwitchNames{"extraOn", "glowOn", "mistOn", "trailOn"};
+
+// Reads the graph with "if" instead of "switch". The graph itself then gives the member trailValid, which
+// otherwise tells whether the pass with the switch has run.
+std::optional<std::string> read_with_if(const std::string& path) {
+    std::optional<std::string> text = read_text(path);
+    const auto replace = [&](const std::string& old, const std::string& now) {
+        for (size_t at = 0; text && (at = text->find(old, at)) != std::string::npos; at += now.size())
+            text->replace(at, old.size(), now);
+    };
+    replace("\"switch\":", "\"if\":");
+    replace("\"gain\": 1", R"("gain": 1, "trailValid": "trailOn")");
+    return text;
+}
+
+class Switched : public SessionTest {
+ protected:
+    std::unique_ptr<render::Session> begin(const FileReader& reader, uint32_t queues) {
+        const Result<scene::Scene> scene = scene::make_builtin("spheres");
+        passes_ = registered_passes();
+        render::SessionInput input;
+        input.request.path = kSwitchesGraph;
+        input.request.size = {32, 32, 1};
+        input.load.reader = reader;
+        input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.passes = &passes_;
+        input.check_plan = true;
+        input.queues = queues;
+        Result<std::unique_ptr<render::Session>> session =
+            render::Session::create(*device_, *scene, input, warnings_);
+        EXPECT_TRUE(session) << to_text(session.errors());
+        if (!session) return nullptr;
+        frame_of(**session) = {.camera = scene::framing_camera(*scene, 1)};
+        return std::move(*session);
+    }
+
+    static std::vector<std::byte> picture(render::Session& session) {
+        EXPECT_TRUE(draw_frame(session));
+        EXPECT_TRUE(session.finish());
+        Result<vk::ReadbackData> output = session.read_output();
+        EXPECT_TRUE(output);
+        return output ? std::move(output->bytes) : std::vector<std::byte>{};
+    }
+
+    static void set_params(render::Session& session, uint32_t on) {
+        render::Selection selection = session.selection();
+        for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
+            selection.request.params[kSwitchNames[s]] = on >> s & 1u;
+        render::PrepareResult made = session.prepare(selection);
+        ASSERT_TRUE(made.result) << to_text(made.result.errors());
+        const Result<bool> swapped = session.swap_in(std::move(*made.result));
+        ASSERT_TRUE(swapped && *swapped) << to_text(swapped.errors());
+    }
+
+    // Returns all combinations of the switches, several times in a random order.
+    static std::vector<uint32_t> combinations(uint32_t seed) {
+        std::vector<uint32_t> all;
+        for (uint32_t i = 0; i < 32; ++i) all.push_back(i % 16);
+        std::mt19937 random(seed);
+        for (size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[random() % i]);
+        return all;
+    }
+
+    void compare_with_if(uint32_t queues) {
+        const std::unique_ptr<render::Session> live = begin(read_text, queues),
+                                               planned = begin(read_with_if, queues);
+        ASSERT_TRUE(live && planned);
+        const std::string hash = plan_hash(live->plan());
+        std::set<std::vector<std::byte>> different;
+        for (const uint32_t on : combinations(queues)) {
+            for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
+                frame_of(*live).switches[kSwitchNames[s]] = (on >> s & 1u) != 0;
+            set_params(*planned, on);
+            if (HasFatalFailure()) return;
+            for (int frame = 0; frame < 2; ++frame) {
+                std::vector<std::byte> found = picture(*live);
+                ASSERT_EQ(found, picture(*planned)) << "switches " << on << ", " << queues << " queues";
+                different.insert(std::move(found));
+            }
+        }
+        EXPECT_GE(different.size(), 16u);
+        EXPECT_EQ(plan_hash(live->plan()), hash);
+        EXPECT_EQ(live->pipelines_made_between_frames(), 0u);
+    }
+};
+
+TEST_F(Switched, PicturesAreThoseOfTheGraphWithIf) {
+    compare_with_if(1);
+}
+
+TEST_F(Switched, PicturesOnSeveralQueuesAreThoseOfTheGraphWithIf) {
+    make_device(true, 3);
+    compare_with_if(3);
+}
+
+TEST_F(Switched, ALiveParameterChangesNothingButTheSwitch) {
+    const std::unique_ptr<render::Session> session = begin(read_text, 1);
+    ASSERT_TRUE(session);
+    const std::string hash = structure_hash(session->plan());
+    const FramePlan* plan = &session->plan();
+    const std::vector<std::byte> all_on = picture(*session);
+    const ObjectCounter objects(*device_);
+    set_params(*session, 0);
+    const std::vector<std::byte> all_off = picture(*session);
+    EXPECT_NE(all_on, all_off);
+    EXPECT_EQ(&session->plan(), plan);
+    EXPECT_EQ(structure_hash(session->plan()), hash);
+    EXPECT_EQ(session->pipelines_made_between_frames(), 0u);
+    EXPECT_EQ(objects.live(), 0);
+    for (const GraphParam& param : session->plan().graph.params)
+        EXPECT_EQ(param.cost, ParamCost::live) << param.name;
+}
+
+// Returns how often the thread allocates memory while it renders one frame.
+uint64_t allocations_of_frame(render::Session& session) {
+    const uint64_t before = allocations_of_thread();
+    EXPECT_TRUE(draw_frame(session));
+    return allocations_of_thread() - before;
+}
+
+// A frame in which switches change must allocate no more than the frame after it, in which nothing changes.
+// The Vulkan objects must stay the same, too.
+TEST_F(Switched, AChangeAllocatesNothing) {
+    const std::unique_ptr<render::Session> session = begin(read_text, 1);
+    ASSERT_TRUE(session);
+    const auto turn = [&](uint32_t on) {
+        for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
+            frame_of(*session).switches[kSwitchNames[s]] = (on >> s & 1u) != 0;
+    };
+    // The first frames may allocate memory that later frames use again.
+    turn(15);
+    for (int i = 0; i < 80; ++i) (void)allocations_of_frame(*session);
+    const ObjectCounter objects(*device_);
+    uint64_t most = 0;
+    for (const uint32_t on : combinations(7)) {
+        turn(on);
+        const uint64_t changed = allocations_of_frame(*session);
+        const uint64_t steady = allocations_of_frame(*session);
+        EXPECT_EQ(changed, steady) << "switches " << on;
+        most = std::max(most, changed);
+    }
+    std::printf("at most %llu allocations in a frame\n", static_cast<unsigned long long>(most));
+    EXPECT_EQ(objects.live(), 0);
+    EXPECT_EQ(session->pipelines_made_between_frames(), 0u);
+}
+
+TEST_F(Switched, TimingsTellWhichPassesWereOff) {
+    const std::unique_ptr<render::Session> session = begin(read_text, 1);
+    ASSERT_TRUE(session);
+    frame_of(*session).switches = {{"mistOn", false}, {"trailOn", false}, {"noSwitch", false}};
+    (void)picture(*session);
+    std::set<std::string> off;
+    for (const vk::FrameTiming& frame : session->take_timings())
+        for (const vk::PassTiming& pass : frame.passes)
+            if (pass.switched_off) off.insert(pass.pass);
+    EXPECT_EQ(off, (std::set<std::string>{"draw", "mist", "veil"}));
+}
+
+}  // namespace
+}  // namespace weft::test
