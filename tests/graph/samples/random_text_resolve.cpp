@@ -8,6 +8,8 @@
 namespace weft::test {
 namespace {
 
+constexpr uint32_t kViewBytes = 512;
+
 ShaderProgram seeded(ShaderProgram p) {
     return with_params(std::move(p), {member("seed")});
 }
@@ -21,6 +23,23 @@ ShaderProgram with_switches(ShaderProgram p, bool c) {
 ShaderBinding foreign_set(uint32_t set) {
     ShaderBinding binding = buffer("instances", true, false);
     binding.set = set;
+    return binding;
+}
+
+ShaderBinding array_of(ShaderBinding binding) {
+    binding.is_array = true;
+    binding.count = 4;
+    return binding;
+}
+
+// The constants of the view, which the vertex stage reads.
+ShaderBinding view_block() {
+    ShaderBinding binding = buffer("ViewBlock", true, false);
+    binding.kind = BindingKind::uniform_buffer;
+    binding.set = 0;
+    binding.binding = kViewBinding;
+    binding.stages = stage_bit(ShaderStage::vertex);
+    binding.block_bytes = kViewBytes;
     return binding;
 }
 
@@ -40,7 +59,11 @@ ShaderCatalog make_shaders() {
             seeded(compute({a, image_in_out("x", format)}));
     shaders["draw_1.frag"] = seeded(fragment({"color"}, {a}));
     shaders["draw_2.frag"] = with_switches(seeded(fragment({"color"}, {a, b})), false);
+    shaders["gather.comp"] = seeded(compute({array_of(a), dst}));
+    shaders["spread.comp"] = seeded(compute({a, array_of(dst)}));
     shaders["scene"] = fragment({"color"});
+    shaders["seen"] = fragment({"color"});
+    shaders["seen"].interface.bindings.push_back(view_block());
     shaders["points"] = fragment({"color"});
     shaders["points"].interface.writes_point_size = true;
     shaders["sky_1.frag"] = seeded(fragment({"color"}));
@@ -58,6 +81,8 @@ ImportCatalog make_imports() {
     ImportCatalog catalog;
     catalog.views = {"camera", "sun"};
     catalog.imports["sun"] = {.name = "sun", .kind = ImportKind::views, .views = 4};
+    catalog.imports["lamps"] = {.name = "lamps", .kind = ImportKind::views, .views = 3};
+    catalog.strides = {{"ViewConstants", kViewBytes}, {"DrawCommand", 20}, {"DrawVerticesCommand", 16}};
     const auto add = [&](const char* name, ImportKind kind) -> ImportDecl& {
         ImportDecl& import = catalog.imports[name];
         import.name = import.resource.name = name;
@@ -66,7 +91,7 @@ ImportCatalog make_imports() {
         import.resource.import = ImportState{};
         return import;
     };
-    add("opaque", ImportKind::draw_list);
+    add("opaque", ImportKind::draw_list).draws = 5;
     add("backbuffer", ImportKind::output).resource.format = Format::rgba8;
     ImportDecl& noise = add("noise", ImportKind::image);
     noise.resource.format = Format::rgba8;
@@ -80,10 +105,21 @@ ImportCatalog make_imports() {
     return catalog;
 }
 
+// Describes the files of the resources as load_graph() does: a picture of 16 x 16 pixels, and 256 words.
+void find_files(GraphDesc& graph) {
+    for (auto& [name, resource] : graph.resources) {
+        FileDesc& file = resource.file;
+        if (file.name.empty()) continue;
+        file.path = "/files/" + file.name;
+        file.size_bytes = 1024;
+        if (file.name.ends_with(".png")) file.width_px = file.height_px = 16;
+    }
+}
+
 }  // namespace
 
 Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
-                                   const DeviceProfile& profile) {
+                                   const DeviceProfile& profile, uint32_t output_px) {
     const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
     Result<JsonDoc> document = read_json("random.json", reader);
     if (!document) return document.take_errors();
@@ -91,6 +127,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
     if (!merged) return merged.take_errors();
     Result<GraphDesc> graph = parse(*merged);
     if (!graph) return graph.take_errors();
+    find_files(*graph);
     const ShaderCatalog shaders = make_shaders();
     const ImportCatalog imports = make_imports();
     const PassCatalog passes;
@@ -100,7 +137,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
                     .shaders = shaders,
                     .imports = imports,
                     .profile = profile,
-                    .request = {.params = params, .size = {64, 64, 1}}},
+                    .request = {.params = params, .size = {output_px, output_px, 1}}},
                    warnings);
 }
 
