@@ -53,7 +53,7 @@ ProfilePlan ProfilePlans::make(uint32_t seed, uint32_t max_passes) const {
         made.plan = plan_for(random_graph(seed, options), profile, queues);
         return made;
     }
-    const RandomText text = random_text(seed);
+    const RandomText text = random_text(seed, profile);
     const Result<ResolvedGraph> graph = resolve_text(text.text, text.params, profile);
     if (graph)
         made.plan = plan_for(*graph, profile, queues);

@@ -37,6 +37,10 @@ class ProfilePlans {
     // the test fails and the plan is empty.
     [[nodiscard]] ProfilePlan make(uint32_t seed, uint32_t max_passes = 60) const;
     [[nodiscard]] size_t count() const { return profiles_.size(); }
+    // Returns the profile for a seed.
+    [[nodiscard]] const DeviceProfile& profile(uint32_t seed) const {
+        return profiles_[seed / 2 % profiles_.size()].second;
+    }
 
  private:
     std::vector<std::pair<std::string, DeviceProfile>> profiles_;

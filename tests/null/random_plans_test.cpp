@@ -54,6 +54,12 @@ void expect_shares(const GraphCoverage& coverage) {
     EXPECT_GE(coverage.merged_scopes * 10, coverage.graphs);
     EXPECT_GE(coverage.carried * 50, coverage.graphs);
     EXPECT_GE(coverage.tables * 10, coverage.graphs);
+    for (const uint32_t count :
+         {coverage.arrays, coverage.layer_arrays, coverage.program_views, coverage.mirrors,
+          coverage.cube_views, coverage.buffer_views, coverage.indirect_offsets, coverage.indirect_draws,
+          coverage.draw_counts, coverage.reductions, coverage.anisotropic, coverage.levels, coverage.shared,
+          coverage.files, coverage.scene_buffers})
+        EXPECT_GE(count * 50, coverage.graphs) << coverage.text();
 }
 
 TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesForAllProfiles) {

@@ -23,6 +23,11 @@ uint32_t any_live_use(const FramePlan& plan, Predicate predicate) {
     });
 }
 
+template <class Predicate>
+uint32_t any_use(const FramePlan& plan, Predicate predicate) {
+    return any_live_pass(plan, [&](const PassDecl& pass) { return any(pass.uses, predicate) != 0; });
+}
+
 bool tests_against_its_input(const PassDecl& pass) {
     if (!pass.depth) return false;
     const ResourceId depth = pass.uses[pass.depth->use].resource;
@@ -32,6 +37,38 @@ bool tests_against_its_input(const PassDecl& pass) {
 }
 
 }  // namespace
+
+void GraphCoverage::add_views(const FramePlan& plan) {
+    const auto draws = [&](ViewSource source) {
+        return any(plan.graph.views, [&](const ViewListDecl& list) {
+            return list.source == source && any_live_pass(plan, [&](const PassDecl& pass) {
+                                                return pass.view.starts_with(list.name + "(");
+                                            }) != 0;
+        });
+    };
+    program_views += draws(ViewSource::program);
+    mirrors += draws(ViewSource::mirror);
+    cube_views += draws(ViewSource::cube);
+    buffer_views += any_live_pass(plan, [](const PassDecl& pass) { return pass.view_use != kNoId; });
+}
+
+void GraphCoverage::add_indirect(const FramePlan& plan) {
+    indirect_offsets += any_live_pass(plan, [](const PassDecl& pass) {
+        return pass.indirect_use != kNoId && pass.uses[pass.indirect_use].bytes &&
+               pass.uses[pass.indirect_use].bytes->offset_bytes > 0;
+    });
+    indirect_draws +=
+        any_live_pass(plan, [](const PassDecl& pass) { return pass.draw_commands_use != kNoId; });
+    draw_counts += any_live_pass(plan, [](const PassDecl& pass) { return pass.draw_count_use != kNoId; });
+}
+
+void GraphCoverage::add_samplers(const FramePlan& plan) {
+    reductions +=
+        any_use(plan, [](const UseDecl& use) { return use.sampler.reduction != SamplerReduction::average; });
+    anisotropic += any_use(plan, [](const UseDecl& use) { return use.sampler.anisotropy > 1; });
+    levels += any_use(
+        plan, [](const UseDecl& use) { return use.sampler.lod_bias != 0 || use.sampler.min_lod > 0; });
+}
 
 void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     ++graphs;
@@ -64,9 +101,14 @@ void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     });
     conditionals += omitted ? 1 : 0;
     after += any(plan.graph.edges, [](const EdgeDecl& edge) { return edge.kind == EdgeKind::after; });
-    arrays += any_live_pass(plan, [](const PassDecl& pass) {
-        return any(pass.uses, [](const UseDecl& use) { return use.each != EachPart::none; }) != 0;
-    });
+    arrays += any_use(plan, [](const UseDecl& use) { return use.each == EachPart::mip; });
+    layer_arrays += any_use(plan, [](const UseDecl& use) { return use.each == EachPart::layer; });
+    add_views(plan);
+    add_indirect(plan);
+    add_samplers(plan);
+    shared += any_live_use(plan, [](const ResourceDecl& r) { return r.shared; });
+    files += any_live_use(plan, [](const ResourceDecl& r) { return !r.file.empty(); });
+    scene_buffers += any_live_use(plan, [](const ResourceDecl& r) { return r.name == "instances"; });
     depth_inputs += any_live_pass(plan, tests_against_its_input);
     merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.merges_render_pass; });
     tables += any_live_use(plan, [](const ResourceDecl& r) { return r.textures > 0; });
@@ -93,6 +135,20 @@ std::string GraphCoverage::text() const {
     share("conditionals", conditionals);
     share("after edges", after);
     share("arrays of mips", arrays);
+    share("arrays of layers", layer_arrays);
+    share("views of the program", program_views);
+    share("mirrors", mirrors);
+    share("views of a cube", cube_views);
+    share("views in buffers", buffer_views);
+    share("indirect dispatches with offsets", indirect_offsets);
+    share("indirect draws", indirect_draws);
+    share("draw counts", draw_counts);
+    share("reductions", reductions);
+    share("anisotropic filters", anisotropic);
+    share("levels of samplers", levels);
+    share("shared resources", shared);
+    share("files", files);
+    share("scene buffers", scene_buffers);
     share("depth as input", depth_inputs);
     share("tables of textures", tables);
     share("culled passes", culled);

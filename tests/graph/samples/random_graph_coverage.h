@@ -37,8 +37,28 @@ struct GraphCoverage {
     uint32_t conditionals = 0;
     // Frames with an `after` edge, which orders two passes even if they share no resource.
     uint32_t after = 0;
-    // Frames in which a live pass reads an array of mips.
+    // Frames in which a live pass uses an array of mips, or an array of layers.
     uint32_t arrays = 0;
+    uint32_t layer_arrays = 0;
+    // Frames in which a live pass draws a view of a list of this kind.
+    uint32_t program_views = 0;
+    uint32_t mirrors = 0;
+    uint32_t cube_views = 0;
+    uint32_t buffer_views = 0;
+    // Frames in which a live pass reads its numbers of workgroups after the start of a buffer.
+    uint32_t indirect_offsets = 0;
+    uint32_t indirect_draws = 0;
+    // Frames in which a live pass reads its number of draws from a buffer.
+    uint32_t draw_counts = 0;
+    // Frames with a sampler that has a reduction, that is anisotropic, or that limits or moves its level.
+    uint32_t reductions = 0;
+    uint32_t anisotropic = 0;
+    uint32_t levels = 0;
+    // Frames in which a live pass uses a resource that all tiers share, a resource with a file, or a buffer
+    // of the scene.
+    uint32_t shared = 0;
+    uint32_t files = 0;
+    uint32_t scene_buffers = 0;
     // Frames in which a live pass uses a depth image as attachment and as input.
     uint32_t depth_inputs = 0;
     // Frames in which a live pass samples a table of textures.
@@ -51,6 +71,11 @@ struct GraphCoverage {
     void add(const FramePlan& plan, bool omitted = false);
     // Returns the share of frames with each feature, in percent.
     [[nodiscard]] std::string text() const;
+
+ private:
+    void add_views(const FramePlan& plan);
+    void add_indirect(const FramePlan& plan);
+    void add_samplers(const FramePlan& plan);
 };
 
 }  // namespace weft::test

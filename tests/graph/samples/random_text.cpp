@@ -37,38 +37,32 @@ class TextGenerator : public RandomTextFaults {
     void add_piece() {
         using Piece = void (TextGenerator::*)();
         struct Share {
-            uint32_t percent;
+            uint32_t weight;
             Piece piece;
         };
         constexpr Share kPieces[] = {
-            {9, &TextGenerator::mix},
-            {8, &TextGenerator::draw},
-            {9, &TextGenerator::update},
-            {6, &TextGenerator::blend},
-            {4, &TextGenerator::overwrite},
-            {6, &TextGenerator::alternatives},
-            {5, &TextGenerator::scene},
-            {4, &TextGenerator::wipe},
-            {4, &TextGenerator::copy},
-            {3, &TextGenerator::stretch},
-            {6, &TextGenerator::buffers},
-            {1, &TextGenerator::read_back},
-            {6, &TextGenerator::pyramid},
-            {3, &TextGenerator::rounds},
-            {3, &TextGenerator::bounce},
-            {3, &TextGenerator::staircase},
-            {2, &TextGenerator::remember},
-            {2, &TextGenerator::recall},
-            {3, &TextGenerator::keep},
-            {4, &TextGenerator::frame_slices},
-            {3, &TextGenerator::overwrite_part},
-            {3, &TextGenerator::views},
+            {12, &TextGenerator::mix},           {8, &TextGenerator::draw},
+            {9, &TextGenerator::update},         {6, &TextGenerator::blend},
+            {4, &TextGenerator::overwrite},      {6, &TextGenerator::alternatives},
+            {5, &TextGenerator::scene},          {4, &TextGenerator::wipe},
+            {4, &TextGenerator::copy},           {3, &TextGenerator::stretch},
+            {6, &TextGenerator::buffers},        {1, &TextGenerator::read_back},
+            {6, &TextGenerator::pyramid},        {3, &TextGenerator::rounds},
+            {3, &TextGenerator::bounce},         {3, &TextGenerator::staircase},
+            {2, &TextGenerator::remember},       {2, &TextGenerator::recall},
+            {3, &TextGenerator::keep},           {4, &TextGenerator::frame_slices},
+            {3, &TextGenerator::overwrite_part}, {2, &TextGenerator::views},
+            {6, &TextGenerator::view_list},      {4, &TextGenerator::buffer_views},
+            {4, &TextGenerator::arrays},         {5, &TextGenerator::indirect},
+            {3, &TextGenerator::scene_buffer},   {4, &TextGenerator::file},
             {3, &TextGenerator::look_up},
         };
-        uint32_t roll = below(100);
+        uint32_t total = 0;
+        for (const Share& share : kPieces) total += share.weight;
+        uint32_t roll = below(total);
         for (const Share& share : kPieces) {
-            if (roll < share.percent) return (this->*share.piece)();
-            roll -= share.percent;
+            if (roll < share.weight) return (this->*share.piece)();
+            roll -= share.weight;
         }
     }
 
@@ -119,12 +113,12 @@ class TextGenerator : public RandomTextFaults {
 
 }  // namespace
 
-RandomText random_text(uint32_t seed) {
-    return TextGenerator(seed).run();
+RandomText random_text(uint32_t seed, const DeviceProfile& profile) {
+    return TextGenerator(seed, profile).run();
 }
 
-FaultyText random_faulty_text(uint32_t seed) {
-    return TextGenerator(seed).run_with_fault();
+FaultyText random_faulty_text(uint32_t seed, const DeviceProfile& profile) {
+    return TextGenerator(seed, profile).run_with_fault();
 }
 
 }  // namespace weft::test

@@ -4,8 +4,10 @@
 // - conditions that depend on random parameters, inputs with `else`, and optional inputs;
 // - passes that write a part of a resource, or modify a resource in place;
 // - history, kept content, `after` lists and queue hints;
-// - passes that draw all views of a list, into layers or rectangles;
 // - passes that sample a table of textures;
+// - passes that draw all views of a list, into layers or rectangles; the lists come from the program, a
+//   buffer or a cube, or are mirrors;
+// - arrays of mips or layers, indirect dispatches and draws, samplers, and resources with files;
 // - every type of pass except C++ passes.
 //
 // The order of the passes in a text has no meaning, so a text lists its passes in random order. The generator
@@ -36,7 +38,8 @@ struct RandomText {
     bool omitted = false;
 };
 
-[[nodiscard]] RandomText random_text(uint32_t seed);
+// The text uses only optional features that the device supports, such as anisotropic filtering.
+[[nodiscard]] RandomText random_text(uint32_t seed, const DeviceProfile& profile);
 
 // A random text with one fault. resolve() must report this fault and no other.
 struct FaultyText {
@@ -47,11 +50,12 @@ struct FaultyText {
     // Description of the fault, shown if the test fails.
     std::string how;
 };
-[[nodiscard]] FaultyText random_faulty_text(uint32_t seed);
+[[nodiscard]] FaultyText random_faulty_text(uint32_t seed, const DeviceProfile& profile);
 
-// Resolves the text with the shaders and imports that the random texts use.
+// Resolves the text with the shaders, imports and files that the random texts use. `output_px` is the side of
+// the output.
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,
                                                  const std::map<std::string, double>& params,
-                                                 const DeviceProfile& profile);
+                                                 const DeviceProfile& profile, uint32_t output_px = 64);
 
 }  // namespace weft::test

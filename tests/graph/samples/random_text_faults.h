@@ -2,7 +2,7 @@
 // fault.
 #pragma once
 
-#include "tests/graph/samples/random_text_repeats.h"
+#include "tests/graph/samples/random_text_features.h"
 
 namespace weft::test {
 
@@ -11,9 +11,9 @@ struct RandomFault {
     std::string how;
 };
 
-class RandomTextFaults : public RandomTextRepeats {
+class RandomTextFaults : public RandomTextFeatures {
  public:
-    using RandomTextRepeats::RandomTextRepeats;
+    using RandomTextFeatures::RandomTextFeatures;
 
  protected:
     RandomFault plant() {

@@ -13,7 +13,8 @@ namespace weft::test {
 
 class RandomTextFrame {
  public:
-    explicit RandomTextFrame(uint32_t seed) : random_(seed) {}
+    // Keeps a reference to the profile.
+    RandomTextFrame(uint32_t seed, const DeviceProfile& profile) : random_(seed), profile_(profile) {}
 
  protected:
     // These functions replace the distributions of <random>, whose results differ between standard libraries.
@@ -158,6 +159,26 @@ class RandomTextFrame {
             port.more = ", \"sampler\": {\"filter\": \"nearest\", \"mipFilter\": \"nearest\"}";
         return port;
     }
+    // Returns the keys of a sampler that filters linearly.
+    std::string sampler_keys() {
+        constexpr const char* kKeys[] = {"\"lodBias\": 0.5", "\"minLod\": 0.5, \"maxLod\": 2",
+                                         "\"wrap\": \"mirror\"", "\"anisotropy\": 4"};
+        return kKeys[below(profile_.max_sampler_anisotropy >= 4 ? 4 : 3)];
+    }
+    // Returns a sampler that gives the least or the greatest of several texels, if the device has it for this
+    // format; otherwise one that reads the nearest texel.
+    std::string reducing_sampler(Format format) {
+        const auto found = profile_.formats.find(format);
+        const bool reduces = found != profile_.formats.end() &&
+                             (found->second & format_feature::kSampledMinMax) != 0 && chance(60);
+        return std::string(", \"sampler\": {") +
+               (reduces ? chance(50) ? "\"reduction\": \"max\", " : "\"reduction\": \"min\", "
+                        : "\"filter\": \"nearest\", ") +
+               "\"mipFilter\": \"nearest\"}";
+    }
+    bool counts_draws() const {
+        return profile_.draw_indirect_count && profile_.max_draw_indirect_count >= 8;
+    }
     size_t plain_of(ValueKind kind) {
         return pick_value(
             [&](size_t v) { return kind_of(v) == kind && model_.values[v].condition == kNone; });
@@ -212,6 +233,7 @@ class RandomTextFrame {
     }
 
     std::mt19937 random_;
+    const DeviceProfile& profile_;
     TextModel model_;
     std::map<std::string, double> params_;
     uint32_t names_ = 0;

@@ -11,7 +11,7 @@ class Writer {
 
     std::string run() const {
         std::string text = "{\"version\": 1, \"name\": \"random\",\n" + imports() + parameters() +
-                           "\"sizes\": {\"half\": \"ceil(output / 2)\"},\n\"resources\": {\n";
+                           view_lists() + "\"sizes\": {\"half\": \"ceil(output / 2)\"},\n\"resources\": {\n";
         for (const TextResource& r : model_.resources)
             text += resource(r) + (&r == &model_.resources.back() ? "\n" : ",\n");
         text += "},\n\"passes\": {\n";
@@ -40,7 +40,7 @@ class Writer {
         });
         return std::string(
                    "\"imports\": {\"opaque\": \"drawlist\", \"noise\": \"image\", "
-                   "\"instances\": \"buffer\"") +
+                   "\"instances\": \"buffer\", \"lamps\": \"views\"") +
                (table ? ", \"pictures\": \"textures\"" : "") +
                (output ? ", \"backbuffer\": \"output\"},\n" : "},\n");
     }
@@ -50,6 +50,12 @@ class Writer {
         for (const auto& [name, value] : model_.defaults)
             text += (text.empty() ? "\"" : ", \"") + name + "\": " + std::to_string(static_cast<int>(value));
         return "\"params\": {" + text + "},\n";
+    }
+
+    std::string view_lists() const {
+        std::string text;
+        for (const std::string& list : model_.view_lists) text += (text.empty() ? "  " : ",\n  ") + list;
+        return text.empty() ? "" : "\"views\": {\n" + text + "},\n";
     }
 
     static std::string resource(const TextResource& r) {

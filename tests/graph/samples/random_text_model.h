@@ -98,6 +98,7 @@ struct TextModel {
     bool idle_output = false;
     std::vector<TextCondition> conditions;
     std::map<std::string, double> defaults;
+    std::vector<std::string> view_lists;  // The members of the section "views", as JSON text.
     std::vector<TextResource> resources;
     std::vector<TextValue> values;
     std::vector<TextPass> passes;

@@ -74,6 +74,8 @@ class RandomTextPasses : public RandomTextFrame {
         const size_t condition = model_.passes.back().condition;
         for (uint32_t i = 0; i < count; ++i) {
             TextPort port = input(kPorts[i], i == 0 ? plain_color() : any_color(), condition, i > 0);
+            const bool linear = port.more.empty() && port.otherwise.value == kNone;
+            if (linear && chance(25)) port.more = ", \"sampler\": {" + sampler_keys() + "}";
             model_.passes.back().in.push_back(std::move(port));
         }
     }
@@ -221,34 +223,47 @@ class RandomTextPasses : public RandomTextFrame {
         if (chance(70)) show_depth(d);
         model_.values[d].closed = true;
     }
-    // Adds a pass that draws the four views of the sun, each to its own layer or rectangle of two images.
-    void views() {
+    void views() { draw_views("sun", 4); }
+    // Adds a pass that draws all views of a list, each to its own layer or rectangle of two images.
+    void draw_views(const std::string& list, uint32_t count) {
         const bool rects = chance(50);
         TextResource color{fresh_name("seen")}, depth{fresh_name("maps"), ValueKind::depth};
         color.format = "rgba16f";
         depth.format = "d32f";
-        color.layers = depth.layers = rects ? 1 : 4;
-        const std::string name = color.name, maps = depth.name;
+        color.layers = depth.layers = rects ? 1 : count;
+        const std::string name = color.name, maps = depth.name, last = std::to_string(count - 1);
+        const uint32_t side_px = color.side_px;
         const size_t seen = add_resource(color);
         add_resource(depth);
         TextPass& pass = add_pass("views", "raster", nullptr);
-        pass.more += R"j(, "draws": ["opaque"], "shader": "scene")j";
+        pass.more += R"j(, "draws": ["opaque"], "shader": "seen")j";
         const auto attachments = [&](const std::string& part) {
             return R"j(, "out": {"color": ")j" + name + part + R"j("}, "depth": ")j" + maps + part + "\"";
         };
-        const std::string plain = R"j(, "repeat": {"view": "0..3"}, "view": "sun(view)")j";
+        const std::string plain =
+            R"j(, "repeat": {"view": "0..)j" + last + R"j("}, "view": ")j" + list + "(view)\"";
+        pass.more_text =
+            ", \"views\": \"" + list + "\"" + (rects ? ", \"into\": \"rects\"" : "") + attachments("");
         if (rects) {
-            const std::string rect = R"j(["view % 2 * 32", "floor(view / 2) * 32", 32, 32])j";
-            pass.more_text = R"j(, "views": "sun", "into": "rects")j" + attachments("");
+            const std::string rect = grid_cell(count, side_px);
             pass.more_plain = plain + R"j(, "partial": true, "state": {"viewport": )j" + rect +
                               ", \"scissor\": " + rect + "}" + attachments("");
         } else {
-            pass.more_text = R"j(, "views": "sun")j" + attachments("");
-            pass.more_plain = plain + attachments(".layer(view)");
+            pass.more_plain = plain + attachments(count > 1 ? ".layer(view)" : "");
         }
-        const size_t value = add_value(seen, rects ? "" : ".layer(2)");
+        const size_t value = add_value(seen, rects || count == 1 ? "" : ".layer(" + last + ")");
         model_.values[value].fresh = false;
         model_.values[value].closed = true;
+    }
+    // Returns the cell of the view in a grid, as an expression.
+    static std::string grid_cell(uint32_t count, uint32_t side_px) {
+        uint32_t columns = 1;
+        while (columns * columns < count) ++columns;
+        const std::string width = std::to_string(side_px / columns),
+                          height = std::to_string(side_px / ((count + columns - 1) / columns)),
+                          number = std::to_string(columns);
+        return "[\"view % " + number + " * " + width + "\", \"floor(view / " + number + ") * " + height +
+               "\", " + width + ", " + height + "]";
     }
     // Adds a pass that draws with a depth test, and that sometimes samples the same depth image.
     void sky(size_t color, size_t depth) {
@@ -262,7 +277,8 @@ class RandomTextPasses : public RandomTextFrame {
     }
     void show_depth(size_t depth) {
         add_pass("fog", "compute", "mix_1.comp");
-        model_.passes.back().in = {{"a", last_version(depth), {}, false, {}}};
+        const Format format = *format_from_name(resource_of(depth).format);
+        model_.passes.back().in = {{"a", last_version(depth), {}, false, reducing_sampler(format)}};
         write("dst", target());
     }
 

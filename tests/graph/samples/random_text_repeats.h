@@ -128,7 +128,10 @@ class RandomTextRepeats : public RandomTextPasses {
         if (!words) model_.resources[kept].format = chance(50) ? "rgba16f" : "r32f";
         TextResource& r = model_.resources[kept];
         const bool shared = !chance(70);
-        r.more = std::string(", \"keep\": ") + (shared ? "\"shared\"" : "true");
+        constexpr const char* kOnResize[] = {"", ", \"onResize\": \"refill\"",
+                                             ", \"onResize\": \"resample\""};
+        const char* on_resize = kOnResize[below(r.format == "rgba16f" ? 3 : 2)];
+        r.more = std::string(", \"keep\": ") + (shared ? "\"shared\"" : "true") + on_resize;
         if (!shared && chance(50)) {
             r.more += ", \"history\": 1";
             if (!words) memories_.push_back({r.name + "[-1]", kept});

@@ -8,6 +8,8 @@
 namespace weft::test {
 namespace {
 
+constexpr uint32_t kViewBytes = 512;
+
 ShaderProgram seeded(ShaderProgram p) {
     return with_params(std::move(p), {member("seed")});
 }
@@ -33,6 +35,23 @@ ShaderBinding table(const DeviceProfile& profile) {
     return binding;
 }
 
+ShaderBinding array_of(ShaderBinding binding) {
+    binding.is_array = true;
+    binding.count = 4;
+    return binding;
+}
+
+// The constants of the view, which the vertex stage reads.
+ShaderBinding view_block() {
+    ShaderBinding binding = buffer("ViewBlock", true, false);
+    binding.kind = BindingKind::uniform_buffer;
+    binding.set = 0;
+    binding.binding = kViewBinding;
+    binding.stages = stage_bit(ShaderStage::vertex);
+    binding.block_bytes = kViewBytes;
+    return binding;
+}
+
 ShaderCatalog make_shaders(const DeviceProfile& profile) {
     const ShaderBinding a = sampled("a"), b = sampled("b"), c = sampled("c");
     const ShaderBinding dst = image_out("dst", Format::undefined);
@@ -51,7 +70,11 @@ ShaderCatalog make_shaders(const DeviceProfile& profile) {
     shaders["look_up.comp"].interface.needs_texture_tables = profile.texture_table > 0;
     shaders["draw_1.frag"] = seeded(fragment({"color"}, {a}));
     shaders["draw_2.frag"] = with_switches(seeded(fragment({"color"}, {a, b})), false);
+    shaders["gather.comp"] = seeded(compute({array_of(a), dst}));
+    shaders["spread.comp"] = seeded(compute({a, array_of(dst)}));
     shaders["scene"] = fragment({"color"});
+    shaders["seen"] = fragment({"color"});
+    shaders["seen"].interface.bindings.push_back(view_block());
     shaders["points"] = fragment({"color"});
     shaders["points"].interface.writes_point_size = true;
     shaders["sky_1.frag"] = seeded(fragment({"color"}));
@@ -69,6 +92,8 @@ ImportCatalog make_imports() {
     ImportCatalog catalog;
     catalog.views = {"camera", "sun"};
     catalog.imports["sun"] = {.name = "sun", .kind = ImportKind::views, .views = 4};
+    catalog.imports["lamps"] = {.name = "lamps", .kind = ImportKind::views, .views = 3};
+    catalog.strides = {{"ViewConstants", kViewBytes}, {"DrawCommand", 20}, {"DrawVerticesCommand", 16}};
     const auto add = [&](const char* name, ImportKind kind) -> ImportDecl& {
         ImportDecl& import = catalog.imports[name];
         import.name = import.resource.name = name;
@@ -77,7 +102,7 @@ ImportCatalog make_imports() {
         import.resource.import = ImportState{};
         return import;
     };
-    add("opaque", ImportKind::draw_list);
+    add("opaque", ImportKind::draw_list).draws = 5;
     add("backbuffer", ImportKind::output).resource.format = Format::rgba8;
     ImportDecl& noise = add("noise", ImportKind::image);
     noise.resource.format = Format::rgba8;
@@ -92,10 +117,21 @@ ImportCatalog make_imports() {
     return catalog;
 }
 
+// Describes the files of the resources as load_graph() does: a picture of 16 x 16 pixels, and 256 words.
+void find_files(GraphDesc& graph) {
+    for (auto& [name, resource] : graph.resources) {
+        FileDesc& file = resource.file;
+        if (file.name.empty()) continue;
+        file.path = "/files/" + file.name;
+        file.size_bytes = 1024;
+        if (file.name.ends_with(".png")) file.width_px = file.height_px = 16;
+    }
+}
+
 }  // namespace
 
 Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
-                                   const DeviceProfile& profile) {
+                                   const DeviceProfile& profile, uint32_t output_px) {
     const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
     Result<JsonDoc> document = read_json("random.json", reader);
     if (!document) return document.take_errors();
@@ -103,6 +139,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
     if (!merged) return merged.take_errors();
     Result<GraphDesc> graph = parse(*merged);
     if (!graph) return graph.take_errors();
+    find_files(*graph);
     const ShaderCatalog shaders = make_shaders(profile);
     const ImportCatalog imports = make_imports();
     const PassCatalog passes;
@@ -112,7 +149,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
                     .shaders = shaders,
                     .imports = imports,
                     .profile = profile,
-                    .request = {.params = params, .size = {64, 64, 1}}},
+                    .request = {.params = params, .size = {output_px, output_px, 1}}},
                    warnings);
 }
 

@@ -18,15 +18,27 @@ std::string meaning(const ResolvedGraph& graph) {
     return plan_hash(compile(graph, content_needs(graph), {}));
 }
 
+// Returns the profile of a device with all optional features that the texts can use.
+DeviceProfile all_of_device() {
+    DeviceProfile profile = fake_profile();
+    profile.draw_indirect_count = true;
+    profile.max_sampler_anisotropy = 16;
+    for (auto& [format, features] : profile.formats)
+        if (features & format_feature::kSampledLinear) features |= format_feature::kSampledMinMax;
+    profile.formats[Format::d32f] |= format_feature::kSampledMinMax;
+    return profile;
+}
+
 TEST(RandomText, MeansTheSameWithoutItsConditions) {
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 200;
+    const DeviceProfile profile = all_of_device();
     uint32_t omitted = 0;
     for (uint32_t seed = 0; seed < seeds; ++seed) {
-        const RandomText made = random_text(seed);
+        const RandomText made = random_text(seed, profile);
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, fake_profile());
+        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, profile);
         ASSERT_TRUE(graph.ok()) << to_text(graph.errors()) << made.text;
-        const Result<ResolvedGraph> plain = resolve_text(made.plain, made.params, fake_profile());
+        const Result<ResolvedGraph> plain = resolve_text(made.plain, made.params, profile);
         ASSERT_TRUE(plain.ok()) << to_text(plain.errors()) << made.plain;
         ASSERT_EQ(meaning(*graph), meaning(*plain)) << made.text << made.plain;
         omitted += made.omitted ? 1 : 0;
@@ -38,11 +50,12 @@ TEST(RandomText, MeansTheSameWithoutItsConditions) {
 // Expects exactly one error for each faulty text, with the code of the fault that the generator has inserted.
 TEST(RandomText, EachFaultIsFound) {
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 300;
+    const DeviceProfile profile = all_of_device();
     std::map<std::string, uint32_t> found;
     for (uint32_t seed = 0; seed < seeds; ++seed) {
-        const FaultyText made = random_faulty_text(seed);
+        const FaultyText made = random_faulty_text(seed, profile);
         SCOPED_TRACE("seed " + std::to_string(seed) + ": " + made.how);
-        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, fake_profile());
+        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, profile);
         ASSERT_FALSE(graph.ok()) << "accepted\n" << made.text;
         ASSERT_EQ(graph.errors().size(), 1u) << to_text(graph.errors()) << made.text;
         const Diagnostic& fault = graph.errors().front();

@@ -1,0 +1,105 @@
+// Tests transitions between plans of random texts: after a change of the size, of the formats of kept
+// resources, or of the parameters. The checker must accept each transition, and must find what is missing if
+// a part of the transition is removed.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "tests/graph/samples/random_text.h"
+#include "tests/null/profile_plans.h"
+#include "weft/check/check_transition.h"
+#include "weft/compile.h"
+
+namespace weft::test {
+namespace {
+
+// Gives the kept images another format.
+std::string with_other_formats(std::string text) {
+    for (size_t at = text.find("_kept_"); at != std::string::npos; at = text.find("_kept_", at + 1)) {
+        const std::string from = "\": {\"format\": \"rgba16f\"", to = "\": {\"format\": \"rgba32f\"";
+        const size_t quote = text.find('"', at);
+        if (text.compare(quote, from.size(), from) == 0) text.replace(quote, from.size(), to);
+    }
+    return text;
+}
+
+struct TransitionCoverage {
+    uint32_t transitions = 0, copied = 0, scaled = 0, converted = 0, cleared = 0, shared = 0;
+
+    void add(const FramePlan& old_plan, const FramePlan& new_plan, const TransitionPlan& made) {
+        ++transitions;
+        cleared += static_cast<uint32_t>(made.cleared.size());
+        for (const ContentCopy& copy : made.carried) {
+            const ResourceDecl& from = old_plan.graph.resources[copy.from];
+            const ResourceDecl& to = new_plan.graph.resources[copy.to];
+            shared += copy.shared ? 1 : 0;
+            copied += !copy.resample && !copy.shared ? 1 : 0;
+            scaled += copy.resample && from.extent != to.extent ? 1 : 0;
+            converted += copy.resample && from.format != to.format ? 1 : 0;
+        }
+    }
+};
+
+// Removes each part of the transition, one after another. Returns the number of parts. Parts whose absence
+// the checker does not find are counted in `missed`.
+uint32_t remove_parts(const FramePlan& old_plan, const FramePlan& new_plan, const TransitionPlan& made,
+                      uint32_t& missed) {
+    uint32_t removed = 0;
+    const auto remove_from = [&](auto TransitionPlan::*list) {
+        for (size_t i = 0; i < (made.*list).size(); ++i) {
+            TransitionPlan wrong = made;
+            (wrong.*list).erase((wrong.*list).begin() + static_cast<std::ptrdiff_t>(i));
+            missed += check_transition(old_plan, new_plan, wrong).empty() ? 1 : 0;
+            ++removed;
+        }
+    };
+    remove_from(&TransitionPlan::carried);
+    remove_from(&TransitionPlan::cleared);
+    remove_from(&TransitionPlan::before_old);
+    remove_from(&TransitionPlan::before);
+    remove_from(&TransitionPlan::after);
+    return removed;
+}
+
+TEST(RandomTransitions, AreCompleteAndNothingCanBeLeftOut) {
+    const uint32_t seeds = extended() ? 5000 : 200;
+    const ProfilePlans plans;
+    TransitionCoverage coverage;
+    uint32_t removed = 0, missed = 0;
+    for (uint32_t seed = 0; seed < seeds; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const DeviceProfile& profile = plans.profile(seed);
+        const RandomText text = random_text(seed, profile);
+        const std::string changed = seed % 3 == 1 ? with_other_formats(text.text) : text.text;
+        std::map<std::string, double> params = text.params;
+        if (seed % 3 == 2) params["p0"] = params.contains("p0") ? 1 - params["p0"] : 1;
+        const Result<ResolvedGraph> from = resolve_text(text.text, text.params, profile),
+                                    to = resolve_text(changed, params, profile, seed % 3 == 0 ? 48 : 64);
+        ASSERT_TRUE(from) << to_text(from.errors());
+        // A shader may not be able to change an image of the other format.
+        if (!to && seed % 3 == 1) continue;
+        ASSERT_TRUE(to) << to_text(to.errors()) << changed;
+        const uint32_t queues = 1 + seed / 5 % 3;
+        const FramePlan old_plan =
+            compile(*from, profile_needs(*from, profile), compile_options(profile, queues));
+        const FramePlan new_plan =
+            compile(*to, profile_needs(*to, profile), compile_options(profile, queues));
+        const TransitionPlan made = transition(old_plan, new_plan);
+        const Diagnostics faults = check_transition(old_plan, new_plan, made);
+        ASSERT_TRUE(faults.empty()) << to_text(faults) << text.text;
+        coverage.add(old_plan, new_plan, made);
+        removed += remove_parts(old_plan, new_plan, made, missed);
+    }
+    std::cout << "seeds 0.." << seeds - 1 << ": " << coverage.transitions << " transitions, "
+              << coverage.copied << " copied, " << coverage.scaled << " scaled, " << coverage.converted
+              << " converted, " << coverage.cleared << " cleared, " << coverage.shared << " shared; "
+              << removed << " parts removed, " << missed << " missed\n";
+    EXPECT_EQ(missed, 0u);
+    for (const uint32_t count :
+         {coverage.copied, coverage.scaled, coverage.converted, coverage.cleared, coverage.shared})
+        EXPECT_GE(count * 50, seeds);
+    EXPECT_GE(coverage.transitions * 10, seeds * 8);
+}
+
+}  // namespace
+}  // namespace weft::test
