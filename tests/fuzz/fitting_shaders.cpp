@@ -52,6 +52,9 @@ ShaderBinding binding_for(const GraphDesc& graph, const PortDesc& port, bool out
     const bool is_buffer =
         resource ? resource->is_buffer : import != graph.imports.end() && import->second.kind == "buffer";
     if (resource) set_shape(*resource, binding);
+    const bool table = resource ? !resource->textures.empty()
+                                : import != graph.imports.end() && import->second.kind == "textures";
+    binding.is_array = binding.is_runtime_array = table && choices.below(24) != 0;
     const bool stored = output || choices.below(24) == 0;
     binding.kind = is_buffer ? BindingKind::storage_buffer
                    : stored  ? BindingKind::storage_image
@@ -120,6 +123,8 @@ ShaderProgram fitting_shader(const GraphDesc& graph, const PassDesc& pass, Choic
         else
             add_binding(interface, binding_for(graph, port, true, choices), stages);
     }
+    interface.needs_texture_tables =
+        std::ranges::any_of(interface.bindings, &ShaderBinding::is_runtime_array);
     add_params(pass, interface);
     add_constants(pass, interface);
     return program;

@@ -62,6 +62,7 @@ ImportCatalog make_imports() {
         commands.size_bytes = 20;
         commands.usage = usage::kStorage | usage::kIndirect | usage::kTransferDst | usage::kTransferSrc;
     }
+    catalog.imports["materialTextures"] = texture_table("materialTextures", 9);
     ResourceDecl& output = add("backbuffer", ImportKind::output);
     output.format = Format::rgba8;
     output.extent = {320, 180, 1};
