@@ -79,6 +79,16 @@ void add_binding(ShaderInterface& interface, ShaderBinding binding, ShaderStageM
     interface.bindings.push_back(std::move(binding));
 }
 
+// The constants of the view, which the vertex stage reads.
+ShaderBinding view_block() {
+    ShaderBinding binding;
+    binding.name = "ViewBlock";
+    binding.binding = kViewBinding;
+    binding.kind = BindingKind::uniform_buffer;
+    binding.stages = stage_bit(ShaderStage::vertex);
+    return binding;
+}
+
 void add_params(const PassDesc& pass, ShaderInterface& interface) {
     for (const ParamValueDesc& value : pass.params) {
         BlockMember member;
@@ -116,6 +126,7 @@ ShaderProgram fitting_shader(const GraphDesc& graph, const PassDesc& pass, Choic
     interface.local_size = {8, 8, 1};
     for (const PortDesc& port : pass.in)
         add_binding(interface, binding_for(graph, port, false, choices), stages);
+    if (draws && !pass.view.empty() && choices.below(8) != 0) interface.bindings.push_back(view_block());
     for (const PortDesc& port : pass.out) {
         if (draws)
             interface.fragment_outputs.push_back(

@@ -45,7 +45,7 @@ const std::vector<DeviceProfile>& profiles() {
 ImportCatalog make_imports() {
     ImportCatalog catalog;
     catalog.views = {"camera", "sun"};
-    catalog.strides = {{"Light", 64}, {"DrawCommand", 20}};
+    catalog.strides = {{"Light", 64}, {"DrawCommand", 20}, {"ViewConstants", 512}};
     const auto add = [&](const char* name, ImportKind kind) -> ResourceDecl& {
         ImportDecl& import = catalog.imports[name];
         import.name = import.resource.name = name;

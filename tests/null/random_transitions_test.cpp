@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <utility>
 
 #include "tests/graph/samples/random_text.h"
 #include "tests/null/profile_plans.h"
@@ -13,12 +14,16 @@
 namespace weft::test {
 namespace {
 
-// Gives the kept images another format.
+// Gives the images with history another format.
 std::string with_other_formats(std::string text) {
-    for (size_t at = text.find("_kept_"); at != std::string::npos; at = text.find("_kept_", at + 1)) {
-        const std::string from = "\": {\"format\": \"rgba16f\"", to = "\": {\"format\": \"rgba32f\"";
+    for (size_t at = text.find("_ring_"); at != std::string::npos; at = text.find("_ring_", at + 1)) {
         const size_t quote = text.find('"', at);
-        if (text.compare(quote, from.size(), from) == 0) text.replace(quote, from.size(), to);
+        for (const auto& [from, to] : {std::pair("rgba8", "rgba16f"), std::pair("rgba16f", "rgba8")}) {
+            const std::string format = std::string("\": {\"format\": \"") + from + "\"";
+            if (text.compare(quote, format.size(), format) != 0) continue;
+            text.replace(quote, format.size(), std::string("\": {\"format\": \"") + to + "\"");
+            break;
+        }
     }
     return text;
 }
@@ -70,14 +75,14 @@ TEST(RandomTransitions, AreCompleteAndNothingCanBeLeftOut) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const DeviceProfile& profile = plans.profile(seed);
         const RandomText text = random_text(seed, profile);
-        const std::string changed = seed % 3 == 1 ? with_other_formats(text.text) : text.text;
+        const std::string changed = seed % 2 == 1 ? with_other_formats(text.text) : text.text;
         std::map<std::string, double> params = text.params;
-        if (seed % 3 == 2) params["p0"] = params.contains("p0") ? 1 - params["p0"] : 1;
+        if (seed % 4 == 2) params["p0"] = params.contains("p0") ? 1 - params["p0"] : 1;
         const Result<ResolvedGraph> from = resolve_text(text.text, text.params, profile),
-                                    to = resolve_text(changed, params, profile, seed % 3 == 0 ? 48 : 64);
+                                    to = resolve_text(changed, params, profile, seed % 4 == 0 ? 48 : 64);
         ASSERT_TRUE(from) << to_text(from.errors());
-        // A shader may not be able to change an image of the other format.
-        if (!to && seed % 3 == 1) continue;
+        // Not every pass accepts the other format, for example a copy to an image of the old format.
+        if (!to && seed % 2 == 1) continue;
         ASSERT_TRUE(to) << to_text(to.errors()) << changed;
         const uint32_t queues = 1 + seed / 5 % 3;
         const FramePlan old_plan =

@@ -93,6 +93,31 @@ TEST_F(ExecutorFaultsVk, what_a_plan_needs_and_is_not_given_is_named) {
     EXPECT_EQ(fault_of(input_for(compile_plan(custom))).code, "V417");
 }
 
+TEST_F(ExecutorFaultsVk, a_draw_source_without_views_in_buffers_is_named) {
+    write_shader("seen/seen.vert", "void main() { gl_Position = vec4(0, 0, 0, 1); }");
+    write_shader("seen/seen.frag", "layout(location = 0) out vec4 color; void main() { color = vec4(1); }");
+    GraphBuilder builder;
+    const ResourceId target = builder.image("target", Format::rgba8, 8), views = builder.buffer("views", 512);
+    builder.pass("zero", PassKind::clear, {{"dst", views, Access::clear_write, {}, kNoId}});
+    PassDecl& draw = builder.pass("draw", PassKind::raster,
+                                  {{"views:list", views, Access::uniform_read, {}, kNoId},
+                                   {"color", target, Access::color_write, {}, kNoId}});
+    draw.vertices = draw.instances = 1;
+    draw.view_use = 0;
+    draw.side_effect = true;
+    use_shader(draw, "seen", ProgramKind::raster);
+    const FramePlan plan = compile_plan(builder);
+    const TriangleSource source(device());
+    for (const DrawSource* draws :
+         {static_cast<const DrawSource*>(nullptr), static_cast<const DrawSource*>(&source)}) {
+        ExecutorInput input = input_for(plan);
+        input.draws = draws;
+        const Diagnostic fault = fault_of(std::move(input));
+        EXPECT_EQ(fault.code, "V415");
+        EXPECT_TRUE(message_mentions(fault, "reads its view from a buffer")) << fault.message;
+    }
+}
+
 TEST_F(ExecutorFaultsVk, a_draw_list_that_does_not_fit_the_shader_is_named) {
     write_shader("flat/flat.vert", R"(
         layout(location = 0) in vec3 normal;

@@ -50,7 +50,7 @@ class TextGenerator : public RandomTextFaults {
             {6, &TextGenerator::pyramid},        {3, &TextGenerator::rounds},
             {3, &TextGenerator::bounce},         {3, &TextGenerator::staircase},
             {2, &TextGenerator::remember},       {2, &TextGenerator::recall},
-            {3, &TextGenerator::keep},           {4, &TextGenerator::frame_slices},
+            {6, &TextGenerator::keep},           {4, &TextGenerator::frame_slices},
             {3, &TextGenerator::overwrite_part}, {2, &TextGenerator::views},
             {6, &TextGenerator::view_list},      {4, &TextGenerator::buffer_views},
             {4, &TextGenerator::arrays},         {5, &TextGenerator::indirect},

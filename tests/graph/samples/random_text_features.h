@@ -49,18 +49,19 @@ class RandomTextFeatures : public RandomTextRepeats {
         if (one_by_one) fit.more += ", \"repeat\": {\"i\": \"0.." + std::to_string(count - 1) + "\"}";
         read_colors(1);
         model_.passes.back().out = {said("dst", name + (one_by_one ? ".range(i)" : ""))};
-        const bool changes = !past && chance(40);
-        if (changes) {
-            const std::string part = name + ".range(" + std::to_string(below(count)) + ")";
-            add_pass("refit", "compute", "slice_words.comp").more += ", \"groups\": 1";
-            model_.passes.back().in = {said("x", part)};
-            model_.passes.back().out = {said("x", part)};
-        }
-        const std::string pin = changes && chance(50) ? "@" + writer : "";
-        model_.view_lists.push_back("\"" + list + "\": {\"buffer\": \"" + name + (past ? "[-1]" : pin) +
+        const bool changes = !past && chance(40), pinned = changes && chance(50);
+        model_.view_lists.push_back("\"" + list + "\": {\"buffer\": \"" + name +
+                                    (past     ? "[-1]"
+                                     : pinned ? "@" + writer
+                                              : "") +
                                     "\", \"count\": " + std::to_string(count) + "}");
-        if (chance(50)) return draw_views(list, count);
-        draw_view(list + "(" + std::to_string(below(count)) + ")");
+        if (changes && !pinned) change_view(name, below(count));
+        if (chance(50))
+            draw_views(list, count);
+        else
+            draw_view(list + "(" + std::to_string(below(count)) + ")");
+        // The pass that draws sees the version before this change.
+        if (pinned) change_view(name, below(count));
     }
 
     // Adds a pass that reads an array of mips or layers, or one that writes such an array. The arrays of the
@@ -138,6 +139,13 @@ class RandomTextFeatures : public RandomTextRepeats {
     void choose_sampled(size_t value) {
         TextPort a = input("a", value, kNone, false);
         model_.passes.back().in = {std::move(a)};
+    }
+
+    void change_view(const std::string& buffer, uint32_t number) {
+        const std::string part = buffer + ".range(" + std::to_string(number) + ")";
+        add_pass("refit", "compute", "slice_words.comp").more += ", \"groups\": 1";
+        model_.passes.back().in = {said("x", part)};
+        model_.passes.back().out = {said("x", part)};
     }
 
     void draw_view(const std::string& view) {

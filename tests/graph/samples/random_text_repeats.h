@@ -100,7 +100,8 @@ class RandomTextRepeats : public RandomTextPasses {
         const uint32_t frames = between(1, 2);
         const size_t ring = words ? new_words() : new_image("ring");
         TextResource& r = model_.resources[ring];
-        r.more = ", \"history\": " + std::to_string(frames) + ", \"firstFrame\": " + std::to_string(below(2));
+        r.more = ", \"history\": " + std::to_string(frames) +
+                 ", \"firstFrame\": " + std::to_string(below(2)) + on_resize(r);
         const std::string past = r.name + "[-" + std::to_string(between(1, frames)) + "]";
         add_pass("remember", "compute", words ? "words_2.comp" : "remember.comp");
         choose_condition(30);
@@ -110,6 +111,12 @@ class RandomTextRepeats : public RandomTextPasses {
         model_.passes.back().in = {std::move(a), said("b", past, words ? "" : nearest(ring))};
         write("dst", add_value(ring));
         if (!words) memories_.push_back({past, ring});
+    }
+    // Returns the key "onResize", or nothing. Some devices cannot filter r32f.
+    std::string on_resize(const TextResource& r) {
+        const bool scales = r.kind == ValueKind::color && r.format != "r32f";
+        constexpr const char* kHow[] = {"", ", \"onResize\": \"refill\"", ", \"onResize\": \"resample\""};
+        return kHow[below(scales ? 3 : 2)];
     }
     // Adds one more pass that reads the content of a ring (a resource with `history`) from an earlier frame.
     // If there is no ring yet, calls remember(), which adds a ring.
@@ -128,10 +135,7 @@ class RandomTextRepeats : public RandomTextPasses {
         if (!words) model_.resources[kept].format = chance(50) ? "rgba16f" : "r32f";
         TextResource& r = model_.resources[kept];
         const bool shared = !chance(70);
-        constexpr const char* kOnResize[] = {"", ", \"onResize\": \"refill\"",
-                                             ", \"onResize\": \"resample\""};
-        const char* on_resize = kOnResize[below(r.format == "rgba16f" ? 3 : 2)];
-        r.more = std::string(", \"keep\": ") + (shared ? "\"shared\"" : "true") + on_resize;
+        r.more = std::string(", \"keep\": ") + (shared ? "\"shared\"" : "true") + on_resize(r);
         if (!shared && chance(50)) {
             r.more += ", \"history\": 1";
             if (!words) memories_.push_back({r.name + "[-1]", kept});
