@@ -41,6 +41,12 @@ class PlanText {
                                    : range_text(plan_.graph.resources[id], range));
     }
 
+    // Returns the number of textures of a table, such as ", 12 textures"; empty for all other resources.
+    std::string table(ResourceId id) const {
+        const uint32_t textures = plan_.graph.resources[id].textures;
+        return textures > 0 ? ", " + count_text(textures, "texture") : "";
+    }
+
     std::string state(const AccessState& s, bool image) const {
         std::string text = stages_text(s.stages);
         text.append(" ").append(access_text(s.access));
@@ -132,7 +138,8 @@ class PlanText {
         }
         for (const UseDecl& use : decl.uses)
             text_ += std::string("    ") + (use.is_output ? "out " : "in  ") + use.port + " = " +
-                     part(use.resource, use.range) + " (" + access_name(use.access) + ")\n";
+                     part(use.resource, use.range) + " (" + access_name(use.access) + table(use.resource) +
+                     ")\n";
         for (const BarrierDecl& b : s.after) {
             text_ += "    after the pass";
             barrier(b);
