@@ -37,7 +37,7 @@ DeviceProfile read_profile(const char* name) {
 
 const std::vector<DeviceProfile>& profiles() {
     static const std::vector<DeviceProfile> all{read_profile("lavapipe"), read_profile("tiler"),
-                                                read_profile("hostile")};
+                                                read_profile("hostile"), read_profile("discrete")};
     return all;
 }
 

@@ -60,9 +60,9 @@ TEST_F(MadeWith, NothingThatTheGateRefuses) {
          {v12.bufferDeviceAddress, v12.bufferDeviceAddressCaptureReplay, v12.shaderBufferInt64Atomics,
           v12.shaderSharedInt64Atomics, v12.shaderFloat16, v12.shaderInt8, v12.storageBuffer8BitAccess,
           v12.uniformAndStorageBuffer8BitAccess, v12.storagePushConstant8, v12.descriptorIndexing,
-          v12.runtimeDescriptorArray, v12.vulkanMemoryModel, v12.vulkanMemoryModelDeviceScope,
-          v12.shaderOutputLayer, v12.shaderOutputViewportIndex, v12.shaderSubgroupExtendedTypes,
-          v12.scalarBlockLayout, v12.shaderSampledImageArrayNonUniformIndexing})
+          v12.vulkanMemoryModel, v12.vulkanMemoryModelDeviceScope, v12.shaderOutputLayer,
+          v12.shaderOutputViewportIndex, v12.shaderSubgroupExtendedTypes, v12.scalarBlockLayout,
+          v12.shaderStorageImageArrayNonUniformIndexing})
         EXPECT_EQ(feature, VK_FALSE);
     EXPECT_EQ(enabled_.v13().shaderZeroInitializeWorkgroupMemory, VK_FALSE);
     EXPECT_EQ(enabled_.v13().shaderIntegerDotProduct, VK_FALSE);
@@ -80,9 +80,9 @@ TEST_F(MadeWith, BuffersThatNoIndexLeaves) {
 TEST_F(MadeWith, NothingThatNoGraphCanUse) {
     const VkPhysicalDeviceFeatures& v10 = enabled_.v10();
     for (const VkBool32 feature :
-         {v10.dualSrcBlend, v10.logicOp, v10.depthBounds, v10.wideLines,
-          v10.largePoints, v10.alphaToOne, v10.sparseBinding, v10.inheritedQueries,
-          v10.pipelineStatisticsQuery, v10.occlusionQueryPrecise, v10.fullDrawIndexUint32})
+         {v10.dualSrcBlend, v10.logicOp, v10.depthBounds, v10.wideLines, v10.largePoints, v10.alphaToOne,
+          v10.sparseBinding, v10.inheritedQueries, v10.pipelineStatisticsQuery, v10.occlusionQueryPrecise,
+          v10.fullDrawIndexUint32})
         EXPECT_EQ(feature, VK_FALSE);
     for (const VkBool32 feature :
          {enabled_.v12().samplerMirrorClampToEdge, enabled_.v12().imagelessFramebuffer})

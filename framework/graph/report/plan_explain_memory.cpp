@@ -38,6 +38,8 @@ std::string describe_unshared(const FramePlan& plan, ResourceId resource) {
     const std::string name = describe_resource(plan, resource);
     if (!plan.live.live_resources[resource])
         return name + " has no memory, because no running pass uses this resource.\n";
+    if (!plan.graph.resources[resource].texture_files.empty())
+        return name + " is a table of pictures from files, which Weft loads before the first frame.\n";
     if (plan.graph.resources[resource].lifetime == ResourceLifetime::imported)
         return name + " is an import: the program outside the graph provides its memory.\n";
     if (plan.graph.resources[resource].lifetime == ResourceLifetime::persistent)
@@ -84,6 +86,7 @@ std::string describe_heap(const FramePlan& plan, const Placement& a, const Place
 }
 
 std::string describe_shape(const ResourceDecl& r) {
+    if (r.textures > 0) return "a table of " + count_text(r.textures, "texture");
     if (r.kind == ResourceKind::buffer)
         return "a buffer of " + bytes_text(r.size_bytes) +
                (r.stride_bytes > 0 ? ", stride " + std::to_string(r.stride_bytes) : "");

@@ -44,6 +44,12 @@ class PlanText {
                                    : range_text(plan_.graph.resources[id], range));
     }
 
+    // Returns the number of textures of a table, such as ", 12 textures"; empty for all other resources.
+    std::string table(ResourceId id) const {
+        const uint32_t textures = plan_.graph.resources[id].textures;
+        return textures > 0 ? ", " + count_text(textures, "texture") : "";
+    }
+
     std::string state(const AccessState& s, bool image) const {
         std::string text = stages_text(s.stages);
         text.append(" ").append(access_text(s.access));
@@ -154,7 +160,8 @@ class PlanText {
         }
         for (const UseDecl& use : decl.uses)
             text_ += std::string("    ") + (use.is_output ? "out " : "in  ") + use.port + " = " +
-                     part(use.resource, use.range) + " (" + access_name(use.access) + ")" +
+                     part(use.resource, use.range) + " (" + access_name(use.access) + table(use.resource) +
+                     ")" +
                      (use.used_in == kEveryCombination
                           ? ""
                           : " while " + describe_combinations(plan_.graph, use.used_in)) +

@@ -87,6 +87,12 @@ bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
+// Returns the number of mips that the port samples. The textures of a table may have several.
+uint32_t sampled_mips(const ResourceDecl& resource, const UseDecl& use) {
+    constexpr uint32_t kSeveral = 2;
+    return resource.textures > 0 ? kSeveral : element_range(use, 0).mips;
+}
+
 // Returns the resource of age 0 if the resource has a history, otherwise `id` itself. The copies of a
 // resource with history change their roles every frame ("x" becomes "x[-1]"). So the requirements of all
 // roles are collected at age 0, and every copy must meet them.
@@ -134,7 +140,9 @@ std::vector<Needs> gather_needs(const Declared& declared, FormattedGraph& graph)
             need.blit_to |= uses[i].access == Access::blit_write;
             if (!is_filtered(uses[i].access)) continue;
             const std::optional<SamplerDecl>& sampler = pass.ports[i].desc->sampler;
-            if (sampler) need.linear_always |= filters_linearly(*sampler, element_range(uses[i], 0).mips);
+            if (sampler)
+                need.linear_always |=
+                    filters_linearly(*sampler, sampled_mips(graph.resources[base], uses[i]));
             if (sampler && uses[i].access == Access::sampled_read) need.min_max |= !takes_average(*sampler);
             if (!sampler) need.linear_if_float = true;
         }
@@ -233,7 +241,7 @@ void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& 
     }
     if (!port.binding) return;
     // With a single mip there are no neighbouring mips to filter between.
-    if (element_range(use, 0).mips == 1) use.sampler.mip_filter = SamplerFilter::nearest;
+    if (sampled_mips(resource, use) == 1) use.sampler.mip_filter = SamplerFilter::nearest;
     if (port.binding->shadow && !use.sampler.compare) use.sampler.compare = CompareOp::greater_equal;
 }
 

@@ -76,6 +76,7 @@ TEST_F(ResolveTables, APortIsOneSampledUseWithoutBarriers) {
     EXPECT_EQ(read.access, Access::sampled_read);
     EXPECT_EQ(read.binding, 0u);
     EXPECT_EQ(read.state.layout, Layout::shader_read_only);
+    EXPECT_EQ(read.sampler.mip_filter, SamplerFilter::linear) << "the textures may have mips";
     const ResourceDecl& table = resource_in(g, "pictures");
     EXPECT_EQ(table.textures, 5u);
     EXPECT_EQ(table.lifetime, ResourceLifetime::imported);

@@ -1,8 +1,11 @@
 #include "tests/graph/samples/random_graph.h"
 
+#include <algorithm>
 #include <cassert>
+#include <random>
 
 #include "tests/graph/samples/random_graph_features.h"
+#include "weft/imports.h"
 
 namespace weft::test {
 namespace {
@@ -101,6 +104,33 @@ class Generator : public RandomFeatures {
     }
 };
 
+// Adds a table of textures to a built graph. Some compute passes sample it through the port "t". The table
+// has the last name, so that all resources keep their ids.
+void add_table(ResolvedGraph& graph, uint32_t seed) {
+    std::mt19937 random(seed);
+    ResourceDecl table = texture_table("zz_table", 1 + random() % 20).resource;
+    table.import->concurrent = random() % 8 > 0;
+    const ResourceId id(graph.resources.size());
+    bool used = false;
+    for (PassDecl& pass : graph.passes) {
+        const bool has_use =
+            std::ranges::any_of(pass.params, [](const ParamWrite& p) { return p.use != kNoId; });
+        if (pass.kind != PassKind::compute || pass.indirect_use != kNoId || has_use || random() % 4 > 0)
+            continue;
+        UseDecl use;
+        use.port = "t";
+        use.resource = id;
+        use.range = table.whole();
+        use.access = Access::sampled_read;
+        use.state = access_state(use.access, stage_bit(ShaderStage::compute), table.aspects);
+        use.sources = {{use.range, kNoId}};
+        use.binding = static_cast<uint32_t>(pass.uses.size());
+        pass.uses.insert(std::ranges::find(pass.uses, true, &UseDecl::is_output), std::move(use));
+        used = true;
+    }
+    if (used) graph.resources.push_back(std::move(table));
+}
+
 }  // namespace
 
 RandomGraphOptions all_features() {
@@ -112,6 +142,7 @@ RandomGraphOptions all_features() {
 
 ResolvedGraph random_graph(uint32_t seed, const RandomGraphOptions& options) {
     ResolvedGraph graph = Generator(seed, options).run();
+    if (options.tables) add_table(graph, seed);
     graph.name = "random_" + std::to_string(seed);
     return graph;
 }

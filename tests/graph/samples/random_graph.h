@@ -48,8 +48,8 @@ struct RandomGraphOptions {
     bool depth_input = false;
     // Adds groups of passes that draw on the same image and can share one rendering scope.
     bool layers = false;
-    // Adds passes that sample tables of textures. The shaders of tests/graph/shaders/ have no tables, so such
-    // graphs cannot run on a device.
+    // Lets some compute passes also sample a table of textures. The other content of the graph stays the
+    // same. The shaders of tests/graph/shaders/ have no tables, so such graphs cannot run on a device.
     bool tables = false;
 };
 

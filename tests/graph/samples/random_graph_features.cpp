@@ -1,7 +1,5 @@
 #include "tests/graph/samples/random_graph_features.h"
 
-#include "weft/imports.h"
-
 namespace weft::test {
 
 bool RandomFeatures::add_feature() {
@@ -20,7 +18,6 @@ bool RandomFeatures::add_feature() {
     if (options_.depth_input) features.push_back(&RandomFeatures::test_against_input);
     if (options_.layers)
         features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers});
-    if (options_.tables) features.push_back(&RandomFeatures::sample_table);
     if (features.empty() || !chance(24)) return false;
     (this->*features[below(static_cast<uint32_t>(features.size()))])();
     return true;
@@ -262,30 +259,6 @@ void RandomFeatures::draw_depth_layers() {
         draw("mix_color_1.frag", layer,
              destination(cell, layer == 0 ? Access::color_write : Access::color_read_write),
              Access::depth_read);
-    images_.push_back(cell);
-}
-
-// Adds a pass that samples a table of textures and an image.
-void RandomFeatures::sample_table() {
-    if (tables_.empty() || chance(30)) {
-        const ResourceId table = builder_.image(fresh_name("table"), Format::r32u, 1);
-        builder_.import_as(table, texture_table_state(), texture_table_state());
-        builder_.edit(table).textures = between(1, 20);
-        if (!options_.queues || chance(75)) builder_.make_concurrent(table);
-        tables_.push_back(table);
-    }
-    const ResourceId table = tables_[below(static_cast<uint32_t>(tables_.size()))];
-    const std::vector<RandomCell> inputs{{table, one_cell(0), true}, take(images_, 1).front()};
-    const RandomCell cell = new_image(16u * between(1, 3));
-    const bool draws = chance(40);
-    std::vector<BuilderUse> uses = inputs_of(inputs, Access::sampled_read);
-    uses.push_back(destination(cell, draws ? Access::color_write : Access::storage_write));
-    PassDecl& pass = add("lookup", draws ? PassKind::fullscreen : PassKind::compute,
-                         draws ? "mix_color_2.frag" : "mix_image_2.comp", uses);
-    if (draws)
-        pass.colors.front().covers = true;
-    else
-        set_image_groups(pass, cell);
     images_.push_back(cell);
 }
 

@@ -1,6 +1,6 @@
 // Purpose: adds the optional features to random frames: resources with history, resources that keep their
-// content, mip chains, clears and copies of several mips, depth images as inputs, several draws on one
-// image, and tables of textures.
+// content, mip chains, clears and copies of several mips, depth images as inputs, and several draws on one
+// image.
 #pragma once
 
 #include "tests/graph/samples/random_graph_passes.h"
@@ -31,10 +31,7 @@ class RandomFeatures : public RandomPasses {
     void test_against_input();
     void draw_layers();
     void draw_depth_layers();
-    void sample_table();
     void draw_builtin_seed(PassDecl& pass, ResourceId role);
-
-    std::vector<ResourceId> tables_;
 };
 
 }  // namespace weft::test

@@ -55,7 +55,6 @@ class TextGenerator : public RandomTextFaults {
             {6, &TextGenerator::view_list},      {4, &TextGenerator::buffer_views},
             {4, &TextGenerator::arrays},         {5, &TextGenerator::indirect},
             {3, &TextGenerator::scene_buffer},   {4, &TextGenerator::file},
-            {3, &TextGenerator::look_up},
         };
         uint32_t total = 0;
         for (const Share& share : kPieces) total += share.weight;

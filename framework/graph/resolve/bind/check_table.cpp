@@ -86,8 +86,10 @@ bool check_table(PassBinding& pass, const UseDecl& use, const ShaderBinding* bin
     return report_misuse(pass, use,
                          "the array in " + shader + " has only " + count_text(binding->count, "element") +
                              " for its " + count_text(textures, "texture"),
-                         "declare the array with at least " + count_text(textures, "element") +
-                             ", or without a size: " + binding->name + "[]");
+                         "declare the array with at least " + count_text(textures, "element") + ": " +
+                             binding->name + "[" + std::to_string(textures) +
+                             "]. If all indices are constants, an array without a size has only the elements "
+                             "up to the greatest index");
 }
 
 void refuse_tables(PassBinding& pass) {
