@@ -47,8 +47,13 @@ TEST_F(AreaFault, ACopyOfTheRingWithoutAnArea) {
     EXPECT_TRUE(has_fault());
 }
 
-TEST_F(AreaFault, AnAreaOfAnImageThatKeepsItsContent) {
+TEST_F(AreaFault, AnAreaOfAnImport) {
     image("backbuffer").area = image("color").area;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AnAreaOfAnImageThatKeepsItsContent) {
+    image("past").history = 0;
     EXPECT_TRUE(has_fault());
 }
 
