@@ -248,10 +248,26 @@ class AreaCheck {
     ValuesAtOne at_one_;
 };
 
+// A transfer queue may copy only whole mip levels.
+void check_queues(const FramePlan& plan, FaultList& faults) {
+    for (Position position(0); position < plan.schedule.order.size(); ++position) {
+        const QueueIndex queue = plan.schedule.queue[position];
+        if (plan.schedule.queues[queue].kind != QueueKind::transfer) continue;
+        const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+        for (const UseDecl& use : pass.uses)
+            if (plan.graph.resources[use.resource].area != kNoId)
+                faults.add("C351", pass.loc,
+                           "pass \"" + pass.name + "\" copies the area of " +
+                               faults.resource_name(use.resource) + " on a transfer queue",
+                           "the pass must run on a queue that copies parts of images");
+    }
+}
+
 }  // namespace
 
 void check_areas(const FramePlan& plan, FaultList& faults) {
     AreaCheck(plan, faults).run();
+    check_queues(plan, faults);
 }
 
 }  // namespace weft::check

@@ -94,7 +94,8 @@ void check_pass_areas(const Declared& declared, const VersionedGraph& versioned,
         if (!use.is_output || graph.resources[use.resource].area == kNoId) continue;
         const ResourceDesc* desc = declared.shapes.origins[use.resource].desc;
         const PassDraft& draft = declared.expansion.passes[id];
-        if (desc != nullptr && desc->keep == KeepMode::frames && !draft.desc->rests && draft.group == kNoId)
+        if (desc != nullptr && desc->keep == KeepMode::frames && !draft.desc->rests && draft.group == kNoId &&
+            !pass.carries)
             return refuse(use.loc,
                           "pass " + quote(pass.name) + " writes " + quote(use.port) +
                               ", which has a live size and \"keep\"; after a change of the area, it would "
