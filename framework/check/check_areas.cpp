@@ -120,6 +120,7 @@ class AreaCheck {
         for (const PassDecl& pass : graph_.passes) {
             check_attachments(pass);
             check_copy(pass);
+            check_kept(pass);
             check_groups(pass);
             check_sides(pass);
             check_params(pass);
@@ -142,11 +143,9 @@ class AreaCheck {
         if (resource.ring != kNoId && graph_.resources[resource.ring].area != resource.area)
             return fault(resource.loc, "the copies of \"" + resource.name + "\" have different areas");
         if (resource.area == kNoId) return;
-        const bool keeps = resource.lifetime == ResourceLifetime::imported ||
-                           (resource.lifetime == ResourceLifetime::persistent && resource.history == 0);
-        if (resource.kind != ResourceKind::image || keeps)
-            return fault(resource.loc, "\"" + resource.name +
-                                           "\" has an area, but it is no image that each frame writes again");
+        if (resource.kind != ResourceKind::image || resource.lifetime == ResourceLifetime::imported)
+            return fault(resource.loc,
+                         "\"" + resource.name + "\" has an area, but it is no image of the graph");
         if (at_one_.side_px(resource.area, 0) != resource.extent.width ||
             at_one_.side_px(resource.area, 1) != resource.extent.height)
             fault(resource.loc, "the area of \"" + resource.name + "\" at scale 1 is not its extent");
@@ -173,6 +172,18 @@ class AreaCheck {
             if (color.resolve_use != kNoId) check(color.resolve_use);
         }
         if (pass.depth) check(pass.depth->use);
+    }
+
+    // After a change of the area, an image that keeps its content must be written again as a whole, by a unit
+    // that runs because of the change.
+    void check_kept(const PassDecl& pass) {
+        for (const UseDecl& use : pass.uses) {
+            const ResourceDecl& resource = graph_.resources[use.resource];
+            const bool keeps = resource.lifetime == ResourceLifetime::persistent && resource.history == 0;
+            if (use.is_output && keeps && resource.area != kNoId && pass.rest_unit == kNoId)
+                fault(pass.loc, "pass \"" + pass.name + "\" writes \"" + resource.name +
+                                    "\", which keeps its content for other areas");
+        }
     }
 
     void check_copy(const PassDecl& pass) {
@@ -237,10 +248,26 @@ class AreaCheck {
     ValuesAtOne at_one_;
 };
 
+// A transfer queue may copy only whole mip levels.
+void check_queues(const FramePlan& plan, FaultList& faults) {
+    for (Position position(0); position < plan.schedule.order.size(); ++position) {
+        const QueueIndex queue = plan.schedule.queue[position];
+        if (plan.schedule.queues[queue].kind != QueueKind::transfer) continue;
+        const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+        for (const UseDecl& use : pass.uses)
+            if (plan.graph.resources[use.resource].area != kNoId)
+                faults.add("C351", pass.loc,
+                           "pass \"" + pass.name + "\" copies the area of " +
+                               faults.resource_name(use.resource) + " on a transfer queue",
+                           "the pass must run on a queue that copies parts of images");
+    }
+}
+
 }  // namespace
 
 void check_areas(const FramePlan& plan, FaultList& faults) {
     AreaCheck(plan, faults).run();
+    check_queues(plan, faults);
 }
 
 }  // namespace weft::check

@@ -291,7 +291,6 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_indirect(plan, faults);
     check_views(plan, faults);
     check_tables(plan, faults);
-    check_areas(plan, faults);
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);
@@ -301,6 +300,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_submissions(plan, faults);
     if (faults.any("C303")) return false;
     check_scopes(plan, faults);
+    check_areas(plan, faults);
     check_transfers(plan, faults);
     check_stages(plan, faults);
     check_frame_slices(plan, faults);

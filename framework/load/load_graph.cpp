@@ -6,6 +6,7 @@
 #include "graph/parse/debug_view.h"
 #include "graph/resolve/change_values.h"
 #include "graph/syntax/read_graph.h"
+#include "load/area_reads.h"
 #include "load/load_steps.h"
 #include "load/shared_resources.h"
 #include "load/tier_formats.h"
@@ -53,7 +54,10 @@ Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const Loa
     else if (faults.empty())
         skipped = formats_with_others(document, own, input);
     Result<ResolvedGraph> graph = resolve_formats(own.desc, own.shaders, input, skipped, warnings);
-    if (!graph) append(faults, graph.take_errors());
+    if (!graph)
+        append(faults, graph.take_errors());
+    else
+        warn_area_reads(own.desc.sources, *graph, own.shaders, warnings);
     Result<SharedUsages> shared = SharedUsages{};
     if (faults.empty()) shared = agree_on_shared(document, own, input, skipped);
     if (!shared) append(faults, shared.take_errors());

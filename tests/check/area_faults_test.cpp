@@ -1,6 +1,7 @@
 // Each test breaks the areas of a correct plan in one way. The checker must report C351.
 #include <algorithm>
 
+#include "graph/schedule/queue_assign.h"
 #include "tests/graph/resolve/live/live_fixture.h"
 #include "weft/check/check_plan.h"
 #include "weft/compile.h"
@@ -47,8 +48,13 @@ TEST_F(AreaFault, ACopyOfTheRingWithoutAnArea) {
     EXPECT_TRUE(has_fault());
 }
 
-TEST_F(AreaFault, AnAreaOfAnImageThatKeepsItsContent) {
+TEST_F(AreaFault, AnAreaOfAnImport) {
     image("backbuffer").area = image("color").area;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, AnAreaOfAnImageThatKeepsItsContent) {
+    image("past").history = 0;
     EXPECT_TRUE(has_fault());
 }
 
@@ -59,6 +65,21 @@ TEST_F(AreaFault, APassWithoutTheAreaOfItsAttachment) {
 
 TEST_F(AreaFault, ACopyBetweenDifferentAreas) {
     image("other").area = kNoId;
+    EXPECT_TRUE(has_fault());
+}
+
+TEST_F(AreaFault, ACopyOfAnAreaOnATransferQueue) {
+    plan.schedule.queues.push_back({QueueKind::transfer, 1});
+    const PassDecl& copy = pass("copy");
+    const Position position = plan.schedule.position[PassId(&copy - plan.graph.passes.data())];
+    EXPECT_EQ(assign_queues(plan.graph, {PassId(&copy - plan.graph.passes.data())}, plan.schedule.queues),
+              std::vector<QueueIndex>{kGraphicsQueue});
+    plan.schedule.queue[position] = QueueIndex(1);
+    Batch batch;
+    batch.queue = QueueIndex(1);
+    batch.positions = {position};
+    std::erase(plan.submissions.batches[0].positions, position);
+    plan.submissions.batches.push_back(batch);
     EXPECT_TRUE(has_fault());
 }
 

@@ -11,6 +11,11 @@
 
 namespace weft {
 
+// Distance from the edge of an area to the last place at which a linear filter reads only the area. At the
+// centre of the last texel, a filter may read the next texel with the weight 0; the weights have steps of
+// 1/256.
+inline constexpr double kFilterMargin_px = 0.5 + 1.0 / 256;
+
 // The value of a LiveValue in a frame. For a number, both components are equal. If an expression has no value
 // for the scales of the frame, for example because it divides by zero, its value is 0.
 struct LiveNumber {

@@ -1,6 +1,7 @@
 #include "graph/report/live_phrases.h"
 
-#include <vector>
+#include <map>
+#include <utility>
 
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/model/expr_op.h"
@@ -67,6 +68,18 @@ std::string live_name(const ResolvedGraph& graph, uint32_t value) {
 std::string describe_area(const ResolvedGraph& graph, const ResourceDecl& image) {
     const std::string name = graph.live_values[image.area].name;
     return (name.empty() ? "" : name + " = ") + describe_live(graph, image.area);
+}
+
+std::vector<std::string> list_areas(const ResolvedGraph& graph) {
+    std::map<uint32_t, std::string> texts;
+    for (const ResourceDecl& image : graph.resources) {
+        if (image.area == kNoId) continue;
+        const auto [text, is_new] = texts.try_emplace(image.area, describe_area(graph, image));
+        text->second += (is_new ? ": " : ", ") + image.name;
+    }
+    std::vector<std::string> list;
+    for (auto& [value, text] : texts) list.push_back(std::move(text));
+    return list;
 }
 
 }  // namespace weft

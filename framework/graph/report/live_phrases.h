@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "weft/declaration.h"
 
@@ -14,5 +15,9 @@ namespace weft {
 [[nodiscard]] std::string live_name(const ResolvedGraph& graph, uint32_t value);
 // Returns how the area of a live image follows the scales, such as "render = 256x128 × renderScale".
 [[nodiscard]] std::string describe_area(const ResolvedGraph& graph, const ResourceDecl& image);
+
+// Returns one text for each area, with the images that have it, such as "render = 256x128 × renderScale:
+// color, depth".
+[[nodiscard]] std::vector<std::string> list_areas(const ResolvedGraph& graph);
 
 }  // namespace weft

@@ -5,6 +5,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
 #include "graph/report/explain_phrases.h"
+#include "graph/report/live_phrases.h"
 #include "graph/report/plan_phrases.h"
 #include "weft/report/plan_explain.h"
 
@@ -169,7 +170,11 @@ Result<std::string> explain_resource(const FramePlan& plan, const std::string& n
     for (const ResourceId id : *resources) {
         const ResourceDecl& r = plan.graph.resources[id];
         text += describe_resource(plan, id) + " is " + describe_shape(r) + ", " + enum_name(r.lifetime) +
-                ".\n" + describe_ring(plan, r) + describe_memory(plan, id) + describe_users(plan, id);
+                ".\n" +
+                (r.area == kNoId
+                     ? ""
+                     : "  The area that passes use in a frame: " + describe_area(plan.graph, r) + ".\n") +
+                describe_ring(plan, r) + describe_memory(plan, id) + describe_users(plan, id);
     }
     return text;
 }

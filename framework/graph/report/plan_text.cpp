@@ -1,4 +1,3 @@
-#include <map>
 #include <string>
 
 #include "graph/diagnostics/diagnostic_text.h"
@@ -69,7 +68,7 @@ class PlanText {
         for (const GraphParam& param : plan_.graph.params)
             text_ += "param  " + param.name + " = " + number_text(param.value) +
                      ", cost of a change: " + enum_name(param.cost) + "\n";
-        areas();
+        for (const std::string& area : list_areas(plan_.graph)) text_ += "area   " + area + "\n";
         for (const GroupDecl& group : plan_.graph.groups)
             text_ += "group  " + group.name + ": " + describe_group(group) + "\n";
         for (uint32_t s = 0; s < plan_.graph.switches.size(); ++s)
@@ -80,19 +79,6 @@ class PlanText {
             text_ += " " + c.name + " (" + bytes_text(c.peak_live_bytes) + ", " +
                      std::to_string(c.barrier_batches) + " barrier batches)";
         text_ += "\n";
-    }
-
-    // Writes a line for each area, with the images that have it.
-    void areas() {
-        std::map<uint32_t, std::string> images;
-        for (const ResourceDecl& image : plan_.graph.resources)
-            if (image.area != kNoId)
-                images[image.area] += (images[image.area].empty() ? "" : ", ") + image.name;
-        for (const auto& [value, names] : images) {
-            const std::string& name = plan_.graph.live_values[value].name;
-            text_ += "area   " + (name.empty() ? "" : name + " = ") + describe_live(plan_.graph, value) +
-                     ": " + names + "\n";
-        }
     }
 
     void queues() {

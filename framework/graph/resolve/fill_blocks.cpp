@@ -4,6 +4,8 @@
 #include <array>
 
 #include "graph/diagnostics/quantity_text.h"
+#include "graph/live/live_frame.h"
+
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/fill/member_value.h"
 #include "graph/resolve/pass_ports.h"
@@ -262,7 +264,7 @@ class BlockFiller : PassStage<Blocks> {
             if (!use || graph_.resources[use->resource].kind == ResourceKind::buffer)
                 return suspects_.passes[pass_];
             const Extent3D extent = use_extent(graph_.resources, *use);
-            const double edge = suffix == kUvSuffix ? 0 : 0.5;
+            const double edge = suffix == kUvSuffix ? 0 : kFilterMargin_px;
             store(member, write,
                   {(extent.width - edge) / extent.width, (extent.height - edge) / extent.height},
                   shader_loc());

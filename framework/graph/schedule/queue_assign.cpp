@@ -14,12 +14,15 @@ constexpr StageMask kComputeStages =
     kTransferStages | stage::kClear | stage::kDrawIndirect | stage::kComputeShader;
 
 // Returns true if the queue supports all stages of the pass. Depth images can be copied or cleared only on a
-// graphics queue.
-bool can_run(const PassDecl& pass, const LogicalQueue& queue) {
+// graphics queue. A transfer queue may copy only whole mip levels (minImageTransferGranularity), so it cannot
+// copy the area of an image with a live size.
+bool can_run(const ResolvedGraph& graph, const PassDecl& pass, const LogicalQueue& queue) {
     if (queue.kind == QueueKind::graphics) return true;
     if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) return false;
     return std::all_of(pass.uses.begin(), pass.uses.end(), [&](const UseDecl& use) {
         const StageMask stages = use.state.stages;
+        const bool part = graph.resources[use.resource].area != kNoId;
+        if (part && queue.kind == QueueKind::transfer) return false;
         const bool depth = (use.range.aspects & (aspect::kDepth | aspect::kStencil)) != 0;
         if (depth && (stages & (stage::kCopy | stage::kClear)) != 0) return false;
         const StageMask offered = queue.kind == QueueKind::compute ? kComputeStages : kTransferStages;
@@ -56,7 +59,7 @@ void unite_groups(const ResolvedGraph& graph, const std::vector<PassId>& order,
         const QueueIndex first = assigned[members.front()];
         const bool fits = std::ranges::all_of(members, [&](size_t i) {
             const PassDecl& pass = graph.passes[order[i]];
-            return assigned[i] != kGraphicsQueue && can_run(pass, queues[first]) &&
+            return assigned[i] != kGraphicsQueue && can_run(graph, pass, queues[first]) &&
                    owns_imports(graph, pass, queues[first]);
         });
         for (const size_t i : members) assigned[i] = fits ? first : kGraphicsQueue;
@@ -76,7 +79,7 @@ std::vector<QueueIndex> assign_queues(const ResolvedGraph& graph, const std::vec
         for (int kind = static_cast<int>(pass.queue); kind > 0 && chosen == kGraphicsQueue; --kind) {
             std::vector<QueueIndex> fitting;
             for (QueueIndex q(1); q < queues.size(); ++q)
-                if (static_cast<int>(queues[q].kind) == kind && can_run(pass, queues[q]) &&
+                if (static_cast<int>(queues[q].kind) == kind && can_run(graph, pass, queues[q]) &&
                     owns_imports(graph, pass, queues[q]))
                     fitting.push_back(q);
             if (!fitting.empty()) chosen = fitting[used[static_cast<size_t>(kind)]++ % fitting.size()];

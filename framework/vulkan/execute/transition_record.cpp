@@ -34,8 +34,16 @@ struct Images {
     Extent3D area;      // The part of the new image that gets content by a blit.
 };
 
+// Returns true if a linear filter reads only content. If the blit enlarges a part of an image, the filter
+// also reads the texels next to this part.
+bool reads_only_content(const Images& images) {
+    const Extent3D &from = images.old_area, &to = images.area;
+    return from == images.old_decl.extent || (to.width <= from.width && to.height <= from.height);
+}
+
 void stretch(const Device& device, VkCommandBuffer commands, const Images& images) {
-    const bool blends = format_info(images.decl.format).numeric == NumericClass::float_like;
+    const bool blends =
+        format_info(images.decl.format).numeric == NumericClass::float_like && reads_only_content(images);
     std::vector<VkImageBlit> blits;
     for (uint32_t mip = 0; mip < images.decl.mips; ++mip) {
         const uint32_t old_mip = std::min(mip, images.old_decl.mips - 1);

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "graph/diagnostics/whole_number.h"
+#include "graph/live/live_frame.h"
 
 namespace weft::vk {
 namespace {
@@ -21,7 +22,7 @@ double area_value(const ResolvedGraph& graph, const UseDecl& use, Builtin builti
     const double area = side(areas.area(use.resource, use.range.mip));
     const double whole = side(mip_extent(graph.resources[use.resource].extent, use.range.mip));
     if (builtin == Builtin::area_size) return area;
-    return (builtin == Builtin::area_uv ? area : area - 0.5) / whole;
+    return (builtin == Builtin::area_uv ? area : area - kFilterMargin_px) / whole;
 }
 
 double builtin_value(const ResolvedGraph& graph, PassId pass, const ParamWrite& write, uint32_t component,

@@ -1,6 +1,6 @@
 #version 460
 #include "area.glsl"
-#include "poison.glsl"
+#include "shape/poison.glsl"
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 uniform sampler2D now, marked, counted, before;

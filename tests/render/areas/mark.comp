@@ -1,5 +1,5 @@
 #version 460
-#include "poison.glsl"
+#include "shape/poison.glsl"
 layout(local_size_x = 1, local_size_y = 1) in;
 uniform sampler2D src;
 layout(rgba16f) uniform image2D dst;

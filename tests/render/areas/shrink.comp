@@ -1,6 +1,6 @@
 #version 460
 #include "area.glsl"
-#include "poison.glsl"
+#include "shape/poison.glsl"
 layout(local_size_x = 8, local_size_y = 4) in;
 uniform sampler2D src;
 layout(rgba16f) writeonly uniform image2D dst;

@@ -1,6 +1,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
 #include "graph/report/html/html_sections.h"
+#include "graph/report/live_phrases.h"
 #include "weft/compile.h"
 
 namespace weft {
@@ -32,6 +33,9 @@ void write_facts(const PlanPage& page, Markup& out) {
                    std::to_string(plan.graph.output_extent.height));
     write_fact(out, plan.schedule.queues.size() == 1 ? "queue" : "queues", queues_text(plan));
     write_fact(out, "order", plan.schedule.chosen);
+    std::string areas;
+    for (const std::string& area : list_areas(plan.graph)) areas += (areas.empty() ? "" : "; ") + area;
+    write_fact(out, "areas", areas);
     write_fact(out, "hash", plan_hash(plan));
     out.close();
     out.line();

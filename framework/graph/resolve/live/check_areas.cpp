@@ -46,9 +46,11 @@ void check_live_image(const ResourceDecl& image, const ResourceDesc& desc, Repor
     };
     if (!desc.file.name.empty())
         refuse("its content comes from a file", "remove \"size\": the size comes from the file");
-    else if (desc.keep != KeepMode::none)
-        refuse("with \"keep\" it would contain parts that were written for other areas",
-               "use \"history\": 1 instead of \"keep\", or give it a size without a scale");
+    else if (desc.keep == KeepMode::shared)
+        refuse("tiers that share it may use other areas", "set \"keep\": true");
+    else if (desc.keep != KeepMode::none && image.history > 0)
+        refuse("content of the last frame may have another area, so it cannot be carried to this frame",
+               "remove \"keep\"");
     else if (image.image_kind == ImageKind::cube || image.image_kind == ImageKind::cube_array)
         refuse("a direction in a cube selects texels of the whole face",
                "give the cube a size without a scale");
@@ -80,13 +82,31 @@ void check_pass_areas(const Declared& declared, const VersionedGraph& versioned,
                      "give both the same \"size\" and mip, or set \"type\": \"blit\", which scales the area"))
             return;
     for (const UseDecl& use : pass.uses) {
+        const bool filtered = pass.kind == PassKind::blit && use.sampler.filter == SamplerFilter::linear;
+        if (!use.is_output && filtered && graph.resources[use.resource].area != kNoId)
+            return refuse(
+                use.loc,
+                "pass " + quote(pass.name) + " blits " + quote(use.port) +
+                    ", which has a live size, with a linear filter; at the edge of the area, the "
+                    "filter reads texels without content",
+                "set \"sampler\": { \"filter\": \"nearest\" } for the input, or use a fullscreen pass "
+                "that samples at area_uv()");
         if (!use.is_output || graph.resources[use.resource].area == kNoId) continue;
+        const ResourceDesc* desc = declared.shapes.origins[use.resource].desc;
+        const PassDraft& draft = declared.expansion.passes[id];
+        if (desc != nullptr && desc->keep == KeepMode::frames && !draft.desc->rests && draft.group == kNoId &&
+            !pass.carries)
+            return refuse(use.loc,
+                          "pass " + quote(pass.name) + " writes " + quote(use.port) +
+                              ", which has a live size and \"keep\"; after a change of the area, it would "
+                              "contain parts that were written for another area",
+                          "add \"rest\": true to the pass, or use \"history\": 1 instead of \"keep\"");
         if (pass.kind == PassKind::custom)
             return refuse(use.loc,
                           "pass " + quote(pass.name) + " is a pass in C++ and writes " + quote(use.port) +
                               ", which has a live size",
                           "give this image a size without a scale");
-        if (declared.expansion.passes[id].group != kNoId)
+        if (draft.group != kNoId)
             return refuse(use.loc,
                           "pass " + quote(pass.name) + " belongs to a group and writes " + quote(use.port) +
                               ", which has a live size; a round that waits for its turn would leave the "

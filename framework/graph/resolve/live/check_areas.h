@@ -8,8 +8,9 @@ namespace weft {
 
 // Checks that an image with a live size needs no content of frames with another area, and has no cube faces.
 void check_live_image(const ResourceDecl& image, const ResourceDesc& desc, Reporter& reporter);
-// Checks that the attachments of a pass have the same area, and so do source and target of a copy. Also
-// checks that the pass writes the whole area in the frame in which the area changes.
+// Checks that the attachments of a pass have the same area, and so do source and target of a copy. Checks
+// that a blit reads only the area, and that the pass writes the whole area in the frame in which the area
+// changes.
 void check_pass_areas(const Declared& declared, const VersionedGraph& versioned, PassId pass,
                       const ResolvedGraph& graph, PassReporter& report);
 // Returns the area of the first mip that a port uses. Its `image` is kNoId if the image has no live size.

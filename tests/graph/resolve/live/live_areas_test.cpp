@@ -4,6 +4,7 @@
 #include "tests/graph/resolve/live/live_fixture.h"
 #include "weft/compile.h"
 #include "weft/report/plan_dump.h"
+#include "weft/report/plan_explain.h"
 
 namespace weft::test {
 namespace {
@@ -98,7 +99,8 @@ TEST_F(LiveAreas, AnImageWithoutALiveSizeIsUsedAsAWhole) {
         {});
     const std::vector<ParamWrite>& block = pass_in(graph, "b").params;
     EXPECT_EQ(block[1].value, (std::array<double, 4>{1, 1, 0, 0}));
-    EXPECT_EQ(block[2].value, (std::array<double, 4>{7.5 / 8, 3.5 / 4, 0, 0}));
+    EXPECT_EQ(block[2].value,
+              (std::array<double, 4>{(8 - kFilterMargin_px) / 8, (4 - kFilterMargin_px) / 4, 0, 0}));
     EXPECT_TRUE(graph.live_values.empty());
 }
 
@@ -150,6 +152,11 @@ TEST_F(LiveAreas, ThePlanTellsHowAreasFollow) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("area   half = ceil(render / 2): low, other\n"), std::string::npos);
+    const FramePlan plan = compile(graph, content_needs(graph), {});
+    EXPECT_NE(plan_to_html(plan, {}).find("half = ceil(render / 2): low, other"), std::string::npos);
+    const Result<std::string> explained = explain_resource(plan, "color");
+    ASSERT_TRUE(explained);
+    EXPECT_NE(explained->find("in a frame: render = 640x360 × renderScale.\n"), std::string::npos);
 }
 
 // The first error is about the parameter, the others about images and passes.
@@ -170,7 +177,8 @@ TEST_F(LiveAreas, FaultsOfLiveSizes) {
 
 TEST_F(LiveAreas, FaultsOfImagesAndPasses) {
     const auto resources = [&](const std::string& text) { return bad(body("", ", " + text)); };
-    EXPECT_EQ(resources(R"j("y": {"format": "rgba8", "keep": true})j").code, "W236");
+    EXPECT_EQ(resources(R"j("y": {"format": "rgba8", "keep": "shared"})j").code, "W236");
+    EXPECT_EQ(resources(R"j("y": {"format": "rgba8", "keep": true, "history": 1})j").code, "W236");
     EXPECT_EQ(
         resources(R"j("y": {"format": "rgba8", "kind": "cube", "size": "min(render.x, render.y)"})j").code,
         "W236");
@@ -189,6 +197,13 @@ TEST_F(LiveAreas, FaultsOfImagesAndPasses) {
                    R"j({"type": "copy", "in": {"src": "color"}, "out": {"dst": "y"}})j")
                   .code,
               "W236");
+    const std::string kept = R"j("y": {"format": "rgba16f", "keep": true})j";
+    const std::string make = R"j({"type": "compute", "shader": "make", "out": {"dst": "y"}})j";
+    EXPECT_EQ(pass(kept, make).code, "W236");
+    EXPECT_EQ(
+        pass(R"j("y": "rgba16f")j", R"j({"type": "blit", "in": {"src": "other"}, "out": {"dst": "y"}})j")
+            .code,
+        "W236");
     // The extents of both are equal at scale 1, but not at all other scales.
     EXPECT_EQ(pass(R"j("y": {"format": "rgba16f", "size": "render / 2"})j",
                    R"j({"type": "copy", "in": {"src": "low.mip(0)"}, "out": {"dst": "y"}})j")
@@ -213,7 +228,10 @@ TEST_F(LiveAreas, OneMessageForACause) {
 }
 
 TEST_F(LiveAreas, AnExpressionWithoutAValueInAFrameIsZero) {
-    evaluate(body(R"j(, "params": {"k": "1 / (render.x - 320)"})j"), {{"renderScale", 0.5}});
+    std::string text = body();
+    const std::string usual = "gain * render.x";
+    text.replace(text.find(usual), usual.size(), "1 / (render.x - 320)");
+    evaluate(text, {{"renderScale", 0.5}});
     EXPECT_EQ(live_member("paint", "k"), 0);
 }
 

@@ -34,8 +34,8 @@ class LiveTest : public ResolveTest {
              "params": {"steps": "render.x / half.x * gain", "i": 0}},
   "down": {"type": "compute", "shader": "shrink", "repeat": {"i": "1..2"}, "in": {"src": "low.mip(i - 1)"},
            "out": {"dst": "low.mip(i)"}, "threads": ["half.x + i", "half.y", 1], "params": {"steps": "i"}},
-  "copy": {"type": "copy", "in": {"src": "low.mip(0)"}, "out": {"dst": "other"}},
-  "keep": {"type": "blit", "in": {"src": "other"}, "out": {"dst": "past"}},
+  "copy": {"type": "copy", "queue": "transfer", "in": {"src": "low.mip(0)"}, "out": {"dst": "other"}},
+  "keep": {"type": "blit", "in": {"src": {"ref": "other", "sampler": {"filter": "nearest"}}}, "out": {"dst": "past"}},
   "show": {"type": "fullscreen", "shader": "show", "in": {"src": "past", "before": "past[-1]"},
            "out": {"color": "backbuffer"}}})j";
     }

@@ -1,0 +1,17 @@
+// Purpose: warns about shaders that sample an image with a live size as if the whole image had content.
+// Warnings: W237.
+#pragma once
+
+#include "weft/declaration.h"
+#include "weft/result.h"
+#include "weft/shader_interface.h"
+
+namespace weft {
+
+// A shader is warned about if it samples the image at texture coordinates, but reads no member of `Params`
+// that follows the area of this port, no value that follows a scale, and not the size of the image. `sources`
+// are the files of the graph.
+void warn_area_reads(const SourceMap& sources, const ResolvedGraph& graph, const ShaderCatalog& shaders,
+                     Diagnostics& warnings);
+
+}  // namespace weft
