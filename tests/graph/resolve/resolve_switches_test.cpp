@@ -13,7 +13,7 @@ class ResolveSwitches : public ResolveTest {
 
     // Returns the keys of a graph with the passes, the parameters "a" to "e", and the images "x", "y", "z"
     // and "kept". The pass "base" writes "x".
-    static std::string graph_with(const std::string& passes, const std::string& more = "") {
+    static std::string graph_with(const std::string& body, const std::string& more = "") {
         return R"("params": {"a": true, "b": true, "c": true, "d": true, "e": true}, "imports": {"backbuffer": "output"},
             "resources": {"x": {"format": "rgba16f", "size": 64}, "y": {"format": "rgba16f", "size": 32},
                 "z": {"format": "rgba16f", "size": 64}, "kept": {"format": "rgba16f", "size": 64, "keep": true},
@@ -21,7 +21,7 @@ class ResolveSwitches : public ResolveTest {
                more + R"(}, "passes": {
             "base": {"type": "compute", "shader": "s0.comp", "out": {"dst": "x"}},
             "see": {"type": "readback", "in": ["z"]},)" +
-               passes + "}";
+               body + "}";
     }
     static std::string reader(const std::string& b, const std::string& shader = "v2.comp",
                               const std::string& more = "") {
@@ -196,16 +196,16 @@ TEST_F(ResolveSwitches, PassesWithoutShaderCannotDependOnSwitches) {
 }
 
 TEST_F(ResolveSwitches, AtMostFourSwitches) {
-    std::string passes;
+    std::string text;
     std::string last = "base";
     for (const char* name : {"a", "b", "c", "d", "e"}) {
-        passes += std::string("\"change_") + name +
-                  R"(": {"type": "compute", "shader": "change.comp", "out": {"dst": "x"},
+        text += std::string("\"change_") + name +
+                R"(": {"type": "compute", "shader": "change.comp", "out": {"dst": "x"},
             "switch": ")" +
-                  name + R"(", "after": [")" + last + "\"]},";
+                name + R"(", "after": [")" + last + "\"]},";
         last = std::string("change_") + name;
     }
-    const Diagnostic error = bad(graph_with(passes + reader("\"x\"", "s2.comp")));
+    const Diagnostic error = bad(graph_with(text + reader("\"x\"", "s2.comp")));
     EXPECT_EQ(error.code, "W233");
 }
 
