@@ -11,10 +11,12 @@ class ResolveSwitches : public ResolveTest {
  protected:
     ResolveSwitches() { shaders = switch_shaders(); }
 
-    // Returns the keys of a graph with the passes, the parameters "a" to "e", and the images "x", "y", "z"
-    // and "kept". The pass "base" writes "x".
+    // Returns the keys of a graph with the passes, the parameters "a" to "e", and the images "x", "y", "z",
+    // "kept" and "old". The pass "base" writes "x". The output is imported if a pass names it.
     static std::string graph_with(const std::string& body, const std::string& more = "") {
-        return R"("params": {"a": true, "b": true, "c": true, "d": true, "e": true}, "imports": {"backbuffer": "output"},
+        const bool has_output = body.find("backbuffer") != std::string::npos;
+        return R"("params": {"a": true, "b": true, "c": true, "d": true, "e": true},)" +
+               std::string(has_output ? R"("imports": {"backbuffer": "output"},)" : "") + R"(
             "resources": {"x": {"format": "rgba16f", "size": 64}, "y": {"format": "rgba16f", "size": 32},
                 "z": {"format": "rgba16f", "size": 64}, "kept": {"format": "rgba16f", "size": 64, "keep": true},
                 "old": {"format": "rgba16f", "size": 64, "history": 1})" +
@@ -210,7 +212,8 @@ TEST_F(ResolveSwitches, AtMostFourSwitches) {
 }
 
 TEST_F(ResolveSwitches, OtherKeysThatSkipFramesAreExcluded) {
-    for (const std::string key : {R"("rest": true)", R"("repeat": {"i": "0..1"}, "perFrame": 1)"}) {
+    for (const std::string key :
+         {R"("rest": true)", R"("repeat": {"i": "0..1"}, "partial": true, "perFrame": 1)"}) {
         const Diagnostic error = bad(graph_with(
             R"("make": {"type": "compute", "shader": "s0.comp", "out": {"dst": "kept"}, "switch": "a", )" +
             key + "}," + reader("\"kept\"", "s2.comp")));
@@ -253,7 +256,7 @@ TEST_F(ResolveSwitches, APassWithASwitchSharesNoRenderingScope) {
                          "state": {"blend": "add"}},
                "second": {"type": "fullscreen", "shader": "picture.frag", "out": {"color": "backbuffer"}, "after": ["first"],
                          "state": {"blend": "add"})" +
-            key + "}," + reader("\"x\"", "s2.comp")));
+            key + "}," + reader("\"x\"", "s2.comp", R"(, "after": ["second"])")));
         const FramePlan plan = compile(graph, content_needs(graph), {});
         return plan.barriers.steps[plan.schedule.position[find_pass(graph, "second")]].merges_render_pass;
     };

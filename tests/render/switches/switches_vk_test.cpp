@@ -133,8 +133,8 @@ uint64_t allocations_of_frame(render::Session& session) {
     return allocations_of_thread() - before;
 }
 
-// A frame in which switches change must allocate no more than the frame after it, in which nothing changes.
-// The Vulkan objects must stay the same, too.
+// A frame in which switches change must allocate as much memory as the next frame in its frame slot, in which
+// nothing changes. The Vulkan objects must stay the same, too.
 TEST_F(Switched, AChangeAllocatesNothing) {
     const std::unique_ptr<render::Session> session = begin(read_text);
     ASSERT_TRUE(session);
