@@ -133,9 +133,10 @@ uint64_t allocations_of_frame(render::Session& session) {
     return allocations_of_thread() - before;
 }
 
-// A frame in which switches change must allocate as much memory as the next frame in its frame slot, in which
-// nothing changes. The Vulkan objects must stay the same, too.
+// A frame that changes switches must allocate as often as the next frame, in which nothing changes. The
+// Vulkan objects must stay the same, too.
 TEST_F(Switched, AChangeAllocatesNothing) {
+    make_device(false);  // The validation layer would allocate memory, too.
     const std::unique_ptr<render::Session> session = begin(read_text);
     ASSERT_TRUE(session);
     const auto turn = [&](uint32_t on) {
@@ -150,7 +151,6 @@ TEST_F(Switched, AChangeAllocatesNothing) {
     for (const uint32_t on : combinations(7)) {
         turn(on);
         const uint64_t changed = allocations_of_frame(*session);
-        (void)allocations_of_frame(*session);
         const uint64_t steady = allocations_of_frame(*session);
         EXPECT_EQ(changed, steady) << "switches " << on;
         most = std::max(most, changed);
