@@ -21,11 +21,17 @@ bool writes_ring(const FramePlan& plan, PassId pass, ResourceId ring) {
            });
 }
 
-bool sees(const FramePlan& plan, const UseDecl& use, PassId pass) {
+// Returns true if one of the versions, which belong to the use, is a result of the pass.
+bool contains_result(const FramePlan& plan, const UseDecl& use, const std::vector<VersionSource>& versions,
+                     PassId pass) {
     const ResourceId ring = plan.graph.resources[use.resource].ring;
-    return std::any_of(use.sources.begin(), use.sources.end(), [&](const VersionSource& source) {
+    return std::any_of(versions.begin(), versions.end(), [&](const VersionSource& source) {
         return source.producer == kNoId ? writes_ring(plan, pass, ring) : source.producer == pass;
     });
+}
+
+bool sees(const FramePlan& plan, const UseDecl& use, PassId pass) {
+    return contains_result(plan, use, use.sources, pass) || contains_result(plan, use, use.passes_on, pass);
 }
 
 std::vector<Need> needs_of(const FramePlan& plan, PassId pass) {
@@ -75,7 +81,10 @@ std::string describe_live_pass(const FramePlan& plan, PassId pass) {
     for (const Need& need : needs_of(plan, pass))
         if (plan.live.live_passes[need.reader])
             text += "  " + describe_pass(plan, need.reader) +
-                    " needs its result: " + describe_use(plan, *need.use) + ".\n";
+                    (contains_result(plan, *need.use, need.use->sources, pass)
+                         ? " needs its result: "
+                         : " hands on its result while it is switched off: ") +
+                    describe_use(plan, *need.use) + ".\n";
     const std::vector<Need> way = way_to_root(plan, pass);
     if (way.empty()) return text;
     const PassId end = way.back().reader;

@@ -9,13 +9,9 @@
 namespace weft {
 namespace {
 
-std::string quoted_name(const std::string& name) {
-    return "\"" + name + "\"";
-}
-
 // Tells what readers of an output see while the pass is off.
 std::string describe_output(const FramePlan& plan, const UseDecl& use) {
-    const std::string what = quoted_name(describe_part(plan, use.resource, use.range));
+    const std::string what = describe_part(plan, use.resource, use.range);
     std::string makers;
     for (const VersionSource& source : use.passes_on) {
         const std::string maker = source.producer == kNoId

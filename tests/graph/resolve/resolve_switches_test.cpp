@@ -11,17 +11,19 @@ class ResolveSwitches : public ResolveTest {
  protected:
     ResolveSwitches() { shaders = switch_shaders(); }
 
-    // Returns the keys of a graph with the passes, the parameters "a" to "e", and the images "x", "y", "z"
-    // and "kept". The pass "base" writes "x".
-    static std::string graph_with(const std::string& passes, const std::string& more = "") {
-        return R"("params": {"a": true, "b": true, "c": true, "d": true, "e": true}, "imports": {"backbuffer": "output"},
+    // Returns the keys of a graph with the passes, the parameters "a" to "e", and the images "x", "y", "z",
+    // "kept" and "old". The pass "base" writes "x". The output is imported if a pass names it.
+    static std::string graph_with(const std::string& body, const std::string& more = "") {
+        const bool has_output = body.find("backbuffer") != std::string::npos;
+        return R"("params": {"a": true, "b": true, "c": true, "d": true, "e": true},)" +
+               std::string(has_output ? R"("imports": {"backbuffer": "output"},)" : "") + R"(
             "resources": {"x": {"format": "rgba16f", "size": 64}, "y": {"format": "rgba16f", "size": 32},
                 "z": {"format": "rgba16f", "size": 64}, "kept": {"format": "rgba16f", "size": 64, "keep": true},
                 "old": {"format": "rgba16f", "size": 64, "history": 1})" +
                more + R"(}, "passes": {
             "base": {"type": "compute", "shader": "s0.comp", "out": {"dst": "x"}},
             "see": {"type": "readback", "in": ["z"]},)" +
-               passes + "}";
+               body + "}";
     }
     static std::string reader(const std::string& b, const std::string& shader = "v2.comp",
                               const std::string& more = "") {
@@ -196,21 +198,22 @@ TEST_F(ResolveSwitches, PassesWithoutShaderCannotDependOnSwitches) {
 }
 
 TEST_F(ResolveSwitches, AtMostFourSwitches) {
-    std::string passes;
+    std::string text;
     std::string last = "base";
     for (const char* name : {"a", "b", "c", "d", "e"}) {
-        passes += std::string("\"change_") + name +
-                  R"(": {"type": "compute", "shader": "change.comp", "out": {"dst": "x"},
+        text += std::string("\"change_") + name +
+                R"(": {"type": "compute", "shader": "change.comp", "out": {"dst": "x"},
             "switch": ")" +
-                  name + R"(", "after": [")" + last + "\"]},";
+                name + R"(", "after": [")" + last + "\"]},";
         last = std::string("change_") + name;
     }
-    const Diagnostic error = bad(graph_with(passes + reader("\"x\"", "s2.comp")));
+    const Diagnostic error = bad(graph_with(text + reader("\"x\"", "s2.comp")));
     EXPECT_EQ(error.code, "W233");
 }
 
 TEST_F(ResolveSwitches, OtherKeysThatSkipFramesAreExcluded) {
-    for (const std::string key : {R"("rest": true)", R"("repeat": {"i": "0..1"}, "perFrame": 1)"}) {
+    for (const std::string key :
+         {R"("rest": true)", R"("repeat": {"i": "0..1"}, "partial": true, "perFrame": 1)"}) {
         const Diagnostic error = bad(graph_with(
             R"("make": {"type": "compute", "shader": "s0.comp", "out": {"dst": "kept"}, "switch": "a", )" +
             key + "}," + reader("\"kept\"", "s2.comp")));
@@ -253,7 +256,7 @@ TEST_F(ResolveSwitches, APassWithASwitchSharesNoRenderingScope) {
                          "state": {"blend": "add"}},
                "second": {"type": "fullscreen", "shader": "picture.frag", "out": {"color": "backbuffer"}, "after": ["first"],
                          "state": {"blend": "add"})" +
-            key + "}," + reader("\"x\"", "s2.comp")));
+            key + "}," + reader("\"x\"", "s2.comp", R"(, "after": ["second"])")));
         const FramePlan plan = compile(graph, content_needs(graph), {});
         return plan.barriers.steps[plan.schedule.position[find_pass(graph, "second")]].merges_render_pass;
     };

@@ -7,6 +7,7 @@
 #include "tests/render/session/object_counter.h"
 #include "tests/render/session_fixture.h"
 #include "tests/render/switches/count_allocations.h"
+#include "weft/compile.h"
 
 namespace weft::test {
 namespace {
@@ -29,7 +30,7 @@ std::optional<std::string> read_with_if(const std::string& path) {
 
 class Switched : public SessionTest {
  protected:
-    std::unique_ptr<render::Session> begin(const FileReader& reader, uint32_t queues) {
+    std::unique_ptr<render::Session> begin(const FileReader& reader) {
         const Result<scene::Scene> scene = scene::make_builtin("spheres");
         passes_ = registered_passes();
         render::SessionInput input;
@@ -39,7 +40,7 @@ class Switched : public SessionTest {
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
         input.passes = &passes_;
         input.check_plan = true;
-        input.queues = queues;
+        input.queues = queues_;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, *scene, input, warnings_);
         EXPECT_TRUE(session) << to_text(session.errors());
@@ -75,20 +76,19 @@ class Switched : public SessionTest {
         return all;
     }
 
-    void compare_with_if(uint32_t queues) {
-        const std::unique_ptr<render::Session> live = begin(read_text, queues),
-                                               planned = begin(read_with_if, queues);
+    void compare_with_if() {
+        const std::unique_ptr<render::Session> live = begin(read_text), planned = begin(read_with_if);
         ASSERT_TRUE(live && planned);
         const std::string hash = plan_hash(live->plan());
         std::set<std::vector<std::byte>> different;
-        for (const uint32_t on : combinations(queues)) {
+        for (const uint32_t on : combinations(queues_)) {
             for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
                 frame_of(*live).switches[kSwitchNames[s]] = (on >> s & 1u) != 0;
             set_params(*planned, on);
             if (HasFatalFailure()) return;
             for (int frame = 0; frame < 2; ++frame) {
                 std::vector<std::byte> found = picture(*live);
-                ASSERT_EQ(found, picture(*planned)) << "switches " << on << ", " << queues << " queues";
+                ASSERT_EQ(found, picture(*planned)) << "switches " << on << ", " << queues_ << " queues";
                 different.insert(std::move(found));
             }
         }
@@ -99,16 +99,17 @@ class Switched : public SessionTest {
 };
 
 TEST_F(Switched, PicturesAreThoseOfTheGraphWithIf) {
-    compare_with_if(1);
+    compare_with_if();
 }
 
 TEST_F(Switched, PicturesOnSeveralQueuesAreThoseOfTheGraphWithIf) {
-    make_device(true, 3);
-    compare_with_if(3);
+    queues_ = 3;
+    make_device(true);
+    compare_with_if();
 }
 
 TEST_F(Switched, ALiveParameterChangesNothingButTheSwitch) {
-    const std::unique_ptr<render::Session> session = begin(read_text, 1);
+    const std::unique_ptr<render::Session> session = begin(read_text);
     ASSERT_TRUE(session);
     const std::string hash = structure_hash(session->plan());
     const FramePlan* plan = &session->plan();
@@ -132,10 +133,11 @@ uint64_t allocations_of_frame(render::Session& session) {
     return allocations_of_thread() - before;
 }
 
-// A frame in which switches change must allocate no more than the frame after it, in which nothing changes.
-// The Vulkan objects must stay the same, too.
+// A frame that changes switches must allocate as often as the next frame, in which nothing changes. The
+// Vulkan objects must stay the same, too.
 TEST_F(Switched, AChangeAllocatesNothing) {
-    const std::unique_ptr<render::Session> session = begin(read_text, 1);
+    make_device(false);  // The validation layer would allocate memory, too.
+    const std::unique_ptr<render::Session> session = begin(read_text);
     ASSERT_TRUE(session);
     const auto turn = [&](uint32_t on) {
         for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
@@ -159,7 +161,7 @@ TEST_F(Switched, AChangeAllocatesNothing) {
 }
 
 TEST_F(Switched, TimingsTellWhichPassesWereOff) {
-    const std::unique_ptr<render::Session> session = begin(read_text, 1);
+    const std::unique_ptr<render::Session> session = begin(read_text);
     ASSERT_TRUE(session);
     frame_of(*session).switches = {{"mistOn", false}, {"trailOn", false}, {"noSwitch", false}};
     (void)picture(*session);

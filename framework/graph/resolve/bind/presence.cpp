@@ -170,14 +170,14 @@ void Presence::report_switched_off(PassId pass, const PortDesc& port, Combinatio
         report_.error(pass, port.ref.loc, "W234",
                       name_reader(draft) + " reads " + quote(port.ref.text) + ", but in frames in which " +
                           switches_text(expansion.switches, absent) + ", no pass writes it");
-    if (without.empty() && !draft.is_observer) {
-        add_help(d, "name a replacement: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
-        add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
-    }
-    add_help(d, "or keep the last content: add \"keep\": true to " + quote(port.ref.name));
-    if (!draft.is_observer)
-        add_help(d, "or turn this pass off together with the pass that writes " + quote(port.ref.name) +
-                        ": give both the same \"switch\"");
+    add_help(d, "keep the last content: add \"keep\": true to " + quote(port.ref.name) +
+                    "; or let a pass that always runs write it before");
+    if (draft.is_observer) return;
+    add_help(d, "or turn this pass off together with the pass that writes " + quote(port.ref.name) +
+                    ": give both the same \"switch\"");
+    if (!without.empty()) return;
+    add_help(d, "or name a replacement: { \"ref\": " + quote(port.ref.text) + ", \"else\": \"name\" }");
+    add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
 }
 
 void Presence::report_absent(PassId pass, const PortDesc& port) const {

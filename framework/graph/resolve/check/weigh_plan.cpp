@@ -27,6 +27,9 @@ void weigh_plan(const ResolvedGraph& graph, Reporter& reporter) {
         reporter.spend(kStepsPerSubresource * count_subresources(resource.whole()), resource.loc);
         frames = std::max(frames, kCheckedFrames + resource.history);
     }
+    // For each combination of the switches, the checker simulates all frames again, and one more.
+    const uint64_t combinations = uint64_t{1} << graph.switches.size();
+    frames += (combinations - 1) * (frames + 1);
     for (const PassDecl& pass : graph.passes) {
         reporter.spend(1, pass.loc);
         for (const UseDecl& use : pass.uses) reporter.spend(frames * count_subresources(use.range), use.loc);
