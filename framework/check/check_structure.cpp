@@ -14,6 +14,7 @@
 #include "check/check_pieces.h"
 #include "check/check_rest_units.h"
 #include "check/check_scopes.h"
+#include "check/check_views.h"
 #include "check/memory_collisions.h"
 
 namespace weft::check {
@@ -285,6 +286,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     check_pieces(plan, faults);
     if (faults.any("C344")) return false;
     check_indirect(plan, faults);
+    check_views(plan, faults);
     check_edges(plan, faults);
     check_lifetimes(plan, faults);
     check_placements(plan, faults);

@@ -41,6 +41,8 @@ inline constexpr std::array kLimits{
     Limit{"maxSampledImagesPerStage", &DeviceProfile::max_sampled_images_per_stage},
     Limit{"maxStorageImagesPerStage", &DeviceProfile::max_storage_images_per_stage},
     Limit{"maxDrawIndirectCount", &DeviceProfile::max_draw_indirect_count},
+    Limit{"maxMultiviewViews", &DeviceProfile::max_multiview_views},
+    Limit{"maxOutputLayers", &DeviceProfile::max_output_layers},
 };
 struct WideLimit {
     const char* name;

@@ -5,6 +5,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/report/group_phrases.h"
 #include "graph/report/plan_phrases.h"
+#include "graph/report/view_phrases.h"
 #include "weft/report/plan_explain.h"
 
 namespace weft {
@@ -19,7 +20,7 @@ class WakeReasons {
         const PassDecl& pass = plan_.graph.passes[id];
         add_params(id);
         if (!pass.shader.empty()) {
-            line("a constant of set 0 (frame and view \"" + pass.view + "\") that shader \"" + pass.shader +
+            line("a constant of set 0 (frame and view \"" + view_range(pass) + "\") that shader \"" + pass.shader +
                  "\" reads, if it reads one");
             line("shader \"" + pass.shader + "\" or one of its specialisation constants");
         }

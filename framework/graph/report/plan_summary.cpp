@@ -11,6 +11,7 @@
 #include "graph/plan/plan_names.h"
 #include "graph/report/group_phrases.h"
 #include "graph/report/plan_phrases.h"
+#include "graph/report/view_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/memory_report.h"
 
@@ -132,11 +133,13 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
         facts.push_back("groups " + extent_fact({pass.groups[0], pass.groups[1], pass.groups[2]}));
     if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
         facts.push_back("render extent " + extent_fact(pass.render_extent));
+    if (const std::string views = describe_lowering(pass); !views.empty())
+        facts.push_back("views " + views);
     for (const std::string& list : pass.draw_lists)
-        facts.push_back("draws " + list + " as seen by " + pass.view);
+        facts.push_back("draws " + list + " as seen by " + view_range(pass));
     if (pass.vertices > 0)
         facts.push_back("draws " + std::to_string(pass.vertices) + " vertices x " +
-                        std::to_string(pass.instances) + " as seen by " + pass.view);
+                        std::to_string(pass.instances) + " as seen by " + view_range(pass));
     if (pass.most_draws > 0)
         facts.push_back("executes " + std::string(pass.draw_count_use == kNoId ? "" : "up to ") +
                         count_text(pass.most_draws, "draw command"));

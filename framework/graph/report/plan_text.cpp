@@ -4,6 +4,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/plan/plan_names.h"
 #include "graph/report/group_phrases.h"
+#include "graph/report/view_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/compile.h"
 #include "weft/report/memory_report.h"
@@ -120,6 +121,8 @@ class PlanText {
         waits(position);
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
             text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
+        if (const std::string views = describe_lowering(decl); !views.empty())
+            text_ += "    views " + views + "\n";
         if (decl.rest_unit != kNoId) text_ += "    " + unit(s.pass) + "\n";
         if (decl.carries)
             text_ += "    Weft adds this pass, because a pass needs the content of the last frame in " +

@@ -12,6 +12,7 @@ void add_bound(const BoundPass& bound, PassDecl& pass) {
     pass.vertices = bound.vertices;
     pass.instances = bound.instances;
     pass.view = bound.view;
+    pass.views = bound.views;
     pass.clear = bound.clear;
 }
 

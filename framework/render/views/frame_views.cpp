@@ -1,6 +1,7 @@
 #include "render/views/frame_views.h"
 
 #include <algorithm>
+#include <set>
 
 namespace weft::render {
 namespace {
@@ -40,12 +41,17 @@ Diagnostic too_few(const std::string& list, size_t given, size_t wanted) {
 void FrameViews::set_plan(const FramePlan& plan) {
     lists_ = plan.graph.views;
     std::map<std::string, glm::uvec2> used;
+    std::set<ViewNames> united;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
-        glm::uvec2& size = used[pass.view];
-        size = glm::max(size, size_of(pass));
+        for (const std::string& view : pass.drawn_views()) {
+            glm::uvec2& size = used[view];
+            size = glm::max(size, size_of(pass));
+        }
+        if (pass.lowering == ViewLowering::multiview) united.insert(pass.views);
     }
     used.erase(kCamera);
+    united_views_.assign(united.begin(), united.end());
     views_.assign(1, {kCamera});
     sizes_px_.assign(1, {0, 0});
     for (const auto& [name, size] : used) {
@@ -73,6 +79,7 @@ void FrameViews::update(const ViewSources& sources) {
         view.constants = make(frame, name.list, name.index);
         view.mirrored = is_mirrored(view.constants.view_projection);
         if (i == 0) continue;
+        view.constants.number = name.index;
         if (sizes_px_[i].x > 0 && name.list != kSun) {
             view.constants.viewport_px = glm::vec2(sizes_px_[i]);
             view.constants.inverse_viewport = 1.0f / view.constants.viewport_px;

@@ -49,6 +49,8 @@ void bind_view(PassBinding& pass) {
         }
     }
     pass.bound.view = view_name(*list, static_cast<uint32_t>(number));
+    for (uint32_t view = 0; view < pass.draft.views; ++view)
+        pass.bound.views.push_back(view_name(*list, view));
 }
 
 }  // namespace weft

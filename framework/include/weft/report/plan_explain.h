@@ -23,6 +23,8 @@ namespace weft {
 [[nodiscard]] Result<std::string> explain_wait(const FramePlan& plan, const std::string& pass);
 // Tells whether the pass rests, with which passes it runs together, and which changes make it run.
 [[nodiscard]] Result<std::string> explain_rest(const FramePlan& plan, const std::string& pass);
+// Tells which views the pass draws, whether it draws them together, and why.
+[[nodiscard]] Result<std::string> explain_views(const FramePlan& plan, const std::string& pass);
 // Lists the properties of the resource, its writers and readers, its lifetime and its place in memory.
 [[nodiscard]] Result<std::string> explain_resource(const FramePlan& plan, const std::string& resource);
 
