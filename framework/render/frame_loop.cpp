@@ -57,8 +57,8 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
     views_.update({view_, sun_, scene.lights(), input.views});
-    if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views(),
-                                             views_.united_views());
+    if (Status set =
+            scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views(), views_.united_views());
         !set)
         return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};

@@ -30,7 +30,8 @@ class GpuFrame {
     // Returns descriptor set 0 for a view of the last write(), such as "camera" or "sun(1)". For other names
     // it returns that of the camera.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
-    // Returns descriptor set 0 for several views at once, which must be in `united_views` of the last write().
+    // Returns descriptor set 0 for several views at once, which must be in `united_views` of the last
+    // write().
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::span<const std::string> views) const;
 
  private:

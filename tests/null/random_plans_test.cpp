@@ -53,6 +53,7 @@ void expect_shares(const GraphCoverage& coverage) {
     EXPECT_GE(coverage.buffer_ranges * 5, coverage.graphs);
     EXPECT_GE(coverage.merged_scopes * 10, coverage.graphs);
     EXPECT_GE(coverage.carried * 50, coverage.graphs);
+    EXPECT_GE(coverage.views * 10, coverage.graphs);
 }
 
 TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesForAllProfiles) {

@@ -173,7 +173,8 @@ void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
 void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     command
-        .add_option("QUESTION", o.question, "the question: culled, barrier, alias, wait, rest, views or resource")
+        .add_option("QUESTION", o.question,
+                    "the question: culled, barrier, alias, wait, rest, views or resource")
         ->check(choice_validator({"culled", "barrier", "alias", "wait", "rest", "views", "resource"}))
         ->required();
     command

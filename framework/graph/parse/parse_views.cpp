@@ -1,5 +1,6 @@
 // Parses the section "views", and the keys of a pass that choose its views: "view", "views", "into" and
-// "lowering". A pass with "views" is parsed as a repeat: its last index, kViewIndex, counts the views of the list.
+// "lowering". A pass with "views" is parsed as a repeat: its last index, kViewIndex, counts the views of the
+// list.
 #include <algorithm>
 
 #include "graph/parse/expression.h"

@@ -20,8 +20,8 @@ class WakeReasons {
         const PassDecl& pass = plan_.graph.passes[id];
         add_params(id);
         if (!pass.shader.empty()) {
-            line("a constant of set 0 (frame and view \"" + view_range(pass) + "\") that shader \"" + pass.shader +
-                 "\" reads, if it reads one");
+            line("a constant of set 0 (frame and view \"" + view_range(pass) + "\") that shader \"" +
+                 pass.shader + "\" reads, if it reads one");
             line("shader \"" + pass.shader + "\" or one of its specialisation constants");
         }
         for (const std::string& list : pass.draw_lists) line("the objects of draw list \"" + list + "\"");

@@ -133,8 +133,7 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
         facts.push_back("groups " + extent_fact({pass.groups[0], pass.groups[1], pass.groups[2]}));
     if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
         facts.push_back("render extent " + extent_fact(pass.render_extent));
-    if (const std::string views = describe_lowering(pass); !views.empty())
-        facts.push_back("views " + views);
+    if (const std::string views = describe_lowering(pass); !views.empty()) facts.push_back("views " + views);
     for (const std::string& list : pass.draw_lists)
         facts.push_back("draws " + list + " as seen by " + view_range(pass));
     if (pass.vertices > 0)

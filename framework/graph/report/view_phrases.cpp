@@ -12,7 +12,8 @@ std::string describe_lowering(const PassDecl& pass) {
     if (pass.lowering_reason.empty()) return "";
     if (pass.lowering == ViewLowering::none)
         return view_range(pass) + ", one pass for each view: " + pass.lowering_reason;
-    return view_range(pass) + " in one pass, lowering " + enum_name(pass.lowering) + ": " + pass.lowering_reason;
+    return view_range(pass) + " in one pass, lowering " + enum_name(pass.lowering) + ": " +
+           pass.lowering_reason;
 }
 
 }  // namespace weft

@@ -196,9 +196,8 @@ SunMaps sun_maps_of(const FramePlan& plan) {
             if (i == kNoId) continue;
             maps.count = std::max(maps.count, i + 1);
             if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
-                maps.size_px[i] =
-                    std::max(maps.size_px[i],
-                             pass.state.viewport ? pass.state.viewport->width : pass.render_extent.width);
+                maps.size_px[i] = std::max(maps.size_px[i], pass.state.viewport ? pass.state.viewport->width
+                                                                                : pass.render_extent.width);
         }
     return maps;
 }

@@ -129,8 +129,8 @@ class MultiviewRewriter final : public ViewRewriter {
     void rewrite(const spirv::Instruction& at) override {
         using namespace spirv;
         // The old block is now an element of an array in a new block.
-        const bool is_old_block = at.opcode == kOpDecorate && at.words[2] == kBlock &&
-                                  survey_.blocks.contains(at.words[1]);
+        const bool is_old_block =
+            at.opcode == kOpDecorate && at.words[2] == kBlock && survey_.blocks.contains(at.words[1]);
         if (is_old_block) return;
         if (at.opcode == kOpVariable && survey_.views.contains(at.words[2])) return rewrite_variable(at);
         if (is_access_chain(at.opcode) && survey_.views.contains(at.words[3])) return rewrite_access(at);
@@ -205,8 +205,7 @@ class LayerRewriter final : public ViewRewriter {
     void rewrite(const spirv::Instruction& at) override {
         using namespace spirv;
         if (at.opcode == kOpFunction && at.words[2] == survey_.entry) is_in_main_ = true;
-        const bool is_variable =
-            at.opcode == kOpVariable || at.opcode == kOpLine || at.opcode == kOpNoLine;
+        const bool is_variable = at.opcode == kOpVariable || at.opcode == kOpLine || at.opcode == kOpNoLine;
         if (is_in_main_ && is_in_block_ && !is_variable) {
             write_layer();
             is_in_main_ = false;

@@ -1,5 +1,5 @@
-// Purpose: rewrites shaders for passes that draw several views (PassDecl::lowering), so that authors write the
-// same shader for every lowering.
+// Purpose: rewrites shaders for passes that draw several views (PassDecl::lowering), so that authors write
+// the same shader for every lowering.
 //
 // Multiview: the block of the view in descriptor set 0, binding 1, becomes an array with the constants of all
 // views, and each access to the block selects the element gl_ViewIndex. Layer output: the vertex stage writes

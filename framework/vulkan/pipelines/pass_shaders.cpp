@@ -42,9 +42,8 @@ ShaderProgram lowered(ShaderProgram program, const PassDecl& pass) {
 }  // namespace
 
 const ShaderCatalog* shaders_for(const Device& device, const ExecutorInput& input, ShaderCatalog& changed) {
-    const bool lowers = std::ranges::any_of(input.plan.graph.passes, [](const PassDecl& pass) {
-        return pass.lowering != ViewLowering::none;
-    });
+    const bool lowers = std::ranges::any_of(
+        input.plan.graph.passes, [](const PassDecl& pass) { return pass.lowering != ViewLowering::none; });
     const bool changes = device.hides_uniforms() || lowers;
     if (!changes || input.shaders == nullptr) return input.shaders;
     for (const PassDecl& pass : input.plan.graph.passes) {

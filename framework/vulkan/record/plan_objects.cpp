@@ -57,16 +57,16 @@ Diagnostics check_lowering(const Device& device, const FramePlan& plan, const Ex
                                     "shader \"" + pass.shader +
                                         "\" copies the whole block of the view, so it cannot draw several "
                                         "views at once"));
-    const bool uses_views = std::ranges::any_of(program.interface.bindings, [](const ShaderBinding& binding) {
-        return binding.set == kFrameSet;
-    });
+    const bool uses_views = std::ranges::any_of(
+        program.interface.bindings, [](const ShaderBinding& binding) { return binding.set == kFrameSet; });
     const bool lowered = pass.lowering != ViewLowering::none;
     if (lowered && uses_views && input.draws != nullptr && !input.draws->draws_several_views()) {
         errors.push_back(pass_error(plan, pass, "V415",
                                     "the pass draws several views at once, but the DrawSource of the program "
                                     "draws only one view at a time"));
-        errors.back().help = {"set max_multiview_views and max_output_layers of the device profile to 1; or "
-                              "implement DrawSource::views_set() and draws_several_views()"};
+        errors.back().help = {
+            "set max_multiview_views and max_output_layers of the device profile to 1; or "
+            "implement DrawSource::views_set() and draws_several_views()"};
     }
     return errors;
 }

@@ -24,6 +24,14 @@ ShaderBinding foreign_set(uint32_t set) {
     return binding;
 }
 
+// The constants of the view, binding 1 of set 0.
+ShaderBinding view_block() {
+    ShaderBinding binding;
+    binding.name = "ViewBlock";
+    binding.kind = BindingKind::uniform_buffer;
+    return binding;
+}
+
 ShaderCatalog make_shaders() {
     const ShaderBinding a = sampled("a"), b = sampled("b"), c = sampled("c");
     const ShaderBinding dst = image_out("dst", Format::undefined);
@@ -41,7 +49,9 @@ ShaderCatalog make_shaders() {
     shaders["draw_1.frag"] = seeded(fragment({"color"}, {a}));
     shaders["draw_2.frag"] = with_switches(seeded(fragment({"color"}, {a, b})), false);
     shaders["scene"] = fragment({"color"});
+    shaders["scene_view"] = fragment({"color"}, {view_block()});
     shaders["points"] = fragment({"color"});
+    shaders["scene_view"].interface.bindings[0].binding = 1;
     shaders["points"].interface.writes_point_size = true;
     shaders["sky_1.frag"] = seeded(fragment({"color"}));
     shaders["sky_2.frag"] = seeded(fragment({"color"}, {sampled("depth")}));

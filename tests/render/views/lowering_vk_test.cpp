@@ -9,13 +9,14 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kFrameSize{32, 24, 1};
-constexpr uint32_t kOwnViews = 3;
+constexpr uint32_t kProgramViews = 3;
 
 // The faces of a probe, seen directly, in a mirror and without culling; the cascades of the sun; the views of
 // the program, which only layer output can draw by one pass, because their windings may differ.
 std::string graph_with(const std::string& lowering, const std::string& own, const std::string& more = "") {
     const std::string how = "\"lowering\": \"" + lowering + "\", ";
-    const std::string look = R"json("type": "raster", "draws": ["opaque", "masked"], "shader": "look", "state": { "cull": "material" })json";
+    const std::string look =
+        R"json("type": "raster", "draws": ["opaque", "masked"], "shader": "look", "state": { "cull": "material" })json";
     return R"json({ "version": 1,
   "imports": { "opaque": "drawlist", "masked": "drawlist", "mine": "views", "opaqueCommands": "buffer" },
   "views": { "probe": { "cube": { "at": [0.4, 1.3, 0.2], "near": 0.01 } }, "late": { "of": "sun", "first": 1 },
@@ -31,7 +32,8 @@ std::string graph_with(const std::string& lowering, const std::string& own, cons
     "roof": { "format": "rgba8", "cube": 24 },
     "told": { "format": "rgba32f", "cube": 24 }, "toldPast": { "format": "rgba32f", "cube": 24 }, "toldDepth": { "format": "d32f", "cube": 24 }
   }, "passes": {
-    "cube": { "views": "probe", )json" + how +
+    "cube": { "views": "probe", )json" +
+           how +
            R"json("depth": "cubeDepth", "out": { "color": "cube", "past": "cubePast" },
               "type": "raster", "draws": ["opaque", "masked"], "shader": "look",
               "state": { "cull": "material", "stencil": { "pass": "replace", "reference": 3 } } },
@@ -39,30 +41,34 @@ std::string graph_with(const std::string& lowering, const std::string& own, cons
            how + R"json("shader": "sight.frag", "depth": "cubeDepth", "out": { "color": "cube" },
              "state": { "depth": "none", "blend": "add", "stencil": { "compare": "not_equal", "reference": 3, "writeMask": 0 } } },
     "pond": { "views": "pond", )json" +
-           how + R"json("frustum": false, "clear": [0.5, 0.25, 0, 0], "depth": { "ref": "pondDepth", "clear": 0.001 },
+           how +
+           R"json("frustum": false, "clear": [0.5, 0.25, 0, 0], "depth": { "ref": "pondDepth", "clear": 0.001 },
               "out": { "color": "pond.layer(2 + view)", "past": "pondPast.layer(view + 1)" }, )json" +
            look + R"json( },
     "shadow": { "type": "raster", "views": "late", )json" +
-           how + R"json("draws": ["masked", "opaque"], "shader": "depth", "depth": { "ref": "shadow.layer(view)", "clear": 0.125 },
+           how +
+           R"json("draws": ["masked", "opaque"], "shader": "depth", "depth": { "ref": "shadow.layer(view)", "clear": 0.125 },
                 "state": { "cull": "material", "depthBias": { "slope": 1 } } },
     "own": { "views": "mine", "lowering": ")json" +
            own + R"json(", "depth": "ownDepth", "out": { "color": "own", "past": "ownPast" }, )json" + look +
            R"json( },
     "roof": { "type": "raster", "views": "probe", )json" +
-           how + R"json("draws": { "vertices": 3, "instances": 1 }, "shader": "roof", "out": { "color": "roof" },
+           how +
+           R"json("draws": { "vertices": 3, "instances": 1 }, "shader": "roof", "out": { "color": "roof" },
               "state": { "cull": "back", "frontFace": "ccw" } },
     "told": { "type": "raster", "views": "probe", )json" +
-           how + R"json("draws": { "list": "opaque", "indirect": "opaqueCommands" }, "shader": "look", "depth": "toldDepth",
+           how +
+           R"json("draws": { "list": "opaque", "indirect": "opaqueCommands" }, "shader": "look", "depth": "toldDepth",
               "out": { "color": "told", "past": "toldPast" }, "state": { "cull": "none" } })json" +
            more + " } }";
 }
 
-const std::vector<std::string> kObserved{"cube",   "cubePast", "cubeDepth", "pond.layer(2..7)", "shadow.layer(0..2)",
-                                         "own",    "ownPast",  "roof",      "told",             "toldPast",
-                                         "pondPast.layer(1..6)"};
+const std::vector<std::string> kObserved{
+    "cube",    "cubePast", "cubeDepth", "pond.layer(2..7)", "shadow.layer(0..2)",  "own",
+    "ownPast", "roof",     "told",      "toldPast",         "pondPast.layer(1..6)"};
 
 struct Rendered {
-    std::vector<vk::ReadbackData> readbacks;  // Of all frames.
+    std::vector<vk::ReadbackData> readbacks;   // Of all frames.
     std::map<std::string, uint64_t> left_out;  // Number of draws, by the name of the pass in the graph.
     uint32_t passes = 0, barriers = 0;
 };
@@ -76,7 +82,8 @@ class Lowerings : public SessionTest {
         scene_ = std::move(*scene);
         profile_ = &device_->profile();
     }
-    std::unique_ptr<render::Session> open(const std::string& graph, std::vector<std::string> observed = kObserved) {
+    std::unique_ptr<render::Session> open(const std::string& graph,
+                                          std::vector<std::string> observed = kObserved) {
         passes_ = registered_passes();
         render::SessionInput input;
         input.request.path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
@@ -90,7 +97,7 @@ class Lowerings : public SessionTest {
         input.load.reads_disk = true;
         input.passes = &passes_;
         input.check_plan = true;
-        input.views = {{"mine", kOwnViews}};
+        input.views = {{"mine", kProgramViews}};
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene_, input, warnings_);
         EXPECT_TRUE(session) << to_text(session.errors());
@@ -101,7 +108,7 @@ class Lowerings : public SessionTest {
     [[nodiscard]] render::FrameInput input(int frame) const {
         render::FrameInput input{.camera = scene_.cameras.at(0)};
         input.camera.transform[3].x += 0.1f * static_cast<float>(frame);
-        for (uint32_t i = 0; i < kOwnViews; ++i)
+        for (uint32_t i = 0; i < kProgramViews; ++i)
             input.views["mine"].push_back(render::cube_face({0.1 * frame, 1.5, 5.0 - i}, i + 3, 0.02));
         input.views["mine"][1].projection[0] *= -1.0f;
         return input;

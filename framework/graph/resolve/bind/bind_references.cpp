@@ -192,9 +192,9 @@ class ReferenceBinder {
         return bound;
     }
 
-    // Selects the layer of the pass's view, or the layers of its views, if the port is an attachment of a pass
-    // with "views". A reference that selects layers itself keeps them: if the pass draws several views, it
-    // selects the layer of the first one. Returns false after reporting an error.
+    // Selects the layer of the pass's view, or the layers of its views, if the port is an attachment of a
+    // pass with "views". A reference that selects layers itself keeps them: if the pass draws several views,
+    // it selects the layer of the first one. Returns false after reporting an error.
     bool select_layer(PassId pass, BoundPort& port) {
         const PassDraft& draft = declared_.expansion.passes[pass];
         const std::string& name = port.use.port;

@@ -182,7 +182,8 @@ class PassRepeater {
 
 std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
                                       const Evaluator& evaluator, const Shapes& shapes, const PassDesc& desc,
-                                      bool unites_views, RepeatCounts& counts, Expansion& expansion, Reporter& reporter) {
+                                      bool unites_views, RepeatCounts& counts, Expansion& expansion,
+                                      Reporter& reporter) {
     return PassRepeater(input, values, evaluator, shapes, desc, unites_views, counts, expansion, reporter)
         .run();
 }

@@ -26,6 +26,7 @@ struct RepeatCounts {
 [[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
                                                     const Evaluator& evaluator, const Shapes& shapes,
                                                     const PassDesc& desc, bool unites_views,
-                                                    RepeatCounts& counts, Expansion& expansion, Reporter& reporter);
+                                                    RepeatCounts& counts, Expansion& expansion,
+                                                    Reporter& reporter);
 
 }  // namespace weft

@@ -20,14 +20,15 @@ std::string not_possible(const char* lowering, const Obstacle& obstacle) {
     return std::string(lowering) + " is not possible: " + obstacle->reason;
 }
 
-ChosenLowering asked(const LoweringParts& parts, const char* name, ViewLowering kind, const Obstacle& obstacle,
-                     Reporter& reporter) {
+ChosenLowering asked(const LoweringParts& parts, const char* name, ViewLowering kind,
+                     const Obstacle& obstacle, Reporter& reporter) {
     if (!obstacle) return {kind, parts.list.count, "the graph asks for it"};
     // Another stage reports the fault.
     if (obstacle->reason.empty()) return {};
-    Diagnostic& d = reporter.error(parts.desc.lowering_loc, "W199",
-                                   "the views of pass " + quote(parts.desc.name) +
-                                       " cannot be drawn with the lowering \"" + name + "\": " + obstacle->reason);
+    Diagnostic& d =
+        reporter.error(parts.desc.lowering_loc, "W199",
+                       "the views of pass " + quote(parts.desc.name) +
+                           " cannot be drawn with the lowering \"" + name + "\": " + obstacle->reason);
     add_help(d, obstacle->remedy);
     add_help(d, "or remove \"lowering\", so that Weft chooses");
     return {};
@@ -41,8 +42,8 @@ ChosenLowering choose(const LoweringParts& parts, const Obstacle& both) {
     const bool leaves_out = leaves_out_draws(parts.desc);
     if (leaves_out && !output)
         return {ViewLowering::layer_output, views, "draws outside of a view are left out for each view"};
-    const std::string no_output = leaves_out ? not_possible("layerOutput", output)
-                                             : "no draws are left out, which layerOutput is for";
+    const std::string no_output =
+        leaves_out ? not_possible("layerOutput", output) : "no draws are left out, which layerOutput is for";
     if (!multiview) return {ViewLowering::multiview, views, no_output};
     return {ViewLowering::none, 0, no_output + "; " + not_possible("multiview", multiview)};
 }

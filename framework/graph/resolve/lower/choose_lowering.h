@@ -1,5 +1,5 @@
-// Purpose: chooses how the views of a pass with "into": "layers" are drawn: by one pass with multiview, by one
-// pass whose vertex stage selects the layer, or by one pass for each view. Part of expand(), because this
+// Purpose: chooses how the views of a pass with "into": "layers" are drawn: by one pass with multiview, by
+// one pass whose vertex stage selects the layer, or by one pass for each view. Part of expand(), because this
 // decides how many passes a description results in.
 #pragma once
 

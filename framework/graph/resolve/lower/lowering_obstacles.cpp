@@ -80,17 +80,16 @@ std::optional<LoweringObstacle> attachment_obstacle(const LoweringParts& parts, 
     for (const PortDesc* port : written_ports(parts.desc)) {
         const bool is_depth = parts.desc.depth && port == &*parts.desc.depth;
         const auto& outputs = parts.shader.fragment_outputs;
-        const bool is_color =
-            std::ranges::find(outputs, port->port, &StageVariable::name) != outputs.end();
+        const bool is_color = std::ranges::find(outputs, port->port, &StageVariable::name) != outputs.end();
         const ResourceId id = resource_id(parts.shapes.resources, port->ref.name);
         if (id == kNoId || parts.shapes.suspects.shapes[id]) return fault();
         const ResourceDecl& resource = parts.shapes.resources[id];
         if (resource.samples > 1)
             return LoweringObstacle{quote(resource.name) + " is multisampled", "draw it with one sample"};
         if (!is_depth && !is_color)
-            return LoweringObstacle{
-                "the views write " + quote(resource.name) + " one after the other, because it is no attachment",
-                "write only attachments in this pass"};
+            return LoweringObstacle{"the views write " + quote(resource.name) +
+                                        " one after the other, because it is no attachment",
+                                    "write only attachments in this pass"};
         if (resource.kind != ResourceKind::image) return fault();
         if (!port->ref.pass.empty() && port->ref.pass == parts.desc.name) return fault();
         if (auto found = layer_obstacle(parts, *port, resource, reporter)) return found;
@@ -135,10 +134,10 @@ std::optional<LoweringObstacle> multiview_obstacle(const LoweringParts& parts) {
                            : "up to " + std::to_string(most) + " views (maxMultiviewViews)"),
             most <= 1 ? "choose \"passes\"" : "divide the list into parts with \"first\" and \"count\""};
     if (parts.desc.type == "raster" && !has_one_winding(parts.values, parts.list.base))
-        return LoweringObstacle{
-            "some of the views of " + quote(parts.list.base) + " may be mirror images and others not, but one "
-            "draw has one winding",
-            "choose \"layerOutput\" or \"passes\""};
+        return LoweringObstacle{"some of the views of " + quote(parts.list.base) +
+                                    " may be mirror images and others not, but one "
+                                    "draw has one winding",
+                                "choose \"layerOutput\" or \"passes\""};
     return std::nullopt;
 }
 

@@ -45,8 +45,8 @@ SeparateViews find_mixed_layers(const Declared& declared, const VersionedGraph& 
             Diagnostic& d = reporter.error(
                 desc.lowering_loc, "W199",
                 "the views of pass " + quote(desc.name) + " cannot be drawn by one pass: " + reason);
-            add_help(d, "write all of these layers earlier, or none of them; or remove \"lowering\", so that "
-                        "Weft chooses");
+            add_help(d, "write all of these layers earlier, or none of them");
+            add_help(d, "or remove \"lowering\", so that Weft chooses");
             break;
         }
     }
