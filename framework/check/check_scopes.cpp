@@ -60,6 +60,8 @@ class ScopeRule {
             return fault("one of the two passes does not draw in every frame");
         if (first_pass_.render_extent != second_pass_.render_extent)
             return fault("the two passes have different render extents");
+        if (first_pass_.lowering != second_pass_.lowering)
+            return fault("the two passes draw their views in different ways");
         const std::vector<Bound> before = bound_by(first_pass_), after = bound_by(second_pass_);
         if (after.empty() || !same_places(before, after) || !same_places(after, before))
             return fault("the two passes differ in attachments or in layouts of attachments");

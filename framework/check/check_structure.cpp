@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "check/check_areas.h"
+#include "check/check_buffer_views.h"
 #include "check/check_frame_slices.h"
 #include "check/check_groups.h"
 #include "check/check_indirect.h"
@@ -290,6 +291,7 @@ bool check_structure(const FramePlan& plan, FaultList& faults) {
     if (faults.any("C344")) return false;
     check_indirect(plan, faults);
     check_views(plan, faults);
+    check_buffer_views(plan, faults);
     check_tables(plan, faults);
     check_edges(plan, faults);
     check_lifetimes(plan, faults);

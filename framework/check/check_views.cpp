@@ -1,51 +1,92 @@
 #include "check/check_views.h"
 
 #include <algorithm>
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "check/check_scopes.h"
 
 namespace weft::check {
 namespace {
 
-// Returns the list of the pass's view if its views are in a buffer; otherwise null.
-const ViewListDecl* find_buffer_list(const FramePlan& plan, const PassDecl& pass) {
-    for (const ViewListDecl& list : plan.graph.views)
-        if (list.source == ViewSource::buffer && pass.view.starts_with(list.name + "(")) return &list;
-    return nullptr;
-}
+// A mask of views has 32 bits.
+constexpr size_t kMostMultiviews = 32;
 
-// Returns true if the use is the element of the buffer that the name of the view gives, such as element 2 for
-// "fitted(2)".
-bool is_element(const ResourceDecl& buffer, const UseDecl& use, const PassDecl& pass,
-                const ViewListDecl& list) {
-    if (buffer.name != list.of || buffer.kind != ResourceKind::buffer || !use.bytes) return false;
-    const uint64_t stride = buffer.stride_bytes;
-    const uint64_t number = stride == 0 ? 0 : use.bytes->offset_bytes / stride;
-    return stride > 0 && use.bytes->size_bytes == stride && use.bytes->offset_bytes == number * stride &&
-           number < list.count && pass.view == list.name + "(" + std::to_string(number) + ")";
-}
+class LoweringRule {
+ public:
+    LoweringRule(const FramePlan& plan, PassId id, FaultList& faults)
+        : plan_(plan), id_(id), pass_(plan.graph.passes[id]), faults_(faults) {}
 
-bool is_sound(const FramePlan& plan, const PassDecl& pass, const ViewListDecl& list) {
-    if (pass.view_use >= pass.uses.size()) return false;
-    const UseDecl& use = pass.uses[pass.view_use];
-    return is_element(plan.graph.resources[use.resource], use, pass, list) && !use.is_output &&
-           (use.state.access & access::kUniformRead) != 0;
-}
+    void check() {
+        if (pass_.lowering == ViewLowering::none) {
+            if (!pass_.views.empty()) fault("it has a list of views, but no lowering");
+            return;
+        }
+        if (pass_.kind != PassKind::raster && pass_.kind != PassKind::fullscreen)
+            return fault("it is not a drawing pass");
+        if (pass_.views.empty()) return fault("its list of views is empty");
+        if (pass_.lowering == ViewLowering::multiview && pass_.views.size() > kMostMultiviews)
+            fault("multiview has at most 32 views, but the pass has " + std::to_string(pass_.views.size()));
+        if (pass_.frame_slices != 0) fault("its views run in different frames (perFrame)");
+        check_names();
+        for (uint32_t u = 0; u < pass_.uses.size(); ++u) check_use(u);
+        for (const AttachmentDecl& color : pass_.colors)
+            if (color.resolve_use != kNoId) fault("it resolves an attachment");
+    }
+
+ private:
+    void fault(const std::string& why) {
+        faults_.add("C346", pass_.loc,
+                    "pass " + faults_.pass_name(id_) + " draws several views at once, but " + why,
+                    "draw each view by a pass of its own");
+    }
+
+    // The views must be view first, first + 1 and so on of one list, because view i is drawn to layer i.
+    void check_names() {
+        if (pass_.views.front() != pass_.view) fault("its first view is not " + pass_.view);
+        if (pass_.views.size() == 1) return;
+        const size_t open = pass_.view.find('(');
+        const std::string list = pass_.view.substr(0, open);
+        const auto known = std::find_if(plan_.graph.views.begin(), plan_.graph.views.end(),
+                                        [&](const ViewListDecl& decl) { return decl.name == list; });
+        if (open == std::string::npos || known == plan_.graph.views.end())
+            return fault("its views are not those of a list of the plan");
+        uint32_t first = 0;
+        std::from_chars(pass_.view.data() + open + 1, pass_.view.data() + pass_.view.size(), first);
+        for (size_t i = 0; i < pass_.views.size(); ++i)
+            if (pass_.views[i] != list + "(" + std::to_string(first + i) + ")")
+                fault("its view " + std::to_string(i) + " is " + pass_.views[i]);
+        if (uint64_t{first} + pass_.views.size() > known->count)
+            fault("the list " + list + " has only " + std::to_string(known->count) + " views");
+    }
+
+    void check_use(uint32_t index) {
+        const UseDecl& use = pass_.uses[index];
+        const ResourceDecl& resource = plan_.graph.resources[use.resource];
+        if (!is_attachment(pass_, index)) {
+            if (writes(use.access))
+                fault("its views also write " + faults_.resource_name(use.resource) +
+                      ", which is no attachment, so the order of the views matters");
+            return;
+        }
+        if (use.range.layers != pass_.views.size() || use.range.mips != 1)
+            fault("its " + std::to_string(pass_.views.size()) +
+                  " views need as many layers of one mip, and " + faults_.part_name(use.resource, use.range) +
+                  " is another part");
+        if (resource.samples != 1) fault(faults_.resource_name(use.resource) + " is multisampled");
+    }
+
+    const FramePlan& plan_;
+    PassId id_;
+    const PassDecl& pass_;
+    FaultList& faults_;
+};
 
 }  // namespace
 
 void check_views(const FramePlan& plan, FaultList& faults) {
-    for (const PassDecl& pass : plan.graph.passes) {
-        // A pass without `view_use` does not read its view.
-        if (pass.view_use == kNoId) continue;
-        const ViewListDecl* list = find_buffer_list(plan, pass);
-        const bool sound = list != nullptr && is_sound(plan, pass, *list) && !pass.culls_draws;
-        if (sound) continue;
-        faults.add(
-            "C347", pass.loc,
-            "pass \"" + pass.name + "\" reads view \"" + pass.view +
-                "\" from other bytes than those of the view, or leaves out draws although the CPU does "
-                "not know the view",
-            "this is an error of Weft, not of the graph: please report it");
-    }
+    for (const PassId id : plan.schedule.order) LoweringRule(plan, id, faults).check();
 }
 
 }  // namespace weft::check

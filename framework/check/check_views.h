@@ -1,4 +1,5 @@
-// Purpose: checks that passes whose view is in a buffer read the right element of this buffer. Errors: C347.
+// Purpose: checks the passes that draw several views: their views, and the layers to which these are drawn.
+// Errors: C346.
 #pragma once
 
 #include "check/fault_list.h"

@@ -62,7 +62,9 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
     views_.update({view_, sun_, scene.lights(), input.views}, plan().graph);
-    if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views()); !set)
+    if (Status set =
+            scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views(), views_.united_views());
+        !set)
         return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};
     HostInputs host;

@@ -1,10 +1,12 @@
 #include "render/gpu_frame.h"
 
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <utility>
 
 #include "render/scene_bindings.h"
+#include "weft/vulkan/draw_source.h"
 
 namespace weft::render {
 namespace {
@@ -21,6 +23,8 @@ static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kSlotBytes % kAlignmentB
               kViewBytes % kAlignmentBytes == 0);
 static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);
 static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kSlotBytes);
+static_assert(kViewBytes == vk::kViewStrideBytes);
+static_assert(offsetof(shared::ViewConstants, number) == vk::kViewNumberOffsetBytes);
 
 // The descriptor sets of an executor whose passes read views from buffers.
 class BufferViewSets final : public vk::ViewSets {
@@ -86,12 +90,12 @@ Result<std::unique_ptr<vk::ViewSets>> GpuFrame::make_view_sets(std::span<const v
     return std::unique_ptr<vk::ViewSets>(std::make_unique<BufferViewSets>(std::move(*sets)));
 }
 
-void GpuFrame::write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& view) const {
+void GpuFrame::write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& views) const {
     const uint64_t slot_bytes = slot * kSlotBytes;
     const VkDescriptorImageInfo image = environment_.descriptor(), pictures = light_functions_.pictures();
     const VkDescriptorBufferInfo shapes = light_functions_.functions();
     const std::array infos{
-        VkDescriptorBufferInfo{constants_.handle(), slot_bytes, sizeof(shared::FrameConstants)}, view};
+        VkDescriptorBufferInfo{constants_.handle(), slot_bytes, sizeof(shared::FrameConstants)}, views};
     const VkDescriptorBufferInfo sun{constants_.handle(), slot_bytes + kSunOffsetBytes,
                                      sizeof(shared::SunConstants)};
     write_buffers(*device_, to, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);
@@ -109,6 +113,10 @@ uint32_t GpuFrame::index_of(std::string_view view) const {
 VkDescriptorSet GpuFrame::set(uint32_t slot, std::string_view view) const {
     const uint32_t index = index_of(view);
     return blocks_[index / kBlockViews].sets.sets[slot * kBlockViews + index % kBlockViews];
+}
+
+VkDescriptorSet GpuFrame::set(uint32_t slot, std::span<const std::string> views) const {
+    return arrays_.at(ViewNames(views.begin(), views.end())).sets.sets[slot];
 }
 
 void GpuFrame::add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
@@ -129,7 +137,7 @@ void GpuFrame::add_bytes(uint32_t slot, std::string_view view, std::span<const F
 }
 
 Status GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame, const shared::SunConstants& sun,
-                       std::span<const FrameView> views) {
+                       std::span<const FrameView> views, std::span<const ViewNames> united_views) {
     while (blocks_.size() * kBlockViews < views.size())
         if (Status added = add_block(); !added) return added;
     std::byte* memory = constants_.mapped().data() + slot * kSlotBytes;
@@ -141,6 +149,39 @@ Status GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame, const
         std::byte* to = blocks_[i / kBlockViews].constants.mapped().data();
         std::memcpy(to + (slot * kBlockViews + i % kBlockViews) * kViewBytes, &views[i].constants,
                     sizeof views[i].constants);
+    }
+    for (const ViewNames& names : united_views)
+        if (Status written = write_array(slot, names, views); !written) return written;
+    return Unit{};
+}
+
+Result<GpuFrame::ViewArray> GpuFrame::make_array(size_t views) const {
+    ViewArray array;
+    array.slot_bytes = views * kViewBytes;
+    Result<DescriptorSets> sets =
+        DescriptorSets::create(*device_, layout_bindings(0), vk::kFramesInFlight, "frame constants");
+    if (!sets) return sets.take_errors();
+    Result<vk::Buffer> constants = make_constants(*device_, array.slot_bytes * vk::kFramesInFlight);
+    if (!constants) return constants.take_errors();
+    array.sets = std::move(*sets);
+    array.constants = std::move(*constants);
+    for (uint32_t slot = 0; slot < vk::kFramesInFlight; ++slot)
+        write_set(array.sets.sets[slot], slot,
+                  {array.constants.handle(), slot * array.slot_bytes, array.slot_bytes});
+    return array;
+}
+
+Status GpuFrame::write_array(uint32_t slot, const ViewNames& names, std::span<const FrameView> views) {
+    auto array = arrays_.find(names);
+    if (array == arrays_.end()) {
+        Result<ViewArray> made = make_array(names.size());
+        if (!made) return made.take_errors();
+        array = arrays_.emplace(names, std::move(*made)).first;
+    }
+    std::byte* to = array->second.constants.mapped().data() + slot * array->second.slot_bytes;
+    for (size_t i = 0; i < names.size(); ++i) {
+        const shared::ViewConstants& constants = views[index_of(names[i])].constants;
+        std::memcpy(to + i * kViewBytes, &constants, sizeof constants);
     }
     return Unit{};
 }

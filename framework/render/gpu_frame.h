@@ -1,6 +1,7 @@
 // Purpose: the descriptor sets that are bound as set 0: one for each pair of a frame slot and a view that
-// passes use. Each set refers to the frame constants, the sun's shadow cascades and its view. The host writes
-// these for each frame slot. All sets also refer to the same environment and light functions.
+// passes use, and one for each pair of a frame slot and the views of a pass with multiview. Each set refers
+// to the frame constants, the sun's shadow cascades and its views. The host writes these for each frame slot.
+// All sets also refer to the same environment and light functions.
 #pragma once
 
 #include <map>
@@ -24,8 +25,10 @@ class GpuFrame {
 
     // Writes the constants of a frame slot, and makes descriptor sets for views that have none. The slot must
     // not be in flight: Executor::begin_frame() returns a free one. The first view is the camera.
+    // `united_views`: the views of each pass with multiview.
     [[nodiscard]] Status write(uint32_t slot, const shared::FrameConstants& frame,
-                               const shared::SunConstants& sun, std::span<const FrameView> views);
+                               const shared::SunConstants& sun, std::span<const FrameView> views,
+                               std::span<const ViewNames> united_views);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_.layout.get(); }
     // Makes descriptor sets whose views are in buffers; see DrawSource::make_view_sets().
     [[nodiscard]] Result<std::unique_ptr<vk::ViewSets>> make_view_sets(
@@ -36,6 +39,9 @@ class GpuFrame {
     // Returns descriptor set 0 for a view of the last write(), such as "camera" or "sun(1)". For other names
     // it returns that of the camera.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
+    // Returns descriptor set 0 for several views at once, which must be in `united_views` of the last
+    // write().
+    [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::span<const std::string> views) const;
 
  private:
     // Memory and descriptor sets for a number of views. Frames in flight may use them, so a block stays when
@@ -46,9 +52,19 @@ class GpuFrame {
     };
     static constexpr uint32_t kBlockViews = 8;
 
+    // Memory and descriptor sets for the views of a pass with multiview, one part for each frame slot. They
+    // stay, because frames in flight may use them.
+    struct ViewArray {
+        DescriptorSets sets;
+        vk::Buffer constants;
+        uint64_t slot_bytes = 0;
+    };
+
     [[nodiscard]] Status add_block();
-    // Writes all bindings of a descriptor set 0. `view` has the constants of the view.
-    void write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& view) const;
+    // Writes all bindings of a descriptor set 0. `views` has the constants of the view or views.
+    void write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& views) const;
+    [[nodiscard]] Status write_array(uint32_t slot, const ViewNames& names, std::span<const FrameView> views);
+    [[nodiscard]] Result<ViewArray> make_array(size_t views) const;
     [[nodiscard]] uint32_t index_of(std::string_view view) const;
 
     vk::Device* device_ = nullptr;
@@ -56,6 +72,7 @@ class GpuFrame {
     vk::Buffer constants_;   // The constants of the frame and of the sun.
     std::vector<ViewBlock> blocks_;
     std::map<std::string, uint32_t, std::less<>> index_of_view_;
+    std::map<ViewNames, ViewArray> arrays_;
     GpuEnvironment environment_;
     GpuLightFunctions light_functions_;
 };

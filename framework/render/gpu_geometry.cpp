@@ -138,8 +138,8 @@ Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene
         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     std::vector<vk::Buffer> buffers;
     std::vector<shared::Instance> placed = instances_of(scene, ranges);
-    const bool moves = std::ranges::any_of(
-        scene.instances, [](const scene::Instance& i) { return i.node != scene::kNone; });
+    const bool moves =
+        std::ranges::any_of(scene.instances, [](const scene::Instance& i) { return i.node != scene::kNone; });
     if (!moves) {
         Result<vk::Buffer> buffer = filled(device, std::move(placed), kStorage, "scene instances");
         if (!buffer) return buffer.take_errors();
@@ -148,8 +148,8 @@ Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene
     }
     const std::span<const std::byte> bytes = std::as_bytes(std::span(placed));
     for (uint32_t slot = 0; slot < vk::kFramesInFlight; ++slot) {
-        Result<vk::Buffer> buffer = vk::Buffer::create(device, bytes.size(), kStorage,
-                                                       vk::Buffer::Memory::upload, "scene instances");
+        Result<vk::Buffer> buffer =
+            vk::Buffer::create(device, bytes.size(), kStorage, vk::Buffer::Memory::upload, "scene instances");
         if (!buffer) return buffer.take_errors();
         std::ranges::copy(bytes, buffer->mapped().begin());
         buffers.push_back(std::move(*buffer));

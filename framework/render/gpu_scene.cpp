@@ -124,8 +124,9 @@ void GpuScene::move(uint32_t slot, std::span<const glm::mat4> nodes) {
 }
 
 Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                           const shared::SunConstants& sun, std::span<const FrameView> views) {
-    if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
+                           const shared::SunConstants& sun, std::span<const FrameView> views,
+                           std::span<const ViewNames> united_views) {
+    if (Status written = frame_.write(slot, frame, sun, views, united_views); !written) return written;
     views_.clear();
     for (const FrameView& view : views)
         views_.emplace(view.name, ViewShape{view.mirrored, frustum_of(view.constants)});
@@ -205,6 +206,10 @@ VkDescriptorSet GpuScene::frame_set_of_area(uint32_t frame_slot, std::string_vie
     return frame_.set(frame_slot, area_view(view, area));
 }
 
+VkDescriptorSet GpuScene::views_set(uint32_t frame_slot, std::span<const std::string> views) const {
+    return frame_.set(frame_slot, views);
+}
+
 bool GpuScene::add_frame_bytes(uint32_t frame_slot, std::string_view view, std::span<const FrameRange> ranges,
                                std::vector<std::byte>& bytes) const {
     frame_.add_bytes(frame_slot, view, ranges, bytes);
@@ -236,20 +241,20 @@ uint32_t GpuScene::record(const vk::DrawContext& context) const {
         return 0;
     }
     const bool mirrored = is_mirrored(context.view);
-    const Frustum* frustum = find_frustum(context);
+    const Frusta frusta = find_frusta(context);
     uint32_t left_out = 0;
     DrawState state;
     const std::vector<Draw>& draws = found->second.draws;
     for (uint32_t i = 0; i < draws.size();) {
         const uint32_t place = place_of(context.list, i);
         const Draw& draw = draws[place];
-        const bool outside = frustum != nullptr && is_outside(*frustum, draw.box, context.depth_clamp);
+        const bool outside = is_outside(frusta, draw.box, context.depth_clamp);
         if (draw.variant != context.variant || outside) {
             left_out += draw.variant == context.variant ? 1 : 0;
             ++i;
             continue;
         }
-        const uint32_t same = count_alike(context, draws, i, frustum);
+        const uint32_t same = count_alike(context, draws, i, frusta);
         i += same;
         set_state(context, draw, draw.mirrored != mirrored, state);
         if (context.draw_commands != VK_NULL_HANDLE)
@@ -264,15 +269,21 @@ uint32_t GpuScene::record(const vk::DrawContext& context) const {
 }
 
 // A shader that does not read the matrix of the view may place vertices anywhere.
-const Frustum* GpuScene::find_frustum(const vk::DrawContext& context) const {
+Frusta GpuScene::find_frusta(const vk::DrawContext& context) const {
     constexpr uint32_t kMatrix = offsetof(shared::ViewConstants, view_projection);
     const bool reads_matrix = std::ranges::any_of(context.frame_ranges, [](const FrameRange& range) {
         return range.binding == kViewBinding && range.offset_bytes <= kMatrix &&
                kMatrix < range.offset_bytes + range.size_bytes;
     });
-    const auto view = views_.find(context.view);
-    return culls_ && context.culls_draws && reads_matrix && view != views_.end() ? &view->second.frustum
-                                                                                 : nullptr;
+    if (!culls_ || !context.culls_draws || !reads_matrix) return {};
+    Frusta frusta;
+    const auto add = [&](std::string_view name) {
+        const auto view = views_.find(name);
+        if (view != views_.end()) frusta.push_back(&view->second.frustum);
+    };
+    if (context.views.empty()) add(context.view);
+    for (const std::string& name : context.views) add(name);
+    return frusta;
 }
 
 // Records one command that draws as many commands of the buffer as the GPU has counted. resolve() ensures
@@ -290,7 +301,7 @@ void GpuScene::record_counted(const vk::DrawContext& context) const {
 // same mesh and state, their instances have consecutive indices, and none of them is outside of the frustum.
 // With indirect drawing the result is 1, because each draw has its own command in the buffer.
 uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws, uint32_t i,
-                               const Frustum* frustum) const {
+                               const Frusta& frusta) const {
     if (context.draw_commands != VK_NULL_HANDLE) return 1;
     const Draw& first = draws[place_of(context.list, i)];
     uint32_t count = 1;
@@ -299,7 +310,7 @@ uint32_t GpuScene::count_alike(const vk::DrawContext& context, const std::vector
         const bool alike = next.mesh == first.mesh && next.instance == first.instance + count &&
                            next.material == first.material && next.variant == first.variant &&
                            next.double_sided == first.double_sided && next.mirrored == first.mirrored &&
-                           (frustum == nullptr || !is_outside(*frustum, next.box, context.depth_clamp));
+                           !is_outside(frusta, next.box, context.depth_clamp);
         if (!alike) break;
     }
     return count;

@@ -34,9 +34,11 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] const MovingObjects& moving() const { return moving_; }
 
     // Writes the constants of a frame slot, and sorts the transparent surfaces by distance. Call it between
-    // Executor::begin_frame() and run(). The first view is the camera.
+    // Executor::begin_frame() and run(). The first view is the camera. `united_views`: the views of each pass
+    // with multiview.
     [[nodiscard]] Status set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                                   const shared::SunConstants& sun, std::span<const FrameView> views);
+                                   const shared::SunConstants& sun, std::span<const FrameView> views,
+                                   std::span<const ViewNames> united_views);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;
@@ -44,6 +46,9 @@ class GpuScene final : public vk::DrawSource {
         std::span<const vk::ViewPlace> places) const override;
     [[nodiscard]] VkDescriptorSet frame_set_of_area(uint32_t frame_slot, std::string_view view,
                                                     const LiveArea& area) const override;
+    [[nodiscard]] VkDescriptorSet views_set(uint32_t frame_slot,
+                                            std::span<const std::string> views) const override;
+    [[nodiscard]] bool draws_several_views() const override { return true; }
     [[nodiscard]] bool add_frame_bytes(uint32_t frame_slot, std::string_view view,
                                        std::span<const FrameRange> ranges,
                                        std::vector<std::byte>& bytes) const override;
@@ -93,9 +98,9 @@ class GpuScene final : public vk::DrawSource {
         std::optional<bool> clockwise, double_sided;
     };
     [[nodiscard]] uint32_t count_alike(const vk::DrawContext& context, const std::vector<Draw>& draws,
-                                       uint32_t i, const Frustum* frustum) const;
-    // Returns the frustum outside of which draws are left out; null if all draws are recorded.
-    [[nodiscard]] const Frustum* find_frustum(const vk::DrawContext& context) const;
+                                       uint32_t i, const Frusta& frusta) const;
+    // Returns the frustums of the views that are drawn; empty if all draws are recorded.
+    [[nodiscard]] Frusta find_frusta(const vk::DrawContext& context) const;
     void set_state(const vk::DrawContext& context, const Draw& draw, bool clockwise, DrawState& state) const;
     // Returns the index in `list` of the draw that is recorded as number i, counted from 0. The index differs
     // from i only in the transparent list, which is recorded from far to near.

@@ -60,6 +60,7 @@ void expect_shares(const GraphCoverage& coverage) {
           coverage.draw_counts, coverage.reductions, coverage.anisotropic, coverage.levels, coverage.shared,
           coverage.files, coverage.scene_buffers})
         EXPECT_GE(count * 50, coverage.graphs) << coverage.text();
+    EXPECT_GE(coverage.views * 10, coverage.graphs);
 }
 
 TEST(RandomPlans, GiveWhatTheGraphMeansWithAllFeaturesForAllProfiles) {

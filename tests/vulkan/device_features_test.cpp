@@ -48,11 +48,14 @@ TEST_F(MadeWith, NothingThatTheGateRefuses) {
           v10.shaderStorageImageMultisample, v10.shaderResourceResidency, v10.shaderResourceMinLod,
           v10.vertexPipelineStoresAndAtomics, v10.shaderTessellationAndGeometryPointSize})
         EXPECT_EQ(feature, VK_FALSE);
-    // The memory comparison checks the features of Vulkan 1.1 at once: 16-bit storage, multiview, variable
-    // pointers, draw parameters and others. All must be off.
+    // The memory comparison checks the features of Vulkan 1.1 at once: 16-bit storage, variable pointers,
+    // draw parameters and others. All must be off, except multiview: the gate refuses shaders that use it,
+    // but Weft itself adds it to shaders (lowered_views.h). The same holds for shaderOutputLayer.
     const VkPhysicalDeviceVulkan11Features none{};
+    VkPhysicalDeviceVulkan11Features v11 = enabled_.v11();
+    v11.multiview = VK_FALSE;
     EXPECT_EQ(
-        std::memcmp(&enabled_.v11().storageBuffer16BitAccess, &none.storageBuffer16BitAccess,
+        std::memcmp(&v11.storageBuffer16BitAccess, &none.storageBuffer16BitAccess,
                     sizeof(none) - offsetof(VkPhysicalDeviceVulkan11Features, storageBuffer16BitAccess)),
         0);
     const VkPhysicalDeviceVulkan12Features& v12 = enabled_.v12();
@@ -60,8 +63,8 @@ TEST_F(MadeWith, NothingThatTheGateRefuses) {
          {v12.bufferDeviceAddress, v12.bufferDeviceAddressCaptureReplay, v12.shaderBufferInt64Atomics,
           v12.shaderSharedInt64Atomics, v12.shaderFloat16, v12.shaderInt8, v12.storageBuffer8BitAccess,
           v12.uniformAndStorageBuffer8BitAccess, v12.storagePushConstant8, v12.descriptorIndexing,
-          v12.vulkanMemoryModel, v12.vulkanMemoryModelDeviceScope, v12.shaderOutputLayer,
-          v12.shaderOutputViewportIndex, v12.shaderSubgroupExtendedTypes, v12.scalarBlockLayout,
+          v12.vulkanMemoryModel, v12.vulkanMemoryModelDeviceScope, v12.shaderOutputViewportIndex,
+          v12.shaderSubgroupExtendedTypes, v12.scalarBlockLayout,
           v12.shaderStorageImageArrayNonUniformIndexing})
         EXPECT_EQ(feature, VK_FALSE);
     EXPECT_EQ(enabled_.v13().shaderZeroInitializeWorkgroupMemory, VK_FALSE);
@@ -101,6 +104,8 @@ TEST_F(MadeWith, WhatTheProfileSaysThatGraphsMayUse) {
     DeviceProfile profile;
     profile.max_sampler_anisotropy = 16;
     profile.formats[Format::r32f] = format_feature::kSampled | format_feature::kSampledMinMax;
+    profile.max_multiview_views = 6;
+    profile.max_output_layers = 256;
     add_optional_features(optional_, profile);
     EXPECT_EQ(enabled_.v10().imageCubeArray, VK_TRUE);
     EXPECT_EQ(enabled_.v10().shaderImageGatherExtended, VK_TRUE);
@@ -111,12 +116,18 @@ TEST_F(MadeWith, WhatTheProfileSaysThatGraphsMayUse) {
     EXPECT_EQ(enabled_.v10().samplerAnisotropy, VK_TRUE);
     EXPECT_EQ(enabled_.v12().samplerFilterMinmax, VK_TRUE);
     EXPECT_EQ(profile.max_sampler_anisotropy, 16.0F);
+    EXPECT_EQ(enabled_.v11().multiview, VK_TRUE);
+    EXPECT_EQ(enabled_.v12().shaderOutputLayer, VK_TRUE);
+    EXPECT_EQ(profile.max_multiview_views, 6u);
+    EXPECT_EQ(profile.max_output_layers, 256u);
     EXPECT_NE(profile.features(Format::r32f) & format_feature::kSampledMinMax, 0u);
     EXPECT_TRUE(profile.non_solid_fill && profile.depth_clamp && profile.depth_bias_clamp);
     add_optional_features({}, profile);
     EXPECT_EQ(profile.shader_capabilities, 0u) << "a device that was made without them";
     EXPECT_FALSE(profile.storage_read_without_format);
     EXPECT_EQ(profile.max_sampler_anisotropy, 1.0F);
+    EXPECT_EQ(profile.max_multiview_views, 1u);
+    EXPECT_EQ(profile.max_output_layers, 1u);
     EXPECT_EQ(profile.features(Format::r32f), format_feature::kSampled);
     EXPECT_FALSE(profile.non_solid_fill || profile.depth_clamp || profile.depth_bias_clamp);
 }

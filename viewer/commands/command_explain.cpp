@@ -26,6 +26,7 @@ const std::array kQuestions{
     Question{"wait", 1, [](const FramePlan& p, const Names& n) { return explain_wait(p, n[0]); }},
     Question{"rest", 1, [](const FramePlan& p, const Names& n) { return explain_rest(p, n[0]); }},
     Question{"switch", 1, [](const FramePlan& p, const Names& n) { return explain_switch(p, n[0]); }},
+    Question{"views", 1, [](const FramePlan& p, const Names& n) { return explain_views(p, n[0]); }},
     Question{"resource", 1, [](const FramePlan& p, const Names& n) { return explain_resource(p, n[0]); }},
 };
 
@@ -42,7 +43,7 @@ ExitCode run_explain(const ExplainOptions& options) {
     if (question == nullptr) {
         std::fputs(
             "weft: the question has a wrong number of names; ask culled PASS, barrier PASS PASS, alias "
-            "RESOURCE RESOURCE, wait PASS, rest PASS, switch PASS or resource RESOURCE\n",
+            "RESOURCE RESOURCE, wait PASS, rest PASS, switch PASS, views PASS or resource RESOURCE\n",
             stderr);
         return ExitCode::usage;
     }

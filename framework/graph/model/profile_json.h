@@ -42,6 +42,8 @@ inline constexpr std::array kLimits{
     Limit{"maxStorageImagesPerStage", &DeviceProfile::max_storage_images_per_stage},
     Limit{"textureTable", &DeviceProfile::texture_table},
     Limit{"maxDrawIndirectCount", &DeviceProfile::max_draw_indirect_count},
+    Limit{"maxMultiviewViews", &DeviceProfile::max_multiview_views},
+    Limit{"maxOutputLayers", &DeviceProfile::max_output_layers},
 };
 struct WideLimit {
     const char* name;

@@ -231,10 +231,11 @@ void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& gra
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_groups(ParseContext& context, const JsonNode& node, GraphDesc& graph);
 void parse_views(ParseContext& context, const JsonNode& node, GraphDesc& graph);
-// Parse the keys "view", "views" and "into" of a pass.
+// Parse the keys "view", "views", "into" and "lowering" of a pass.
 void parse_view(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_pass_views(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_into(ParseContext& context, const JsonNode& node, PassDesc& pass);
+void parse_lowering(ParseContext& context, const JsonNode& node, PassDesc& pass);
 // Checks the keys of a pass that do not go together with "views". Call it after all keys are parsed.
 void check_pass_views(ParseContext& context, const JsonNode& node, const PassDesc& pass);
 // Checks names of groups against other sections of the graph, after all sections are parsed: "turns" must

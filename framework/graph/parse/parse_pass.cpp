@@ -161,6 +161,7 @@ constexpr std::array kPassKeys{
     PassKey{"repeat", kAll, parse_repeat},
     PassKey{"views", kDrawing, parse_pass_views},
     PassKey{"into", kDrawing, parse_into},
+    PassKey{"lowering", kDrawing, parse_lowering},
     PassKey{"perFrame", kAll & ~kReadback, read_per_frame},
     PassKey{"rest", kShaded | kTransfer | kClear, read_rest},
     PassKey{"switch", kAll & ~kReadback, read_live_switch},

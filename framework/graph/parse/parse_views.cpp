@@ -1,5 +1,6 @@
-// Parses the section "views", and the keys of a pass that choose its views: "view", "views" and "into". A
-// pass with "views" is parsed as a repeat: its last index, kViewIndex, counts the views of the list.
+// Parses the section "views", and the keys of a pass that choose its views: "view", "views", "into" and
+// "lowering". A pass with "views" is parsed as a repeat: its last index, kViewIndex, counts the views of the
+// list.
 #include <algorithm>
 
 #include "graph/parse/expression.h"
@@ -111,6 +112,10 @@ void check_list_kind(ParseContext& context, const JsonMember& member) {
 constexpr std::array kTargets{Choice<ViewTarget>{"layers", ViewTarget::layers},
                               Choice<ViewTarget>{"rects", ViewTarget::rects}};
 
+constexpr std::array kLowerings{Choice<LoweringDesc>{"multiview", LoweringDesc::multiview},
+                                Choice<LoweringDesc>{"layerOutput", LoweringDesc::layer_output},
+                                Choice<LoweringDesc>{"passes", LoweringDesc::passes}};
+
 Expr name_expression(const std::string& name, SourceLoc loc) {
     Expr expression;
     expression.postfix.push_back({ExprOp::name, 0, name, loc});
@@ -125,6 +130,7 @@ void list_view_grammar(std::vector<GrammarTable>& lists) {
     list_keys(lists, "viewList", kViewListKeys);
     list_keys(lists, "viewCube", kCubeKeys);
     list_choices(lists, "viewTarget", kTargets);
+    list_choices(lists, "lowering", kLowerings);
 }
 
 void parse_views(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
@@ -187,6 +193,16 @@ void parse_into(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (target == ViewTarget::rects) pass.partial = true;
 }
 
+void parse_lowering(ParseContext& context, const JsonNode& node, PassDesc& pass) {
+    LoweringDesc lowering = LoweringDesc::automatic;
+    if (!read_choice(context, node, kLowerings, lowering)) return;
+    if (pass.view_target == ViewTarget::one)
+        return context.error(node.loc, "W109", "the pass draws only one view, but has \"lowering\"",
+                             "remove \"lowering\", or draw all views of a list with \"views\"");
+    pass.lowering = lowering;
+    pass.lowering_loc = node.loc;
+}
+
 void check_pass_views(ParseContext& context, const JsonNode& node, const PassDesc& pass) {
     if (pass.view_target == ViewTarget::one) return;
     const auto refuse = [&](const JsonNode& value, std::string_view key, const char* code,
@@ -198,6 +214,13 @@ void check_pass_views(ParseContext& context, const JsonNode& node, const PassDes
     if (const JsonNode* view = node.find("view"))
         refuse(*view, "view", "W109", "", "remove one of the two: \"view\" is for passes that draw one view");
     if (pass.view_target != ViewTarget::rects) return;
+    if (pass.lowering == LoweringDesc::multiview || pass.lowering == LoweringDesc::layer_output) {
+        const PointerScope scope(context, "lowering");
+        context.error(pass.lowering_loc, "W199",
+                      "a pass with \"into\": \"rects\" draws each view by a pass of its own, but its "
+                      "\"lowering\" is another one",
+                      "remove \"lowering\", or use \"into\": \"layers\"");
+    }
     const char* const rects = ", because each view has its own rectangle";
     const JsonNode* state = node.find("state");
     for (const char* key : {"viewport", "scissor"})

@@ -52,6 +52,7 @@ std::string pipeline_hash(const PipelineParts& parts) {
         }
         if (parts.pass.kind == PassKind::compute) return;
         add_state(v, parts.pass.state);
+        if (parts.pass.lowering == ViewLowering::multiview) v("views", parts.pass.views.size());
         for (const AttachmentDecl& color : parts.pass.colors) add_target(v, parts, color);
         v("depth", parts.pass.depth.has_value());
         if (parts.pass.depth) add_target(v, parts, *parts.pass.depth);

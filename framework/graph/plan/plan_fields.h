@@ -153,7 +153,9 @@ void visit_fields(V& v, const PassDecl& x) {
     v("groups", x.groups), v("indirectUse", x.indirect_use), v("colors", x.colors), v("depth", x.depth),
         v("renderExtent", x.render_extent);
     v("state", x.state), v("drawLists", x.draw_lists), v("vertices", x.vertices), v("instances", x.instances),
-        v("view", x.view), v("cullsDraws", x.culls_draws), v("clear", x.clear), v("flops", x.flops);
+        v("view", x.view), v("views", x.views), v("lowering", x.lowering),
+        v("loweringReason", x.lowering_reason), v("cullsDraws", x.culls_draws), v("clear", x.clear),
+        v("flops", x.flops);
     v("orderKey", x.order_key), v("drawCommandsUse", x.draw_commands_use),
         v("drawCountUse", x.draw_count_use), v("mostDraws", x.most_draws), v("viewUse", x.view_use);
     v("frameSlice", x.frame_slice), v("frameSlices", x.frame_slices), v("restUnit", x.rest_unit),

@@ -64,6 +64,10 @@ const char* enum_name(ViewSource value) {
     return pick(value, std::array{"program", "mirror", "cube", "buffer"});
 }
 
+const char* enum_name(ViewLowering value) {
+    return pick(value, std::array{"none", "multiview", "layerOutput"});
+}
+
 const char* enum_name(OnResize value) {
     return pick(value, std::array{"clear", "resample", "refill"});
 }

@@ -18,6 +18,7 @@ namespace weft {
 [[nodiscard]] const char* enum_name(BarrierReason value);
 [[nodiscard]] const char* enum_name(OnResize value);
 [[nodiscard]] const char* enum_name(ViewSource value);
+[[nodiscard]] const char* enum_name(ViewLowering value);
 [[nodiscard]] const char* enum_name(EachPart value);
 [[nodiscard]] const char* enum_name(SamplerFilter value);
 [[nodiscard]] const char* enum_name(SamplerReduction value);

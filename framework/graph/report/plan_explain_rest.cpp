@@ -5,6 +5,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/report/group_phrases.h"
 #include "graph/report/plan_phrases.h"
+#include "graph/report/view_phrases.h"
 #include "weft/report/plan_explain.h"
 
 namespace weft {
@@ -20,7 +21,7 @@ class WakeReasons {
         add_params(id);
         if (!pass.shader.empty()) {
             // A view in a buffer is one of the uses of the pass.
-            const std::string view = pass.view_use == kNoId ? " and view \"" + pass.view + "\"" : "";
+            const std::string view = pass.view_use == kNoId ? " and view \"" + view_range(pass) + "\"" : "";
             line("a constant of set 0 (frame" + view + ") that shader \"" + pass.shader +
                  "\" reads, if it reads one");
             line("shader \"" + pass.shader + "\" or one of its specialisation constants");

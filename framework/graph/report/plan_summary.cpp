@@ -13,6 +13,7 @@
 #include "graph/report/live_phrases.h"
 #include "graph/report/plan_phrases.h"
 #include "graph/report/switch_phrases.h"
+#include "graph/report/view_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/report/memory_report.h"
 
@@ -139,11 +140,12 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
         if (count.value != kNoId) facts.push_back("groups follow " + live_name(plan.graph, count.value));
     if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
         facts.push_back("render extent " + extent_fact(pass.render_extent));
+    if (const std::string views = describe_lowering(pass); !views.empty()) facts.push_back("views " + views);
     for (const std::string& list : pass.draw_lists)
-        facts.push_back("draws " + list + " as seen by " + pass.view);
+        facts.push_back("draws " + list + " as seen by " + view_range(pass));
     if (pass.vertices > 0)
         facts.push_back("draws " + std::to_string(pass.vertices) + " vertices x " +
-                        std::to_string(pass.instances) + " as seen by " + pass.view);
+                        std::to_string(pass.instances) + " as seen by " + view_range(pass));
     if (pass.view_use != kNoId)
         facts.push_back("reads its view from " + describe_part(plan, pass.uses[pass.view_use].resource,
                                                                pass.uses[pass.view_use].range));

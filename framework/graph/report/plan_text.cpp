@@ -6,6 +6,7 @@
 #include "graph/report/group_phrases.h"
 #include "graph/report/live_phrases.h"
 #include "graph/report/switch_phrases.h"
+#include "graph/report/view_phrases.h"
 #include "graph/sync/scopes.h"
 #include "weft/compile.h"
 #include "weft/report/memory_report.h"
@@ -132,6 +133,8 @@ class PlanText {
         waits(position);
         if (const PassId first = continued_pass(plan_, position); first != kNoId)
             text_ += "    continues the rendering scope of pass " + pass(first) + "\n";
+        if (const std::string views = describe_lowering(decl); !views.empty())
+            text_ += "    views " + views + "\n";
         if (decl.rest_unit != kNoId) text_ += "    " + unit(s.pass) + "\n";
         if (decl.switch_id != kNoId)
             text_ += "    runs while " + describe_combinations(plan_.graph, decl.runs_in) + "\n";

@@ -16,6 +16,7 @@ void add_bound(const BoundPass& bound, PassDecl& pass) {
     pass.view = bound.view;
     const auto view = std::ranges::find_if(bound.ports, &PortDraft::is_view);
     if (view != bound.ports.end()) pass.view_use = static_cast<uint32_t>(view - bound.ports.begin());
+    pass.views = bound.views;
     pass.clear = bound.clear;
 }
 

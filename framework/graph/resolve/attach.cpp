@@ -168,7 +168,7 @@ class PassAttacher : PassStage<Attachments> {
                          "attachment " + quote(use.port) + " of pass " + quote(draft_.decl.name) +
                              " is the 3D image " + quote(resource.name),
                          "write the 3D image in a compute pass, or use an array image");
-        if (use.range.mips == 1 && use.range.layers == 1) return;
+        if (use.range.mips == 1 && use.range.layers == std::max(draft_.views, 1u)) return;
         const std::string pick =
             resource.name + (use.range.mips > 1 ? ".mip(0)" : "") + (use.range.layers > 1 ? ".layer(0)" : "");
         error(use.loc, "W169",

@@ -73,6 +73,7 @@ struct BoundPass {
     uint32_t vertices = 0;
     uint32_t instances = 0;
     std::string view = PassDecl{}.view;
+    std::vector<std::string> views = {};  // As PassDecl::views.
     std::array<float, 4> clear{0, 0, 0, 0};
 };
 

@@ -6,6 +6,7 @@
 #include "graph/resolve/expand/expand_groups.h"
 #include "graph/resolve/expand/expand_repeat.h"
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/lower/choose_lowering.h"
 #include "graph/resolve/switches/find_switches.h"
 
 namespace weft {
@@ -55,23 +56,36 @@ void slice(const Evaluator& evaluator, size_t count, PassDraft& draft) {
     draft.decl.frame_slices = (passes + at_once - 1) / at_once;
 }
 
+ChosenLowering find_lowering(const ResolveInput& input, const Values& values, const Shapes& shapes,
+                             const PassDesc& desc, const SeparateViews& separate, Reporter& reporter) {
+    if (desc.view_target != ViewTarget::layers) return {};
+    const auto reason = separate.find(desc.name);
+    if (reason != separate.end()) return {ViewLowering::none, 0, reason->second};
+    return choose_lowering(input, values, shapes, desc, reporter);
+}
+
 // Makes the passes of all descriptions. The key of the returned map is the name of the pass, such as
 // "blur#2".
 std::map<std::string, PassDraft> draft_passes(const ResolveInput& input, const Values& values,
                                               const Evaluator& evaluator, const Shapes& shapes,
-                                              Expansion& expansion, Reporter& reporter) {
+                                              const SeparateViews& separate, Expansion& expansion,
+                                              Reporter& reporter) {
     std::map<std::string, PassDraft> drafts;
     RepeatCounts counts;
     const auto add = [&](const PassDesc& desc, bool is_observer) {
-        std::vector<PassInstance> found =
-            repeat_pass(input, values, evaluator, shapes, desc, counts, expansion, reporter);
+        const ChosenLowering lowering = find_lowering(input, values, shapes, desc, separate, reporter);
+        std::vector<PassInstance> found = repeat_pass(input, values, evaluator, shapes, desc,
+                                                      lowering.views > 0, counts, expansion, reporter);
         expansion.instances[desc.name].assign(found.size(), kNoId);
         for (uint32_t i = 0; i < found.size(); ++i) {
             drafts[found[i].name] = {.decl = declare(desc, found[i].name),
                                      .desc = &desc,
                                      .indices = std::move(found[i].indices),
                                      .instance = i,
+                                     .views = lowering.views,
                                      .is_observer = is_observer};
+            drafts[found[i].name].decl.lowering = lowering.kind;
+            drafts[found[i].name].decl.lowering_reason = lowering.reason;
         }
     };
     for (const auto& [name, desc] : input.graph.passes) add(desc, false);
@@ -96,7 +110,8 @@ void name_passes(const Evaluator& evaluator, std::map<std::string, PassDraft> dr
 
 }  // namespace
 
-Expansion expand(const ResolveInput& input, const Values& values, const Shapes& shapes, Reporter& reporter) {
+Expansion expand(const ResolveInput& input, const Values& values, const Shapes& shapes, Reporter& reporter,
+                 const SeparateViews& separate) {
     Expansion expansion;
     expansion.suspects = shapes.suspects;
     expansion.too_large = shapes.too_large;
@@ -104,7 +119,8 @@ Expansion expand(const ResolveInput& input, const Values& values, const Shapes& 
     expansion.observers = find_observers(input, reporter);
     expansion.carries = describe_carries(input, shapes);
     const Evaluator evaluator(values, shapes, expansion.suspects, reporter);
-    name_passes(evaluator, draft_passes(input, values, evaluator, shapes, expansion, reporter), expansion);
+    name_passes(evaluator, draft_passes(input, values, evaluator, shapes, separate, expansion, reporter),
+                expansion);
     if (!input.graph.groups.empty()) expand_groups(input, evaluator, expansion);
     PassReporter report(shapes, expansion, expansion.suspects, reporter);
     find_switches(input, expansion, report);

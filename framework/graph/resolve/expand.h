@@ -2,7 +2,7 @@
 // results in one pass, in several passes (`repeat`), or in none (`if`). Each reference in
 // GraphRequest::observed becomes a separate pass that reads the resource back. Each pass gets its kind,
 // shader, fixed-function state and switch. Each group gets its rounds. Errors: W106, W107, W109, W115, W125,
-// W177, W187, W233, W235, and those of references.
+// W177, W187, W199, W233, W235, and those of references.
 #pragma once
 
 #include <map>
@@ -23,6 +23,9 @@ struct PassDraft {
     std::map<std::string, double> indices = {};
     // Number of this pass within its repeat, from 0.
     uint32_t instance = 0;
+    // Number of views that the pass draws, if it draws several: see PassDecl::views. Else 0. The index "view"
+    // is then 0.
+    uint32_t views = 0;
     // For a pass of a group: the index of the group in Expansion::groups, and the number of the round.
     uint32_t group = kNoId;
     uint32_t round = 0;
@@ -65,7 +68,9 @@ struct Expansion {
     bool too_large = false;
     Suspects suspects;
 };
+// Passes with views that must not be drawn by one pass, by their names in the graph file, with the reason.
+using SeparateViews = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] Expansion expand(const ResolveInput& input, const Values& values, const Shapes& shapes,
-                               Reporter& reporter);
+                               Reporter& reporter, const SeparateViews& separate = {});
 
 }  // namespace weft

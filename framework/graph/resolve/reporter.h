@@ -4,6 +4,7 @@
 // Suspects, and later stages report nothing about them, so that one mistake causes one message.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "weft/graph_desc.h"
@@ -47,6 +48,9 @@ class Reporter {
 
     [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
     [[nodiscard]] size_t error_count() const { return errors_.size(); }
+    [[nodiscard]] size_t warning_count() const { return warnings_.size(); }
+    // Removes the warnings from index `first` to the end, before a stage runs again.
+    void drop_warnings(size_t first) { warnings_.resize(std::min(first, warnings_.size())); }
     // Sorts the errors from index `first` to the end by their location in the files.
     void sort_errors(size_t first);
     // Returns all errors. Must be called once, at the end, because it also adds the number of omitted

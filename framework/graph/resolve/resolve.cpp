@@ -4,23 +4,37 @@
 #include "graph/resolve/carry/carry_passes.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/live/follow_areas.h"
+#include "graph/resolve/lower/mixed_layers.h"
 #include "graph/resolve/switches/make_variants.h"
 
 namespace weft {
 
 namespace {
 
-ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
-    const Values values = evaluate(input, reporter);
-    const Shapes shapes = shape_resources(input, values, reporter);
-    const Expansion expansion = expand(input, values, shapes, reporter);
-    if (expansion.too_large) return {};
-    const Declared declared{input, values, shapes, expansion};
+VersionedGraph connect_passes(const Declared& declared, Reporter& reporter) {
     FormattedGraph formatted = choose_formats(declared, bind(declared, reporter), reporter);
     check_files(declared, formatted, reporter);
     Suspects suspects = check_interfaces(declared, formatted, reporter);
     suspects = check_frame_slices(declared, formatted, std::move(suspects), reporter);
-    const VersionedGraph graph = version(declared, std::move(formatted), std::move(suspects), reporter);
+    return version(declared, std::move(formatted), std::move(suspects), reporter);
+}
+
+ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
+    const Values values = evaluate(input, reporter);
+    const Shapes shapes = shape_resources(input, values, reporter);
+    const size_t warnings = reporter.warning_count();
+    Expansion expansion = expand(input, values, shapes, reporter);
+    if (expansion.too_large) return {};
+    // Refers to `expansion`, also after a new expansion.
+    const Declared declared{input, values, shapes, expansion};
+    VersionedGraph graph = connect_passes(declared, reporter);
+    if (const SeparateViews mixed = find_mixed_layers(declared, graph, reporter); !mixed.empty()) {
+        // Only now it is known which content each layer begins with. Single views have no mixed layers, so
+        // one repetition is enough.
+        reporter.drop_warnings(warnings);
+        expansion = expand(input, values, shapes, reporter, mixed);
+        graph = connect_passes(declared, reporter);
+    }
     const Attachments attachments = attach(declared, graph, reporter);
     check_clear_values(declared, graph, attachments.suspects, reporter);
     check_output(declared, graph, attachments.suspects, reporter);

@@ -56,6 +56,7 @@ bool uses_what_it_draws(const PassDecl& pass) {
 bool merges_render_pass(const PassDecl& first, const PassDecl& second,
                         const std::vector<AttachmentOps>& second_ops) {
     if (!draws(first) || !draws(second) || first.render_extent != second.render_extent) return false;
+    if (first.lowering != second.lowering) return false;
     if (first.colors.size() != second.colors.size() || first.depth.has_value() != second.depth.has_value())
         return false;
     const std::vector<const AttachmentDecl*> before = attachments_of(first), after = attachments_of(second);

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -289,6 +290,11 @@ struct NamedValue {
     double value = 0;
 };
 
+// How one pass draws several views, each to its own layer of the attachments. none: the pass draws one view.
+// multiview: one draw draws all views; the vertex stage runs once for each view. layer_output: the draws are
+// recorded once for each view, and the vertex stage selects the layer.
+enum class ViewLowering : uint8_t { none, multiview, layer_output };
+
 struct PassDecl {
     std::string name;
     std::string type;  // "compute", "raster" and so on, or the name of a pass type in C++.
@@ -331,7 +337,16 @@ struct PassDecl {
     // If the view comes from a buffer and the shader reads it: the index, in `uses`, of the element with its
     // constants. kNoId: the draw source provides the constants of the view.
     uint32_t view_use = kNoId;
-    // True: the draw source may leave out direct draws that are outside of the frustum of the view.
+    // For a pass that draws several views: the names of all its views, which are successive views of one
+    // list. View i is drawn to layer i of the range of each attachment. The first of them is `view`. Empty:
+    // the pass draws only `view`.
+    std::vector<std::string> views;
+    ViewLowering lowering = ViewLowering::none;
+    // For a pass with "views" and "into": "layers" in the graph: why Weft has chosen this lowering. Else
+    // empty.
+    std::string lowering_reason;
+    // True: the draw source may leave out direct draws that are outside of the frustum of the view. With
+    // multiview: outside of the frustums of all views.
     bool culls_draws = false;
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
@@ -368,6 +383,10 @@ struct PassDecl {
     uint32_t order_key = 0;
     SourceLoc loc;
 
+    // Returns all views that the pass draws: `views`, or only `view`.
+    [[nodiscard]] std::span<const std::string> drawn_views() const {
+        return views.empty() ? std::span(&view, 1) : std::span(views);
+    }
     // Returns true for a raster pass that draws vertices without a draw list.
     [[nodiscard]] bool draws_without_list() const {
         return vertices > 0 || (draw_commands_use != kNoId && draw_lists.empty());

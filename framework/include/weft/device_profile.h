@@ -116,6 +116,10 @@ struct DeviceProfile {
     // Whether the GPU can read a number of draws from a buffer, and the largest such number.
     bool draw_indirect_count = false;
     uint32_t max_draw_indirect_count = 65535;
+    // The largest number of views that one draw can draw (multiview); 1: the device has no multiview.
+    uint32_t max_multiview_views = 1;
+    // The largest number of layers among which a vertex shader can choose; 1: it cannot choose.
+    uint32_t max_output_layers = 1;
     bool storage_read_without_format = false;
     bool descriptor_indexing = false;
     // The next members tell whether the device supports optional pipeline state: "fill" with the value "line"

@@ -132,6 +132,10 @@ struct ViewListDesc {
 // the attachments. rects: each view has a rectangle of the attachments.
 enum class ViewTarget : uint8_t { one, layers, rects };
 
+// The key "lowering" of a pass whose views are layers: how Weft draws the views. automatic: Weft chooses, as
+// if the key were absent. passes: one pass for each view.
+enum class LoweringDesc : uint8_t { automatic, multiview, layer_output, passes };
+
 // Name of the index with the number of the view, in passes that draw all views of a list.
 inline constexpr const char* kViewIndex = "view";
 // Begins the name of the port through which a pass reads its view from a buffer, as in "views:fitted".
@@ -257,6 +261,8 @@ struct PassDesc {
     SourceLoc view_loc;
     // With the key "views", `view` is a list, and the last index of `repeat` is kViewIndex.
     ViewTarget view_target = ViewTarget::one;
+    LoweringDesc lowering = LoweringDesc::automatic;
+    SourceLoc lowering_loc;
     std::vector<ParamValueDesc> params;
     std::vector<ParamValueDesc> constants;  // Values of the shader's specialisation constants, by name.
     Expr condition;  // The key "if": the pass is removed if the value is 0; absent: it is never removed.

@@ -45,13 +45,18 @@ std::string area_view(std::string_view view, const LiveArea& area) {
 void FrameViews::set_plan(const FramePlan& plan) {
     lists_ = plan.graph.views;
     std::map<std::string, glm::uvec2> used;
+    std::set<ViewNames> united;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
         if (is_in_buffer(pass.view)) continue;
-        glm::uvec2& size = used[pass.view];
-        size = glm::max(size, size_of(pass));
+        for (const std::string& view : pass.drawn_views()) {
+            glm::uvec2& size = used[view];
+            size = glm::max(size, size_of(pass));
+        }
+        if (pass.lowering == ViewLowering::multiview) united.insert(pass.views);
     }
     used.erase(kCamera);
+    united_views_.assign(united.begin(), united.end());
     views_.assign(1, {kCamera});
     sizes_px_.assign(1, {0, 0});
     for (const auto& [name, size] : used) {
@@ -117,6 +122,7 @@ void FrameViews::update(const ViewSources& sources, const ResolvedGraph& graph) 
         view.constants = make(frame, name.list, name.index);
         view.mirrored = is_mirrored(view.constants.view_projection);
         if (i == 0) continue;
+        view.constants.number = name.index;
         if (sizes_px_[i].x > 0 && name.list != kSun) {
             view.constants.viewport_px = glm::vec2(sizes_px_[i]);
             view.constants.inverse_viewport = 1.0f / view.constants.viewport_px;

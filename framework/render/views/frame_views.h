@@ -18,6 +18,9 @@ namespace weft::render {
 // Name of the list with the views of the scene's lamps.
 inline constexpr const char* kLampViews = "lampFaces";
 
+// The names of the views that one pass with multiview draws, as in PassDecl::views.
+using ViewNames = std::vector<std::string>;
+
 struct FrameView {
     std::string name;  // "camera", "sun(1)" and so on.
     shared::ViewConstants constants{};
@@ -52,6 +55,8 @@ class FrameViews {
     // Returns the views of the frame. The first is the camera. A view for passes with an area follows the
     // other views.
     [[nodiscard]] const std::vector<FrameView>& views() const { return views_; }
+    // Returns the views of each pass with multiview. Passes with the same views have one entry.
+    [[nodiscard]] const std::vector<ViewNames>& united_views() const { return united_views_; }
 
  private:
     struct Frame {
@@ -69,6 +74,7 @@ class FrameViews {
 
     std::vector<ViewListDecl> lists_;
     std::vector<FrameView> views_;
+    std::vector<ViewNames> united_views_;
     // The size of each view in pixels; 0 if no raster or fullscreen pass draws it.
     std::vector<glm::uvec2> sizes_px_;
     // A view for passes with an area: the same view with another viewport.

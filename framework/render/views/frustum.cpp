@@ -1,5 +1,6 @@
 #include "render/views/frustum.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace weft::render {
@@ -50,6 +51,12 @@ bool is_outside(const Frustum& frustum, const scene::Bounds& box, bool depth_cla
         if (inside < -terms * kRounding) return true;
     }
     return false;
+}
+
+bool is_outside(const Frusta& frusta, const scene::Bounds& box, bool depth_clamp) {
+    return !frusta.empty() && std::ranges::all_of(frusta, [&](const Frustum* frustum) {
+        return is_outside(*frustum, box, depth_clamp);
+    });
 }
 
 }  // namespace weft::render

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "shared/frame.glsl"
 #include "weft/scene/scene.h"
@@ -22,5 +23,10 @@ struct Frustum {
 // Returns true if the whole box is outside of one plane. If `depth_clamp` is true, the near and the far plane
 // are left out, because then geometry before and behind them is drawn.
 [[nodiscard]] bool is_outside(const Frustum& frustum, const scene::Bounds& box, bool depth_clamp);
+
+// The frustums of all views that a draw is recorded for.
+using Frusta = std::vector<const Frustum*>;
+// Returns true if the box is outside of every frustum. Without frustums, nothing is outside.
+[[nodiscard]] bool is_outside(const Frusta& frusta, const scene::Bounds& box, bool depth_clamp);
 
 }  // namespace weft::render

@@ -190,14 +190,15 @@ std::string sun_view_name(uint32_t cascade) {
 
 SunMaps sun_maps_of(const FramePlan& plan) {
     SunMaps maps;
-    for (const PassDecl& pass : plan.graph.passes) {
-        const uint32_t i = cascade_of(plan.graph, pass.view);
-        if (i == kNoId) continue;
-        maps.count = std::max(maps.count, i + 1);
-        if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
-            maps.size_px[i] = std::max(
-                maps.size_px[i], pass.state.viewport ? pass.state.viewport->width : pass.render_extent.width);
-    }
+    for (const PassDecl& pass : plan.graph.passes)
+        for (const std::string& view : pass.drawn_views()) {
+            const uint32_t i = cascade_of(plan.graph, view);
+            if (i == kNoId) continue;
+            maps.count = std::max(maps.count, i + 1);
+            if (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen)
+                maps.size_px[i] = std::max(maps.size_px[i], pass.state.viewport ? pass.state.viewport->width
+                                                                                : pass.render_extent.width);
+        }
     return maps;
 }
 

@@ -30,7 +30,8 @@ constexpr const char* kStoreSamples =
     "write to an image with one sample, or draw to a multisampled attachment";
 constexpr const char* kClip =
     "pass the distance to the fragment stage, and `discard` there if it is negative";
-constexpr const char* kLayer = "draw each layer in a separate pass; `repeat` creates these passes";
+constexpr const char* kLayer =
+    "draw the layers in a pass with `views`, or each layer in a separate pass; `repeat` creates these passes";
 constexpr const char* kPrimitive =
     "compute the primitive or layer number in the vertex stage, and pass it to the fragment stage as `flat "
     "out uint`";

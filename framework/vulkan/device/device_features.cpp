@@ -18,6 +18,7 @@ struct OptionalFeature {
 };
 
 using F10 = VkPhysicalDeviceFeatures;
+using F11 = VkPhysicalDeviceVulkan11Features;
 using F12 = VkPhysicalDeviceVulkan12Features;
 using F13 = VkPhysicalDeviceVulkan13Features;
 
@@ -60,12 +61,16 @@ constexpr std::array kOptional10{
     OptionalFeature<F10>{&F10::shaderStorageImageReadWithoutFormat,
                          &OptionalFeatures::storage_read_without_format},
 };
+constexpr std::array kOptional11{
+    OptionalFeature<F11>{&F11::multiview, &OptionalFeatures::multiview},
+};
 constexpr std::array kOptional12{
     OptionalFeature<F12>{&F12::drawIndirectCount, &OptionalFeatures::draw_indirect_count},
     OptionalFeature<F12>{&F12::samplerFilterMinmax, &OptionalFeatures::sampler_min_max},
     OptionalFeature<F12>{&F12::runtimeDescriptorArray, &OptionalFeatures::runtime_arrays},
     OptionalFeature<F12>{&F12::shaderSampledImageArrayNonUniformIndexing,
                          &OptionalFeatures::nonuniform_sampled_array_indexing},
+    OptionalFeature<F12>{&F12::shaderOutputLayer, &OptionalFeatures::output_layer},
 };
 
 // robustBufferAccess keeps out-of-range accesses to storage and uniform buffers inside the memory of the
@@ -114,6 +119,7 @@ void required_features(FeatureChain& chain) {
 OptionalFeatures enable_optional_features(const FeatureChain& supported, FeatureChain& chain) {
     OptionalFeatures flags;
     enable_present(kOptional10, supported.v10(), chain.v10(), flags);
+    enable_present(kOptional11, supported.v11(), chain.v11(), flags);
     enable_present(kOptional12, supported.v12(), chain.v12(), flags);
     if (supported.v10().*kRobustBuffers == VK_TRUE) chain.v10().*kRobustBuffers = VK_TRUE;
     return flags;

@@ -66,6 +66,7 @@ void add_limits(const VkPhysicalDeviceLimits& limits, DeviceProfile& profile) {
     profile.max_storage_buffer_bytes = limits.maxStorageBufferRange;
     profile.buffer_image_granularity_bytes = limits.bufferImageGranularity;
     profile.max_draw_indirect_count = limits.maxDrawIndirectCount;
+    profile.max_output_layers = std::min(limits.maxFramebufferLayers, limits.maxImageArrayLayers);
     profile.storage_offset_alignment_bytes = limits.minStorageBufferOffsetAlignment;
     profile.uniform_offset_alignment_bytes = limits.minUniformBufferOffsetAlignment;
 }
@@ -120,6 +121,8 @@ void add_optional_features(const OptionalFeatures& enabled, DeviceProfile& profi
     profile.depth_bias_clamp = enabled.depth_bias_clamp;
     profile.draw_indirect_count = enabled.draw_indirect_count;
     if (!enabled.texture_tables()) profile.texture_table = 0;
+    if (!enabled.multiview) profile.max_multiview_views = 1;
+    if (!enabled.output_layer) profile.max_output_layers = 1;
     if (!enabled.sampler_anisotropy) profile.max_sampler_anisotropy = 1;
     if (!enabled.sampler_min_max)
         for (auto& [format, features] : profile.formats) features &= ~ff::kSampledMinMax;
@@ -149,6 +152,8 @@ DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physica
     profile.integer_samples = v12.framebufferIntegerColorSampleCounts &
                               properties.properties.limits.sampledImageIntegerSampleCounts;
     profile.shader_capabilities = subgroup_capabilities(v11);
+    // A mask of views has 32 bits.
+    profile.max_multiview_views = std::min(v11.maxMultiviewViewCount, 32u);
     FeatureChain all;
     add_optional_features(enable_optional_features(supported, all), profile);
     profile.descriptor_indexing = supported.v12().descriptorIndexing == VK_TRUE;

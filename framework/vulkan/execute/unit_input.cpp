@@ -65,13 +65,15 @@ std::vector<FrameRange> known_ranges(const PassDecl& pass, const PreparedPass& p
 bool add_draws(const UnitInputContext& context, const PassDecl& pass, const PreparedPass& prepared,
                std::vector<std::byte>& bytes, Comparison& comparison) {
     const DrawSource* draws = context.objects.draws;
-    if (prepared.layout.declares[kFrameSet] &&
-        !draws->add_frame_bytes(context.slot, pass.view, known_ranges(pass, prepared), bytes))
-        return false;
-    comparison.part(bytes, [&](size_t) {
-        return "a constant of the frame or of view " + quoted(pass.view) + " that pass " + quoted(pass.name) +
-               " reads";
-    });
+    for (const std::string& view : pass.drawn_views()) {
+        if (prepared.layout.declares[kFrameSet] &&
+            !draws->add_frame_bytes(context.slot, view, known_ranges(pass, prepared), bytes))
+            return false;
+        comparison.part(bytes, [&](size_t) {
+            return "a constant of the frame or of view " + quoted(view) + " that pass " + quoted(pass.name) +
+                   " reads";
+        });
+    }
     for (const std::string& list : pass.draw_lists) {
         const std::optional<uint64_t> version = draws->list_version(list);
         if (!version) return false;

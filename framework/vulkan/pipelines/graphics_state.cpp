@@ -35,6 +35,11 @@ VkBool32 flag(bool value) {
 
 }  // namespace
 
+uint32_t view_mask(const PassDecl& pass) {
+    if (pass.lowering != ViewLowering::multiview) return 0;
+    return static_cast<uint32_t>((uint64_t{1} << pass.views.size()) - 1);
+}
+
 GraphicsState::GraphicsState(const ResolvedGraph& graph, const PassDecl& pass,
                              const ShaderInterface& interface, const VertexFormat* vertices) {
     set_vertex_input(interface, vertices);
@@ -110,6 +115,7 @@ void GraphicsState::set_attachments(const ResolvedGraph& graph, const PassDecl& 
         if (format.stencil) rendering_.stencilAttachmentFormat = to_vk(target.format);
         samples = target.samples;
     }
+    rendering_.viewMask = view_mask(pass);
     rendering_.colorAttachmentCount = static_cast<uint32_t>(color_formats_.size());
     rendering_.pColorAttachmentFormats = color_formats_.data();
     blend_.attachmentCount = static_cast<uint32_t>(blends_.size());

@@ -12,6 +12,10 @@
 
 namespace weft::vk {
 
+// Returns the mask of the views that one draw of the pass draws, with one bit for each view; 0 without
+// multiview.
+[[nodiscard]] uint32_t view_mask(const PassDecl& pass);
+
 // GraphicsState cannot be moved, because its structures contain pointers to its own members.
 class GraphicsState {
  public:

@@ -5,61 +5,18 @@
 #include <set>
 
 #include "vulkan/pipelines/pass_layout.h"
+#include "vulkan/pipelines/spirv_module.h"
 
 namespace weft::vk {
 namespace {
 
-// A SPIR-V 1.6 module has a header of five words. Word 3 (counted from 0) is the bound: all ids are smaller
-// than it. Each instruction is a word with its length and opcode, followed by its operands.
-constexpr size_t kHeaderWords = 5, kBoundWord = 3;
-enum Opcode : uint32_t {
-    kOpLine = 8,
-    kOpEntryPoint = 15,
-    kOpCapability = 17,
-    kOpTypeVoid = 19,
-    kOpTypeInt = 21,
-    kOpTypeArray = 28,
-    kOpTypeRuntimeArray = 29,
-    kOpTypeStruct = 30,
-    kOpTypePointer = 32,
-    kOpTypeForwardPointer = 39,
-    kOpConstant = 43,
-    kOpFunctionCall = 57,
-    kOpVariable = 59,
-    kOpLoad = 61,
-    kOpCopyMemory = 63,
-    kOpAccessChain = 65,
-    kOpInBoundsAccessChain = 66,
-    kOpDecorate = 71,
-    kOpMemberDecorate = 72,
-    kOpCopyObject = 83,
-    kOpIAdd = 128,
-};
-enum Decoration : uint32_t { kBlock = 2, kBinding = 33, kDescriptorSet = 34, kOffset = 35 };
-enum StorageClass : uint32_t { kUniform = 2, kPushConstant = 9 };
+using namespace spirv;
+
 // Number of the SPIR-V capability UniformBufferArrayDynamicIndexing.
 constexpr uint32_t kUniformBufferArrayDynamicIndexing = 28;
 
-struct Instruction {
-    uint32_t opcode = 0;
-    // All words of the instruction, including the first, which contains its length and opcode.
-    std::span<const uint32_t> words;
-};
-
-// Calls `visit` for every instruction. The module must be valid: the length of each instruction leads to the
-// next one.
-template <class Visit>
-void for_each_instruction(std::span<const uint32_t> spirv, const Visit& visit) {
-    for (size_t word = kHeaderWords; word < spirv.size(); word += spirv[word] >> 16)
-        visit(Instruction{spirv[word] & 0xffffu, spirv.subspan(word, spirv[word] >> 16)});
-}
-
 bool is_uniform(uint32_t storage_class) {
     return storage_class == kUniform || storage_class == kPushConstant;
-}
-
-bool is_access_chain(uint32_t opcode) {
-    return opcode == kOpAccessChain || opcode == kOpInBoundsAccessChain;
 }
 
 class Rewriter {
@@ -90,16 +47,14 @@ class Rewriter {
 
     uint32_t new_id() { return bound_++; }
     void emit(uint32_t opcode, std::initializer_list<uint32_t> operands) {
-        out_.push_back(static_cast<uint32_t>(1 + operands.size()) << 16 | opcode);
-        out_.insert(out_.end(), operands);
+        spirv::emit(out_, opcode, operands);
     }
     void copy(const Instruction& at) { out_.insert(out_.end(), at.words.begin(), at.words.end()); }
 
     void rewrite(const Instruction& at) {
         // In a module, all decorations come before all types. declare() adds decorations, then types. So it
         // must run after the last old decoration and before the first old type (or the OpLine before it).
-        const bool is_type = at.opcode >= kOpTypeVoid && at.opcode <= kOpTypeForwardPointer;
-        if (!declared_ && (is_type || at.opcode == kOpLine)) declare();
+        if (!declared_ && ends_decorations(at.opcode)) declare();
         // declare() has already declared this type, and a module must not declare it twice.
         if (at.opcode == kOpTypeInt && at.words[1] == uint_) return;
         const size_t start = out_.size();
@@ -225,16 +180,6 @@ ShaderProgram with_opaque_uniforms(ShaderProgram program) {
         params.binding = place.binding;
     }
     return program;
-}
-
-const ShaderCatalog* shaders_for(const Device& device, const ExecutorInput& input, ShaderCatalog& changed) {
-    if (!device.hides_uniforms() || input.shaders == nullptr) return input.shaders;
-    for (const PassDecl& pass : input.plan.graph.passes) {
-        const auto found = input.shaders->find(pass.shader);
-        if (found != input.shaders->end() && !changed.contains(pass.shader))
-            changed.emplace(pass.shader, with_opaque_uniforms(found->second));
-    }
-    return &changed;
 }
 
 }  // namespace weft::vk

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "weft/vulkan/executor.h"
+#include "weft/shader_interface.h"
 
 namespace weft::vk {
 
@@ -36,10 +36,5 @@ struct BlockPlace {
 // binding after the last one in set 1. Returns the program unchanged if can_hide_uniforms() is false for any
 // of its modules.
 [[nodiscard]] ShaderProgram with_opaque_uniforms(ShaderProgram program);
-
-// Returns the shaders of a plan in the form that `device` needs: on llvmpipe `changed`, which this function
-// fills with rewritten shaders, otherwise input.shaders.
-[[nodiscard]] const ShaderCatalog* shaders_for(const Device& device, const ExecutorInput& input,
-                                               ShaderCatalog& changed);
 
 }  // namespace weft::vk

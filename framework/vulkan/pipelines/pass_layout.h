@@ -14,6 +14,7 @@
 namespace weft::vk {
 
 inline constexpr uint32_t kFrameSet = 0;
+inline constexpr uint32_t kViewBinding = 1;  // Binding of the constants of the view in kFrameSet.
 inline constexpr uint32_t kMaterialSet = 2;
 inline constexpr uint32_t kInstanceSet = 3;
 inline constexpr uint32_t kSetCount = 4;

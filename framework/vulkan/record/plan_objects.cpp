@@ -5,7 +5,8 @@
 #include <iterator>
 
 #include "vulkan/device/executor_errors.h"
-#include "vulkan/pipelines/opaque_uniforms.h"
+#include "vulkan/pipelines/lowered_views.h"
+#include "vulkan/pipelines/pass_shaders.h"
 #include "vulkan/record/merged_scopes.h"
 
 namespace weft::vk {
@@ -35,6 +36,40 @@ bool is_resolved_elsewhere(const Device& device, const PassDecl& pass) {
         return color.resolve_use != kNoId &&
                (pass.uses[color.use].range.layer != 0 || pass.uses[color.resolve_use].range.layer != 0);
     });
+}
+
+// Checks that the device and the draw source can draw several views by one pass.
+Diagnostics check_lowering(const Device& device, const FramePlan& plan, const ExecutorInput& input,
+                           const PassDecl& pass, const ShaderProgram& program) {
+    Diagnostics errors;
+    const DeviceProfile& profile = device.profile();
+    const bool multiview = pass.lowering == ViewLowering::multiview;
+    const uint32_t most = pass.lowering == ViewLowering::none ? UINT32_MAX
+                          : multiview                         ? profile.max_multiview_views
+                                                              : profile.max_output_layers;
+    if (pass.views.size() > most)
+        errors.push_back(pass_error(plan, pass, "V417",
+                                    "the pass draws " + std::to_string(pass.views.size()) +
+                                        " views at once, but the device draws at most " +
+                                        std::to_string(most) + ": compile the graph with its profile"));
+    const auto selects = [](const ShaderModule& module) { return can_select_view(module.spirv); };
+    if (multiview && !std::ranges::all_of(program.modules, selects))
+        errors.push_back(pass_error(plan, pass, "V417",
+                                    "shader \"" + pass.shader +
+                                        "\" copies the whole block of the view, so it cannot draw several "
+                                        "views at once"));
+    const bool uses_views = std::ranges::any_of(
+        program.interface.bindings, [](const ShaderBinding& binding) { return binding.set == kFrameSet; });
+    const bool lowered = pass.lowering != ViewLowering::none;
+    if (lowered && uses_views && input.draws != nullptr && !input.draws->draws_several_views()) {
+        errors.push_back(pass_error(plan, pass, "V415",
+                                    "the pass draws several views at once, but the DrawSource of the program "
+                                    "draws only one view at a time"));
+        errors.back().help = {
+            "set max_multiview_views and max_output_layers of the device profile to 1; or "
+            "implement DrawSource::views_set() and draws_several_views()"};
+    }
+    return errors;
 }
 
 Diagnostics check_passes(const Device& device, const FramePlan& plan, const ExecutorInput& input) {
@@ -67,15 +102,14 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
             fault("the pass draws " + std::to_string(pass.draw_lists.size()) +
                   " lists with one buffer of draw commands; wanted at most one list");
         if (!runs_shader(pass.kind)) continue;
-        const auto program =
-            input.shaders == nullptr ? ShaderCatalog::const_iterator{} : input.shaders->find(pass.shader);
-        if (input.shaders == nullptr || program == input.shaders->end() || program->second.modules.empty())
+        const ShaderProgram* program = program_of(input.shaders, pass);
+        if (program == nullptr || program->modules.empty())
             fault("the program gave no shader \"" + pass.shader + "\"");
-        else if (program->second.interface.has_params &&
-                 program->second.interface.params.size_bytes != pass.params_bytes)
+        else if (program->interface.has_params && program->interface.params.size_bytes != pass.params_bytes)
             fault("the plan has " + std::to_string(pass.params_bytes) +
                   " bytes of Params, but the shader declares " +
-                  std::to_string(program->second.interface.params.size_bytes) + " bytes");
+                  std::to_string(program->interface.params.size_bytes) + " bytes");
+        if (program != nullptr) append(errors, check_lowering(device, plan, input, pass, *program));
     }
     return errors;
 }
@@ -142,7 +176,7 @@ Status prepare_scope(PlanObjects& objects, Position position, uint64_t frame) {
 Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjects& objects,
                            Position position) {
     const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
-    const ShaderProgram& program = input.shaders->find(pass.shader)->second;
+    const ShaderProgram& program = *program_of(input.shaders, pass);
     PreparedPass& prepared = objects.passes[position];
     Result<PassLayout> layout = make_pass_layout(device, objects.plan, pass, program.interface, input.draws);
     if (!layout) return layout.take_errors();
@@ -171,7 +205,7 @@ Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& object
     for (const PassId id : objects.plan.schedule.order) {
         const PassDecl& pass = objects.plan.graph.passes[id];
         if (!runs_shader(pass.kind)) continue;
-        demands.push_back({&input.shaders->find(pass.shader)->second.interface, &pass,
+        demands.push_back({&program_of(input.shaders, pass)->interface, &pass,
                            static_cast<uint32_t>(objects.resources.rings.period(pass)), variant_count(pass)});
     }
     Result<DescriptorPoolHandle> pool = make_descriptor_pool(device, objects.plan.graph, demands);
@@ -186,7 +220,7 @@ Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& object
 Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const ExecutorInput& input,
                                                      VkPipelineCache cache, PlanAmendment& amendment,
                                                      const PassDecl& pass) {
-    const ShaderProgram& program = input.shaders->find(pass.shader)->second;
+    const ShaderProgram& program = *program_of(input.shaders, pass);
     // A pipeline works with every compatible pipeline layout. This layout is only needed to create the
     // pipeline.
     Result<PassLayout> layout = make_pass_layout(device, input.plan, pass, program.interface, input.draws);
@@ -255,7 +289,7 @@ Result<std::unique_ptr<PlanAmendment>> make_plan_amendment(Device& device, Execu
         std::vector<FrameRange>& ranges = amendment->frame_ranges.emplace_back();
         const PassDecl& pass = input.plan.graph.passes[id];
         if (!runs_shader(pass.kind)) continue;
-        ranges = input.shaders->find(pass.shader)->second.interface.frame_ranges;
+        ranges = program_of(input.shaders, pass)->interface.frame_ranges;
         device.messages().set_current_pass(pass.name);
         Result<std::vector<DrawPipeline>> pipelines =
             make_new_pipelines(device, input, cache->get(), *amendment, pass);

@@ -8,24 +8,28 @@
 namespace weft::vk {
 namespace {
 
-// Returns descriptor set 0 of the pass.
-VkDescriptorSet frame_set(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+// Returns descriptor set 0 of the pass, for `view` or, with multiview, for all views of the pass.
+VkDescriptorSet frame_set(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+                          const std::string& view) {
     const DrawSource& draws = *context.objects.draws;
-    if (pass.view_use == kNoId)
-        return pass.area.image == kNoId ? draws.frame_set(context.slot, pass.view)
-                                        : draws.frame_set_of_area(context.slot, pass.view, pass.area);
-    const Position position(static_cast<uint32_t>(&prepared - context.objects.passes.data()));
-    return context.objects.view_sets.set(position, context.resources.frame(), context.slot);
+    if (pass.view_use != kNoId) {
+        const Position position(static_cast<uint32_t>(&prepared - context.objects.passes.data()));
+        return context.objects.view_sets.set(position, context.resources.frame(), context.slot);
+    }
+    if (pass.lowering == ViewLowering::multiview) return draws.views_set(context.slot, pass.views);
+    return pass.area.image == kNoId ? draws.frame_set(context.slot, view)
+                                    : draws.frame_set_of_area(context.slot, view, pass.area);
 }
 
 // Binds descriptor sets 0 (frame) and 1 (ports), and writes the push constants. The draw source binds sets 2
-// and 3. Call this after a pipeline of the pass is bound.
+// and 3. Call this after a pipeline of the pass is bound. `view` is the view to draw; with multiview, all
+// views of the pass are drawn.
 void bind_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
-               VkPipelineBindPoint point) {
+               VkPipelineBindPoint point, const std::string& view) {
     const DeviceFunctions& fn = context.device.fn();
     const VkPipelineLayout layout = prepared.layout.pipeline.get();
     if (prepared.layout.declares[kFrameSet]) {
-        const VkDescriptorSet set = frame_set(context, pass, prepared);
+        const VkDescriptorSet set = frame_set(context, pass, prepared, view);
         fn.vkCmdBindDescriptorSets(context.commands, point, layout, kFrameSet, 1, &set, 0, nullptr);
     }
     if (prepared.layout.has_ports())
@@ -66,33 +70,42 @@ FrontFace opposite(FrontFace face) {
     return face == FrontFace::clockwise ? FrontFace::counter_clockwise : FrontFace::clockwise;
 }
 
+// Returns the views for which the draws of a pass are recorded. With multiview, they are recorded only once.
+std::span<const std::string> recorded_views(const PassDecl& pass) {
+    return pass.lowering == ViewLowering::multiview ? std::span(&pass.view, 1) : pass.drawn_views();
+}
+
 // Prepares draws without vertex buffers. The shader gets only the vertex and instance indices.
-void bind_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+void bind_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
+                   const std::string& view) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                          prepared.pipelines_of(variant_in(pass, context.switches))[0].pipeline.get());
-    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS, view);
     // The triangle of a fullscreen pass is the same in every view.
     const DrawSource* draws = context.objects.draws;
-    if (pass.kind == PassKind::raster && draws != nullptr && draws->is_mirrored(pass.view))
-        fn.vkCmdSetFrontFace(context.commands, to_vk(opposite(pass.state.front_face)));
+    if (pass.kind != PassKind::raster || draws == nullptr) return;
+    const FrontFace front = pass.state.front_face;
+    fn.vkCmdSetFrontFace(context.commands, to_vk(draws->is_mirrored(view) ? opposite(front) : front));
 }
 
 void draw_vertices(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                    uint32_t vertices, uint32_t instances) {
-    bind_vertices(context, pass, prepared);
-    context.device.fn().vkCmdDraw(context.commands, vertices, instances, 0, 0);
+    for (const std::string& view : recorded_views(pass)) {
+        bind_vertices(context, pass, prepared, view);
+        context.device.fn().vkCmdDraw(context.commands, vertices, instances, 0, 0);
+    }
 }
 
 // Draws what the commands in a buffer say. A device without multiDrawIndirect executes only one command at a
 // time.
 void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass,
-                              const PreparedPass& prepared) {
+                              const PreparedPass& prepared, const std::string& view) {
     constexpr uint32_t kCommandBytes = sizeof(VkDrawIndirectCommand);
     const DeviceFunctions& fn = context.device.fn();
     const IndirectPlace from = place_of(context, pass, pass.draw_commands_use);
     const IndirectPlace count = place_of(context, pass, pass.draw_count_use);
-    bind_vertices(context, pass, prepared);
+    bind_vertices(context, pass, prepared, view);
     if (count.buffer != VK_NULL_HANDLE)
         return fn.vkCmdDrawIndirectCount(context.commands, from.buffer, from.offset_bytes, count.buffer,
                                          count.offset_bytes, pass.most_draws, kCommandBytes);
@@ -106,18 +119,19 @@ void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass
 
 // Returns the number of draws that were left out.
 uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
-                   const DrawPipeline& draw) {
+                   const DrawPipeline& draw, const std::string& view) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
     // Binds sets 0 and 1 again for every variant. All variants share one pipeline layout, but earlier draws
     // may have bound other sets.
-    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS);
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS, view);
     DrawContext draws;
     draws.fn = &fn;
     draws.commands = context.commands;
     draws.layout = prepared.layout.pipeline.get();
     draws.list = draw.list;
-    draws.view = pass.view;
+    draws.view = view;
+    if (pass.lowering == ViewLowering::multiview) draws.views = pass.views;
     draws.variant = draw.variant;
     draws.cull = pass.state.cull;
     draws.frame_slot = context.slot;
@@ -153,7 +167,7 @@ void record_compute(const RecordContext& context, const PassDecl& pass, const Pr
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_COMPUTE,
                          prepared.pipelines_of(variant_in(pass, context.switches))[0].pipeline.get());
-    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_COMPUTE);
+    bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_COMPUTE, pass.view);
     const IndirectPlace sizes = place_of(context, pass, pass.indirect_use);
     if (sizes.buffer != VK_NULL_HANDLE)
         return fn.vkCmdDispatchIndirect(context.commands, sizes.buffer, sizes.offset_bytes);
@@ -171,12 +185,14 @@ void record_raster(const RecordContext& context, Position position, const PassDe
                    const PreparedPass& prepared) {
     begin_pass(context, pass, prepared);
     if (pass.draws_without_list() && pass.draw_commands_use != kNoId)
-        draw_vertices_indirectly(context, pass, prepared);
+        for (const std::string& view : recorded_views(pass))
+            draw_vertices_indirectly(context, pass, prepared, view);
     else if (pass.vertices > 0)
         draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
     else
         for (const DrawPipeline& draw : prepared.pipelines_of(variant_in(pass, context.switches)))
-            context.draws_left_out[position] += draw_list(context, pass, prepared, draw);
+            for (const std::string& view : recorded_views(pass))
+                context.draws_left_out[position] += draw_list(context, pass, prepared, draw, view);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 

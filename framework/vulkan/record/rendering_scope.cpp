@@ -5,6 +5,7 @@
 #include "graph/diagnostics/whole_number.h"
 #include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
+#include "vulkan/pipelines/graphics_state.h"
 
 namespace weft::vk {
 namespace {
@@ -80,6 +81,7 @@ Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassSte
     const PassDecl& pass = plan.graph.passes[step.pass];
     RenderingScope scope;
     scope.area.extent = {pass.render_extent.width, pass.render_extent.height};
+    scope.view_mask = view_mask(pass);
     for (const AttachmentDecl& color : pass.colors) {
         const UseDecl& use = pass.uses[color.use];
         Result<VkRenderingAttachmentInfo> info = attachment(pass, color, step, views, frame);
@@ -111,6 +113,7 @@ void begin_rendering(const Device& device, VkCommandBuffer commands, const Rende
     VkRenderingInfo info{VK_STRUCTURE_TYPE_RENDERING_INFO};
     info.renderArea.extent = area;
     info.layerCount = scope.layers;
+    info.viewMask = scope.view_mask;
     info.colorAttachmentCount = static_cast<uint32_t>(scope.colors.size());
     info.pColorAttachments = scope.colors.data();
     if (scope.depth.imageView != VK_NULL_HANDLE) info.pDepthAttachment = &scope.depth;

@@ -16,6 +16,7 @@ struct RenderingScope {
     VkRenderingAttachmentInfo stencil{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     VkRect2D area{};
     uint32_t layers = 1;
+    uint32_t view_mask = 0;  // The views that each draw draws; 0 without multiview.
     // False if the pass continues the rendering scope of the previous pass on the queue.
     bool begins = true;
     // False if the next pass on the queue continues the rendering scope.

@@ -37,7 +37,8 @@ struct ViewConstants {
     vec2 viewport_px;
     vec2 inverse_viewport;
     vec2 jitter_uv;               // Offset of the picture by the jitter in `projection`; 0 if no "jitter" is set.
-    vec2 reserved0;
+    uint number;                  // Number of the view in its list: 2 for "sun(2)". 0 for the camera.
+    uint reserved0;
     vec4 reserved1[5];
 };
 

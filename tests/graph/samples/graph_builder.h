@@ -46,6 +46,13 @@ class GraphBuilder {
     std::vector<ResourceId> ring(ResourceId resource, uint32_t history);
     void set_output(ResourceId resource) { graph_.output = resource; }
 
+    // Adds a list of views, which passes may draw. The program gives their matrices.
+    void add_view_list(std::string name, uint32_t count) {
+        ViewListDecl& list = graph_.views.emplace_back();
+        list.name = std::move(name);
+        list.count = count;
+    }
+
     // Adds a pass. Its attachments follow from the accesses in `uses`. The returned reference is valid until
     // the next call of the builder.
     PassDecl& pass(std::string name, PassKind kind, const std::vector<BuilderUse>& uses);

@@ -112,6 +112,7 @@ void GraphCoverage::add(const FramePlan& plan, bool omitted) {
     depth_inputs += any_live_pass(plan, tests_against_its_input);
     merged_scopes += any(plan.barriers.steps, [](const PassStep& step) { return step.merges_render_pass; });
     tables += any_live_use(plan, [](const ResourceDecl& r) { return r.textures > 0; });
+    views += any_live_pass(plan, [](const PassDecl& pass) { return !pass.views.empty(); });
     culled += plan.schedule.order.size() < plan.graph.passes.size() ? 1 : 0;
 }
 
@@ -153,6 +154,7 @@ std::string GraphCoverage::text() const {
     share("tables of textures", tables);
     share("culled passes", culled);
     share("merged scopes", merged_scopes);
+    share("several views at once", views);
     return all;
 }
 

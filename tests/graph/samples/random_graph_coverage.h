@@ -65,6 +65,8 @@ struct GraphCoverage {
     uint32_t tables = 0;
     uint32_t culled = 0;
     uint32_t merged_scopes = 0;
+    // Frames with a live pass that draws several views.
+    uint32_t views = 0;
 
     // Counts the features of one plan. `omitted` is RandomText::omitted: a condition removed a pass or
     // changed an input.

@@ -17,7 +17,8 @@ bool RandomFeatures::add_feature() {
                                          &RandomFeatures::divide_buffer});
     if (options_.depth_input) features.push_back(&RandomFeatures::test_against_input);
     if (options_.layers)
-        features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers});
+        features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers,
+                                         &RandomFeatures::draw_views});
     if (features.empty() || !chance(24)) return false;
     (this->*features[below(static_cast<uint32_t>(features.size()))])();
     return true;
@@ -260,6 +261,29 @@ void RandomFeatures::draw_depth_layers() {
              destination(cell, layer == 0 ? Access::color_write : Access::color_read_write),
              Access::depth_read);
     images_.push_back(cell);
+}
+
+// Adds one or two passes that draw several views, each to its own layer of a new image.
+void RandomFeatures::draw_views() {
+    constexpr uint32_t kMostViews = 4;
+    const std::string list = "sights";
+    if (!has_views_) builder_.add_view_list(list, kMostViews);
+    has_views_ = true;
+    const uint32_t views = between(2, kMostViews), side = 16u * between(1, 3);
+    const ResourceId id = builder_.image(fresh_name("views"), Format::r32u, side, 1, views);
+    const RandomCell all{id, builder_.resource(id).whole(), false};
+    for (uint32_t i = 0, count = between(1, 2); i < count; ++i) {
+        std::vector<BuilderUse> uses = inputs_of(take(images_, 1), Access::sampled_read);
+        uses.push_back(destination(all, i == 0 ? Access::color_write : Access::color_read_write));
+        PassDecl& pass = add("views", PassKind::fullscreen, "mix_color_1.frag", uses);
+        pass.lowering = ViewLowering::multiview;
+        for (uint32_t view = 0; view < views; ++view)
+            pass.views.push_back(list + "(" + std::to_string(view) + ")");
+        pass.view = pass.views.front();
+        pass.colors.front().covers = i == 0 && chance(50);
+        if (i > 0) pass.state.scissor = RectPx{0, 0, std::max(1u, side / 2), side};
+    }
+    for (uint32_t layer = 0; layer < views; ++layer) images_.push_back({id, one_cell(0, layer), layer > 0});
 }
 
 void RandomFeatures::add_after_edges() {

@@ -31,7 +31,10 @@ class RandomFeatures : public RandomPasses {
     void test_against_input();
     void draw_layers();
     void draw_depth_layers();
+    void draw_views();
     void draw_builtin_seed(PassDecl& pass, ResourceId role);
+
+    bool has_views_ = false;  // True if the graph has the list of views that draw_views() uses.
 };
 
 }  // namespace weft::test

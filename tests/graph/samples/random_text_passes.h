@@ -232,7 +232,8 @@ class RandomTextPasses : public RandomTextFrame {
         const size_t seen = add_resource(color);
         add_resource(depth);
         TextPass& pass = add_pass("views", "raster", nullptr);
-        pass.more += R"j(, "draws": ["opaque"], "shader": "seen")j";
+        pass.more += std::string(R"j(, "draws": ["opaque"], "shader": )j") +
+                     (chance(50) ? R"j("scene")j" : R"j("seen")j");
         const auto attachments = [&](const std::string& part) {
             return R"j(, "out": {"color": ")j" + name + part + R"j("}, "depth": ")j" + maps + part + "\"";
         };

@@ -343,12 +343,12 @@ TEST_F(Views, InAMirrorKeepTheFrontFacesOfProceduralDraws) {
     for (const std::byte byte : read.at("observe:cube").bytes) EXPECT_EQ(byte, std::byte{0});
 }
 
-// A resting pass over all views of a list runs only in frames in which the matrix of one of them changes,
-// even if other views move.
+// A resting pass over all views of a list, with one pass for each view, runs only in frames in which the
+// matrix of one of them changes, even if other views move.
 TEST_F(Views, AtRestWakeWhenTheirMatricesChange) {
     std::string graph = united();
     const std::string find = "\"mine\": { \"views\": \"mine\",";
-    graph.replace(graph.find(find), find.size(), find + " \"rest\": true,");
+    graph.replace(graph.find(find), find.size(), find + " \"rest\": true, \"lowering\": \"passes\",");
     for (const char* name : {"mineDepth", "mineColor", "minePast"}) {
         const std::string key = std::string("\"") + name + "\": { ";
         graph.replace(graph.find(key), key.size(), key + "\"keep\": true, ");

@@ -127,6 +127,8 @@ void write_pass_article(const PlanPage& page, PassId pass, Markup& out) {
     open_article(out, pass_key(pass), name, pass_subtitle(plan, pass));
     if (!plan.live.live_passes[pass])
         if (const Result<std::string> why = explain_culled(plan, name)) write_sentences(out, *why);
+    if (!plan.graph.passes[pass].lowering_reason.empty())
+        if (const Result<std::string> how = explain_views(plan, name)) write_sentences(out, *how);
     if (plan.graph.passes[pass].rest_unit != kNoId)
         if (const Result<std::string> why = explain_rest(plan, name)) write_sentences(out, *why);
     const auto depends = [](const UseDecl& use) { return use.used_in != kEveryCombination; };

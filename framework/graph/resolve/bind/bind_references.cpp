@@ -193,8 +193,9 @@ class ReferenceBinder {
         return bound;
     }
 
-    // Selects the layer of the pass's view, if the port is an attachment of a pass with "views". A reference
-    // that selects layers itself keeps them. Returns false after reporting an error.
+    // Selects the layer of the pass's view, or the layers of its views, if the port is an attachment of a
+    // pass with "views". A reference that selects layers itself keeps them: if the pass draws several views,
+    // it selects the layer of the first one. Returns false after reporting an error.
     bool select_layer(PassId pass, BoundPort& port) {
         const PassDraft& draft = declared_.expansion.passes[pass];
         const std::string& name = port.use.port;
@@ -203,11 +204,16 @@ class ReferenceBinder {
                                                   [&](const auto& output) { return output.name == name; });
         if (!is_color && !port.draft.is_depth_port && !port.draft.is_resolve) return true;
         const ResourceDecl& resource = declared_.shapes.resources[port.use.resource];
-        if (resource.kind != ResourceKind::image || port.draft.desc->ref.layer_first) return true;
+        if (resource.kind != ResourceKind::image) return true;
+        const uint32_t views = std::max(draft.views, 1u);
+        if (port.draft.desc->ref.layer_first) {
+            if (draft.views > 0) port.use.range.layers = views;
+            return true;
+        }
         const auto view = static_cast<uint32_t>(draft.indices.at(kViewIndex));
-        if (view < resource.layers) {
+        if (view < resource.layers && views <= resource.layers) {
             port.use.range.layer = view;
-            port.use.range.layers = 1;
+            port.use.range.layers = views;
             return true;
         }
         Diagnostic& d = report_.error(pass, port.use.loc, "W192",

@@ -71,6 +71,8 @@ std::optional<BufferView> bind_view(PassBinding& pass) {
         }
     }
     pass.bound.view = view_name(*list, static_cast<uint32_t>(number));
+    for (uint32_t view = 0; view < pass.draft.views; ++view)
+        pass.bound.views.push_back(view_name(*list, view));
     const PortDesc* buffer = find_view_buffer(pass.declared.input, *list);
     if (buffer == nullptr || pass.draft.shader == nullptr || find_view_block(*pass.draft.shader) == nullptr)
         return std::nullopt;

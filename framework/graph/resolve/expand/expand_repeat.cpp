@@ -19,13 +19,14 @@ constexpr uint64_t kMostStepsPerPass = 16;
 class PassRepeater {
  public:
     PassRepeater(const ResolveInput& input, const Values& values, const Evaluator& evaluator,
-                 const Shapes& shapes, const PassDesc& desc, RepeatCounts& counts, Expansion& expansion,
-                 Reporter& reporter)
+                 const Shapes& shapes, const PassDesc& desc, bool unites_views, RepeatCounts& counts,
+                 Expansion& expansion, Reporter& reporter)
         : input_(input),
           values_(values),
           evaluator_(evaluator),
           shapes_(shapes),
           desc_(desc),
+          unites_views_(unites_views),
           counts_(counts),
           expansion_(expansion),
           reporter_(reporter) {}
@@ -69,8 +70,10 @@ class PassRepeater {
         return true;
     }
 
-    // Returns the number of the last view of a pass with "views"; -1 if the list is empty.
+    // Returns the number of the last view of a pass with "views"; -1 if the list is empty. If one pass draws
+    // all views, the repeat has only the first one.
     std::optional<double> last_view() {
+        if (unites_views_) return 0;
         const ViewList* list = find_view_list(input_, values_, desc_, reporter_);
         return list != nullptr ? std::optional(list->count - 1.0) : std::nullopt;
     }
@@ -139,9 +142,10 @@ class PassRepeater {
     }
 
     // Returns the name of one pass of a repeat, made of the author's name and the values of the indices:
-    // "blur#2", or "blur#2.0" for two nested repeats.
+    // "blur#2", or "blur#2.0" for two nested repeats. A pass that draws all views has no other repeat.
     std::string name() const {
         std::string text = desc_.name;
+        if (unites_views_) return text;
         for (const RepeatDesc& repeat : desc_.repeat) {
             text += text.size() == desc_.name.size() ? "#" : ".";
             text += std::to_string(saturated<int64_t>(indices_.at(repeat.index)));
@@ -164,6 +168,7 @@ class PassRepeater {
     const Evaluator& evaluator_;
     const Shapes& shapes_;
     const PassDesc& desc_;
+    bool unites_views_;
     RepeatCounts& counts_;
     Expansion& expansion_;
     Reporter& reporter_;
@@ -177,8 +182,10 @@ class PassRepeater {
 
 std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
                                       const Evaluator& evaluator, const Shapes& shapes, const PassDesc& desc,
-                                      RepeatCounts& counts, Expansion& expansion, Reporter& reporter) {
-    return PassRepeater(input, values, evaluator, shapes, desc, counts, expansion, reporter).run();
+                                      bool unites_views, RepeatCounts& counts, Expansion& expansion,
+                                      Reporter& reporter) {
+    return PassRepeater(input, values, evaluator, shapes, desc, unites_views, counts, expansion, reporter)
+        .run();
 }
 
 }  // namespace weft

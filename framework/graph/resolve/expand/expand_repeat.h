@@ -20,11 +20,13 @@ struct RepeatCounts {
     uint64_t passes = 0;
 };
 
-// Returns the passes that one description results in. After reporting an error, returns none. Updates
+// Returns the passes that one description results in. If `unites_views` is true, one pass draws all views of
+// the key "views", and its index "view" is 0. After reporting an error, returns none. Updates
 // `counts` and these members of the expansion: `dropped`, `faulty`, `tried_ports`, `too_large`, `suspects`.
 [[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
                                                     const Evaluator& evaluator, const Shapes& shapes,
-                                                    const PassDesc& desc, RepeatCounts& counts,
-                                                    Expansion& expansion, Reporter& reporter);
+                                                    const PassDesc& desc, bool unites_views,
+                                                    RepeatCounts& counts, Expansion& expansion,
+                                                    Reporter& reporter);
 
 }  // namespace weft

@@ -26,6 +26,8 @@ namespace weft {
 // Tells when the pass is switched off and what its readers see then, and which of its inputs depend on
 // switches.
 [[nodiscard]] Result<std::string> explain_switch(const FramePlan& plan, const std::string& pass);
+// Tells which views the pass draws, whether it draws them together, and why.
+[[nodiscard]] Result<std::string> explain_views(const FramePlan& plan, const std::string& pass);
 // Lists the properties of the resource, its writers and readers, its lifetime and its place in memory.
 [[nodiscard]] Result<std::string> explain_resource(const FramePlan& plan, const std::string& resource);
 

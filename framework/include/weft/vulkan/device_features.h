@@ -30,6 +30,10 @@ struct OptionalFeatures {
     // Dynamic indices into arrays of uniform buffers. On llvmpipe, rewritten shaders use them; see
     // opaque_uniforms.h.
     bool uniform_array_indexing = false;
+    // One draw for several views. Every device of Vulkan 1.1 has it, but an embedder must enable it.
+    bool multiview = false;
+    // Vertex shaders that select the layer (ShaderLayer).
+    bool output_layer = false;
     // The three features that tables of textures need; see texture_tables().
     bool runtime_arrays = false;
     bool sampled_array_indexing = false;

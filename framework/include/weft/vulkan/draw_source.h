@@ -19,12 +19,20 @@
 
 namespace weft::vk {
 
+// In the descriptor set of several views, the constants of view i begin at this offset times i.
+inline constexpr uint32_t kViewStrideBytes = 512;
+// In the constants of a view, at binding 1 of descriptor set 0: the offset of the number of the view in its
+// list. Passes with layer output read it.
+inline constexpr uint32_t kViewNumberOffsetBytes = 424;
+
 struct DrawContext {
     const DeviceFunctions* fn = nullptr;
     VkCommandBuffer commands = VK_NULL_HANDLE;
     VkPipelineLayout layout = VK_NULL_HANDLE;
     std::string_view list;  // Name of the draw list, such as "opaque".
-    std::string_view view;  // The view of the pass, such as "camera".
+    std::string_view view;  // The view that is drawn, such as "camera".
+    // With multiview: all views that the draws draw; `view` is the first of them. Else empty.
+    std::span<const std::string> views;
     // Index into ImportDecl::variants of the list. The executor has bound the pipeline of this variant.
     uint32_t variant = 0;
     // If `cull` is `material`, the draw source sets the cull mode of each draw. For every value of `cull` it
@@ -43,8 +51,8 @@ struct DrawContext {
     VkBuffer draw_count = VK_NULL_HANDLE;
     VkDeviceSize draw_count_offset_bytes = 0;
     uint32_t most_draws = 0;
-    // True: the source may leave out draws that are outside of the frustum of the view, if the shader places
-    // vertices with the matrix of the view.
+    // True: the source may leave out draws that are outside of the frustum of the view, or of the frustums of
+    // all `views`, if the shader places vertices with the matrix of the view.
     bool culls_draws = false;
     bool depth_clamp = false;  // True: draws before the near plane and behind the far plane are drawn too.
     std::span<const FrameRange> frame_ranges;  // The constants of set 0 that the shader reads.
@@ -87,6 +95,15 @@ class DrawSource {
                                                             const LiveArea& /*area*/) const {
         return frame_set(frame_slot, view);
     }
+    // Returns descriptor set 0 of a frame slot for a pass with multiview. Binding 1 contains the constants of
+    // all views of the pass, in the order of PassDecl::views and kViewStrideBytes apart.
+    [[nodiscard]] virtual VkDescriptorSet views_set(uint32_t /*frame_slot*/,
+                                                    std::span<const std::string> /*views*/) const {
+        return VK_NULL_HANDLE;
+    }
+    // Returns true if the source supports passes that draw several views (PassDecl::lowering): it provides
+    // views_set(), and the constants of each view contain its number at kViewNumberOffsetBytes.
+    [[nodiscard]] virtual bool draws_several_views() const { return false; }
     // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the
     // opposite winding.
     [[nodiscard]] virtual bool is_mirrored(std::string_view /*view*/) const { return false; }
