@@ -239,9 +239,16 @@ struct PassDesc {
     std::string group;  // Name of the group to which the pass belongs; empty: none.
     // True for the pass of a debug view, which Weft adds to show a resource. It may read resources of groups.
     bool observes = false;
+    // The module to which the pass belongs, a key of GraphDesc::modules; empty: none.
+    std::string module;
     std::string type;
     QueueKind queue = QueueKind::graphics;
+    // Name of the shader: a key of ShaderCatalog. place_shaders() adds the folder to the name if the shader
+    // lies beside an included file.
     std::string shader;
+    // The shader beside the file that names it: the folder of this file, and the name without the folder.
+    // Empty: the shader is in the graph's folder or among the shipped shaders.
+    std::string shader_folder, shader_in_folder;
     SourceLoc shader_loc;
     std::vector<PortDesc> in;
     std::vector<PortDesc> out;
@@ -357,6 +364,14 @@ struct GraphTestDesc {
     SourceLoc loc;
 };
 
+// An instance of a module. Its passes, resources and other parts are in the maps of GraphDesc, with names
+// such as "glass::cull".
+struct ModuleDesc {
+    std::string parent;  // Name of the module that includes this one; empty: the graph.
+    // For each port that "with" replaces by a parameter, constant or size of the graph: its full name.
+    std::map<std::string, std::string> values;
+};
+
 // A quality tier of the graph. GraphDesc already contains the changes of the tier with which it was loaded.
 struct TierDesc {
     std::string name;
@@ -377,6 +392,7 @@ struct GraphDesc {
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
     std::map<std::string, GroupDesc> groups;
+    std::map<std::string, ModuleDesc> modules;  // By full name, for example "glass".
     Expr frames;  // Number of frames of a run; absent: 1.
     std::map<std::string, DebugViewDesc> debug;
     std::vector<GraphTestDesc> tests;
