@@ -62,8 +62,8 @@ struct CommandLine {
     CLI::App* explain = app.add_subcommand("explain", "answer a question about a plan");
     CLI::App* diff = app.add_subcommand("diff", "list the differences between two plans");
     CLI::App* compare = app.add_subcommand("compare", "measure the difference of two pictures");
-    CLI::App* doctor =
-        app.add_subcommand("doctor", "list the Vulkan devices and layers, and what weft needs but does not find");
+    CLI::App* doctor = app.add_subcommand(
+        "doctor", "list the Vulkan devices and layers, and what weft needs but does not find");
 
     CommandLine();
     void finish(const Limits& limits);

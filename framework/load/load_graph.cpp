@@ -40,7 +40,8 @@ void add_place(const std::string& path, std::set<std::filesystem::path>& files) 
 
 GraphReading reading_of(const LoadSettings& settings) {
     GraphReading reading{settings.graph_root.string(), settings.limits.graph};
-    for (const std::filesystem::path& folder : settings.graph_path) reading.graph_path.push_back(folder.string());
+    for (const std::filesystem::path& folder : settings.graph_path)
+        reading.graph_path.push_back(folder.string());
     return reading;
 }
 

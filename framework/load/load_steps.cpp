@@ -101,8 +101,8 @@ ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input, Di
         const std::optional<ProgramKind> kind = program_kind(pass);
         if (!kind || pass.shader.empty() || !known.emplace(pass.shader, *kind).second) continue;
         const std::string& reference = pass.shader_folder.empty() ? pass.shader : pass.shader_in_folder;
-        Result<ShaderProgram> program = compile_shader(
-            reference, *kind, shader_roots(input, pass.shader_folder), compiler, input.memory);
+        Result<ShaderProgram> program =
+            compile_shader(reference, *kind, shader_roots(input, pass.shader_folder), compiler, input.memory);
         if (program) {
             catalog.emplace(pass.shader, std::move(*program));
             continue;

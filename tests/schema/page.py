@@ -106,6 +106,9 @@ def main():
             for error in validator.iter_errors(graph):
                 failures.append(f"schema: {error.json_path}: {error.message[:200]}\n{file.read_text()}")
             walk.visit(schema, graph, "graph")
+            # A file with ports is a module: a graph that includes it is another example.
+            if "ports" in graph:
+                continue
             for run in runs(program, file.name, graph, folder, has_device):
                 if run.returncode != 0:
                     failures.append(f"{' '.join(run.args[1:])}: {run.stderr}\n{file.read_text()}")

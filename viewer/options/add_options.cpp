@@ -55,8 +55,9 @@ void add_limits(CLI::App& command, RawTexts& raw) {
 
 void add_graph_path(CLI::App& command, RawTexts& raw) {
     command
-        .add_option("--graph-path", raw.graph_path,
-                    "a folder in which included graphs are searched before the shipped graphs; may be repeated")
+        .add_option(
+            "--graph-path", raw.graph_path,
+            "a folder in which included graphs are searched before the shipped graphs; may be repeated")
         ->check(folder_validator());
 }
 

@@ -125,15 +125,15 @@ void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
 }
 
 constexpr std::array kTopKeys{
-    KeyRule<GraphDesc>{"$schema", skip_schema},  KeyRule<GraphDesc>{"version", read_version},
-    KeyRule<GraphDesc>{"name", read_text},       KeyRule<GraphDesc>{"imports", read_imports},
-    KeyRule<GraphDesc>{"consts", read_consts},   KeyRule<GraphDesc>{"params", parse_params},
-    KeyRule<GraphDesc>{"sizes", read_sizes},     KeyRule<GraphDesc>{"resources", parse_resources},
-    KeyRule<GraphDesc>{"passes", parse_passes},  KeyRule<GraphDesc>{"frames", read_frames},
-    KeyRule<GraphDesc>{"include", skip_read},    KeyRule<GraphDesc>{"tiers", read_tiers},
-    KeyRule<GraphDesc>{"debug", parse_debug},    KeyRule<GraphDesc>{"tests", skip_tests},
-    KeyRule<GraphDesc>{"jitter", read_jitter},   KeyRule<GraphDesc>{"groups", parse_groups},
-    KeyRule<GraphDesc>{"views", parse_views},    KeyRule<GraphDesc>{"ports", skip_read},
+    KeyRule<GraphDesc>{"$schema", skip_schema}, KeyRule<GraphDesc>{"version", read_version},
+    KeyRule<GraphDesc>{"name", read_text},      KeyRule<GraphDesc>{"imports", read_imports},
+    KeyRule<GraphDesc>{"consts", read_consts},  KeyRule<GraphDesc>{"params", parse_params},
+    KeyRule<GraphDesc>{"sizes", read_sizes},    KeyRule<GraphDesc>{"resources", parse_resources},
+    KeyRule<GraphDesc>{"passes", parse_passes}, KeyRule<GraphDesc>{"frames", read_frames},
+    KeyRule<GraphDesc>{"include", skip_read},   KeyRule<GraphDesc>{"tiers", read_tiers},
+    KeyRule<GraphDesc>{"debug", parse_debug},   KeyRule<GraphDesc>{"tests", skip_tests},
+    KeyRule<GraphDesc>{"jitter", read_jitter},  KeyRule<GraphDesc>{"groups", parse_groups},
+    KeyRule<GraphDesc>{"views", parse_views},   KeyRule<GraphDesc>{"ports", skip_read},
 };
 
 // Checks that no two entries of `sections` have the same name, even if they are in different sections. A

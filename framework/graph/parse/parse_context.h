@@ -49,10 +49,9 @@ class ParseContext {
     // which a user can raise the limit, for example "graph.debugViews".
     bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
                 const std::string& help);
-    // Completes a parsed expression or reference. Inside a group or module, the names of its parts become full
-    // names such as "relight::raw". The parts (numbers, names and operations) are added to
-    // the total of the graph. If the total exceeds the limit graph.expressionParts, reports an error and
-    // returns false.
+    // Completes a parsed expression or reference. Inside a group or module, the names of its parts become
+    // full names such as "relight::raw". The parts (numbers, names and operations) are added to the total of
+    // the graph. If the total exceeds the limit graph.expressionParts, reports an error and returns false.
     bool complete(Expr& expression);
     bool complete(RefDesc& ref);
     // Returns true if parsing should stop: kMaxErrors errors were reported, or within() has found a count

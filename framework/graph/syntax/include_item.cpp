@@ -103,7 +103,8 @@ class ItemReader {
         const std::filesystem::path name(node.string);
         const bool climbs = std::ranges::find(name, "..") != name.end();
         if (node.string.empty() || !name.is_relative() || climbs)
-            return fail(node.loc, "W126", "\"" + node.string + "\" is not a path inside the folder of the graph",
+            return fail(node.loc, "W126",
+                        "\"" + node.string + "\" is not a path inside the folder of the graph",
                         "write a path without \"..\", relative to the folder of this file, to a folder of "
                         "--graph-path or to the shipped graphs folder");
         item.file = node.string;

@@ -20,9 +20,9 @@ struct NamedSection {
     bool can_be_port;
 };
 constexpr std::array kNamedSections{
-    NamedSection{"consts", NameKind::value, true},      NamedSection{"params", NameKind::value, true},
-    NamedSection{"sizes", NameKind::value, true},       NamedSection{"resources", NameKind::resource, true},
-    NamedSection{"views", NameKind::view, true},        NamedSection{"passes", NameKind::pass, false},
+    NamedSection{"consts", NameKind::value, true}, NamedSection{"params", NameKind::value, true},
+    NamedSection{"sizes", NameKind::value, true},  NamedSection{"resources", NameKind::resource, true},
+    NamedSection{"views", NameKind::view, true},   NamedSection{"passes", NameKind::pass, false},
 };
 
 JsonNode* find_member(JsonNode& node, std::string_view key) {
@@ -78,7 +78,8 @@ ModuleNames::ModuleNames(const JsonDoc& merged)
         for (const JsonMember& member : node->members) {
             declared_[static_cast<size_t>(section.kind)].insert(member.key);
             if (section.kind == NameKind::view)
-                declared_[static_cast<size_t>(NameKind::value)].insert(member.key + std::string(kNumberOfViews));
+                declared_[static_cast<size_t>(NameKind::value)].insert(member.key +
+                                                                       std::string(kNumberOfViews));
         }
     }
     if (const JsonNode* imports = merged.root.find("imports"))
@@ -114,8 +115,8 @@ std::string ModuleNames::look_up(NameKind kind, uint32_t module, std::string_vie
     if (has(kind, full)) return full;
     if (kind == NameKind::value && name == kRenderSize) return look_up(kind, owner.parent, name);
     // The name may be one that the program provides, and that all modules share.
-    const bool is_shared = kind == NameKind::resource ? imports_.contains(name)
-                                                      : kind != NameKind::pass && !has(kind, name);
+    const bool is_shared =
+        kind == NameKind::resource ? imports_.contains(name) : kind != NameKind::pass && !has(kind, name);
     return is_shared ? std::string(name) : full;
 }
 
@@ -165,8 +166,8 @@ Diagnostic ModuleNames::without_target(const JsonDoc& merged, uint32_t module, c
     d.help.push_back("name a part of this graph for it: \"with\": { \"" + port + "\": \"…\" }" +
                      (desc.description.empty() ? "" : "; the port means: " + desc.description));
     if (desc.loc.file < merged.sources.files.size())
-        d.notes.push_back(
-            {merged.sources.files[desc.loc.file].path, desc.loc.line, desc.loc.column, "the port is listed here"});
+        d.notes.push_back({merged.sources.files[desc.loc.file].path, desc.loc.line, desc.loc.column,
+                           "the port is listed here"});
     return d;
 }
 
@@ -179,7 +180,8 @@ Diagnostic ModuleNames::unknown_target(const JsonDoc& merged, uint32_t module,
     Diagnostic d = merged.sources.error(
         target.loc, "W240", "the file that includes the module has no \"" + target.name + "\" for this port");
     const std::string near = did_you_mean_text(target.name, known);
-    d.help.push_back(near.empty() ? "name a resource, import, parameter, constant, size or list of views" : near);
+    d.help.push_back(near.empty() ? "name a resource, import, parameter, constant, size or list of views"
+                                  : near);
     return d;
 }
 

@@ -43,6 +43,7 @@ class IncludeReader {
         const std::filesystem::path graph(doc.sources.files.front().path);
         folders_.push_back(real_folder(graph.parent_path()));
         for (const std::filesystem::path& place : places_) folders_.push_back(real_folder(place));
+        real_paths_.push_back(real_path(graph.string()));
     }
 
     void follow(const JsonNode& file_root) {
@@ -111,14 +112,16 @@ class IncludeReader {
     // Returns the instance to which the file that is being read belongs.
     [[nodiscard]] uint32_t module() const { return doc_.module_of_file[open_.back()]; }
 
-    void report_unknown_port(const ModuleInstance& module, const std::string& port, const PortTarget& target) {
+    void report_unknown_port(const ModuleInstance& module, const std::string& port,
+                             const PortTarget& target) {
         const std::string& file = doc_.sources.files[module.file].path;
         std::vector<std::string> ports;
         for (const auto& [name, unused] : module.ports) ports.push_back(name);
         const std::string near = did_you_mean_text(port, ports);
         fail(target.port_loc, "W238", "\"" + file + "\" has no port \"" + port + "\"",
-             ports.empty() ? "the file has no ports: list the name in its section \"ports\", or remove it here"
-                           : (near.empty() ? "" : near + "; ") + "the ports are " + quoted_list(ports));
+             ports.empty()
+                 ? "the file has no ports: list the name in its section \"ports\", or remove it here"
+                 : (near.empty() ? "" : near + "; ") + "the ports are " + quoted_list(ports));
     }
 
     // Returns the paths at which an included file may be, in the order of the search: beside the including
@@ -140,11 +143,18 @@ class IncludeReader {
     // Returns true if the file was already read for the same instance, or for the graph itself.
     [[nodiscard]] bool is_known(const IncludeItem& item, std::optional<uint32_t> instance,
                                 const std::string& path) const {
-        const std::vector<SourceFile>& files = doc_.sources.files;
-        if (!item.as.empty()) return instance && files[doc_.modules[*instance].file].path == path;
-        for (size_t i = 0; i < files.size(); ++i)
-            if (files[i].path == path && doc_.module_of_file[i] == module()) return true;
+        const std::filesystem::path real = real_path(path);
+        if (!item.as.empty()) return instance && real_paths_[doc_.modules[*instance].file] == real;
+        for (size_t i = 0; i < real_paths_.size(); ++i)
+            if (real_paths_[i] == real && doc_.module_of_file[i] == module()) return true;
         return false;
+    }
+
+    // Returns the path without symbolic links. A file can be found by several paths, for example by a
+    // relative and by an absolute one. A file that is not on disk has only one path.
+    [[nodiscard]] std::filesystem::path real_path(const std::string& path) const {
+        const RealFile real = find_real_file(path, folders_);
+        return real.path.empty() ? std::filesystem::path(path) : real.path;
     }
 
     // Returns true if neither the file nor its folder is a link that leads out of the allowed folders. The
@@ -209,8 +219,9 @@ class IncludeReader {
     // includes nothing at the moment, may be included again.
     bool is_circle(const IncludeItem& item, const std::string& path) {
         const std::vector<SourceFile>& files = doc_.sources.files;
+        const std::filesystem::path real = real_path(path);
         const auto first =
-            std::ranges::find_if(open_, [&](uint32_t file) { return files[file].path == path; });
+            std::ranges::find_if(open_, [&](uint32_t file) { return real_paths_[file] == real; });
         if (first == open_.end()) return false;
         std::string chain;
         for (auto it = first; it != open_.end(); ++it) chain += files[*it].path + " -> ";
@@ -233,10 +244,12 @@ class IncludeReader {
         const auto file = static_cast<uint32_t>(doc_.sources.files.size());
         Result<JsonNode> root = read_json_file(doc_.sources, path, std::move(text), limits, item.loc);
         doc_.module_of_file.push_back(begin_module(item, file));
+        real_paths_.push_back(real_path(path));
         if (!root) {
             // If the file belongs to several instances, each of its errors is reported only once.
             for (const Diagnostic& fault : root.errors())
-                if (std::ranges::none_of(errors_, [&](const Diagnostic& d) { return is_same_fault(d, fault); }))
+                if (std::ranges::none_of(errors_,
+                                         [&](const Diagnostic& d) { return is_same_fault(d, fault); }))
                     errors_.push_back(fault);
             return;
         }
@@ -265,6 +278,7 @@ class IncludeReader {
     const GraphReading& reading_;
     // Indices into SourceMap::files of the files that are being read: each file includes the next one.
     std::vector<uint32_t> open_;
+    std::vector<std::filesystem::path> real_paths_;  // By index of SourceMap::files; see real_path().
     // Folders in which included files are searched after the folder of the including file.
     std::vector<std::filesystem::path> places_;
     // Folders that included files must lie in, after resolving symbolic links: the graph's folder and

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "weft/declaration.h"
+#include "weft/module_desc.h"
 #include "weft/source.h"
 
 namespace weft {
@@ -243,11 +244,8 @@ struct PassDesc {
     std::string module;
     std::string type;
     QueueKind queue = QueueKind::graphics;
-    // Name of the shader: a key of ShaderCatalog. place_shaders() adds the folder to the name if the shader
-    // lies beside an included file.
-    std::string shader;
-    // The shader beside the file that names it: the folder of this file, and the name without the folder.
-    // Empty: the shader is in the graph's folder or among the shipped shaders.
+    std::string shader;  // Key of ShaderCatalog. place_shaders() may add a folder to the name in the file.
+    // If an included file names the shader: the folder of this file, and the name without the folder.
     std::string shader_folder, shader_in_folder;
     SourceLoc shader_loc;
     std::vector<PortDesc> in;
@@ -364,14 +362,6 @@ struct GraphTestDesc {
     SourceLoc loc;
 };
 
-// An instance of a module. Its passes, resources and other parts are in the maps of GraphDesc, with names
-// such as "glass::cull".
-struct ModuleDesc {
-    std::string parent;  // Name of the module that includes this one; empty: the graph.
-    // For each port that "with" replaces by a parameter, constant or size of the graph: its full name.
-    std::map<std::string, std::string> values;
-};
-
 // A quality tier of the graph. GraphDesc already contains the changes of the tier with which it was loaded.
 struct TierDesc {
     std::string name;
@@ -393,7 +383,7 @@ struct GraphDesc {
     std::map<std::string, PassDesc> passes;
     std::map<std::string, GroupDesc> groups;
     std::map<std::string, ModuleDesc> modules;  // By full name, for example "glass".
-    Expr frames;  // Number of frames of a run; absent: 1.
+    Expr frames;                                // Number of frames of a run; absent: 1.
     std::map<std::string, DebugViewDesc> debug;
     std::vector<GraphTestDesc> tests;
     // The camera moves by fractions of a pixel from frame to frame. The movement repeats after this number of

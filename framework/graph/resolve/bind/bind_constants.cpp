@@ -93,7 +93,8 @@ class ConstantBinder {
         const GraphDesc& graph = at_.declared.input.graph;
         const bool is_index = at_.draft.indices.contains(constant);
         const std::string name = is_index ? constant : name_in_module(graph, desc().module, constant);
-        if (!graph.params.contains(name) && !graph.consts.contains(name) && !is_index && !at_.declared.input.imports.numbers.contains(name))
+        if (!graph.params.contains(name) && !graph.consts.contains(name) && !is_index &&
+            !at_.declared.input.imports.numbers.contains(name))
             return std::nullopt;
         return at_.evaluator.find(name);
     }

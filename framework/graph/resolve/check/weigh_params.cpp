@@ -95,7 +95,7 @@ class ParamCosts {
         for (const Expr* expression : {&resource.size, &resource.mips, &resource.layers, &resource.samples,
                                        &resource.count, &resource.history})
             add(*expression, ParamCost::graph);
-        if (resource.size.empty() && !resource.is_buffer) 
+        if (resource.size.empty() && !resource.is_buffer)
             add_name(render_size_name(graph_, resource.name), ParamCost::graph);
         add(resource.clear);
         add(resource.first_frame);
