@@ -52,5 +52,10 @@ struct FaultyText {
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,
                                                  const std::map<std::string, double>& params,
                                                  const DeviceProfile& profile);
+// Resolves a graph that contains only an instance of the text as a module named "m". So all names of the text
+// begin with "m::".
+[[nodiscard]] Result<ResolvedGraph> resolve_as_module(const std::string& text,
+                                                      const std::map<std::string, double>& params,
+                                                      const DeviceProfile& profile);
 
 }  // namespace weft::test

@@ -2,6 +2,7 @@
 #include "graph/parse/parse.h"
 #include "graph/resolve/resolve.h"
 #include "graph/syntax/merge.h"
+#include "graph/syntax/read_graph.h"
 #include "tests/graph/samples/fake_shaders.h"
 #include "tests/graph/samples/random_text.h"
 
@@ -80,12 +81,8 @@ ImportCatalog make_imports() {
     return catalog;
 }
 
-}  // namespace
-
-Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
-                                   const DeviceProfile& profile) {
-    const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
-    Result<JsonDoc> document = read_json("random.json", reader);
+Result<ResolvedGraph> resolve_document(Result<JsonDoc> document, const std::map<std::string, double>& params,
+                                       const DeviceProfile& profile) {
     if (!document) return document.take_errors();
     Result<JsonDoc> merged = merge(std::move(document).value());
     if (!merged) return merged.take_errors();
@@ -102,6 +99,26 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
                     .profile = profile,
                     .request = {.params = params, .size = {64, 64, 1}}},
                    warnings);
+}
+
+}  // namespace
+
+Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
+                                   const DeviceProfile& profile) {
+    const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
+    return resolve_document(read_json("random.json", reader), params, profile);
+}
+
+Result<ResolvedGraph> resolve_as_module(const std::string& text, const std::map<std::string, double>& params,
+                                        const DeviceProfile& profile) {
+    const FileReader reader = [&](const std::string& path) -> std::optional<std::string> {
+        if (path == "module.json") return text;
+        if (path != "random.json") return std::nullopt;
+        return R"({"version": 1, "include": [{"file": "module.json", "as": "m"}], "passes": {}})";
+    };
+    std::map<std::string, double> full;
+    for (const auto& [name, value] : params) full["m::" + name] = value;
+    return resolve_document(read_graph("random.json", reader), full, profile);
 }
 
 }  // namespace weft::test
