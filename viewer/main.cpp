@@ -62,8 +62,8 @@ struct CommandLine {
     CLI::App* explain = app.add_subcommand("explain", "answer a question about a plan");
     CLI::App* diff = app.add_subcommand("diff", "list the differences between two plans");
     CLI::App* compare = app.add_subcommand("compare", "measure the difference of two pictures");
-    CLI::App* doctor =
-        app.add_subcommand("doctor", "list the Vulkan devices and layers, and what weft needs but does not find");
+    CLI::App* doctor = app.add_subcommand(
+        "doctor", "list the Vulkan devices and layers, and what weft needs but does not find");
 
     CommandLine();
     void finish(const Limits& limits);
@@ -95,6 +95,8 @@ CommandLine::CommandLine() {
 void CommandLine::finish(const Limits& limits) {
     render_options.limits = compare_options.limits = schema_options.limits = limits;
     bench.frame_options.limits = view_options.render.limits = limits;
+    render_options.graph_path = view_options.render.graph_path = schema_options.graph_path = raw.graph_path;
+    bench.frame_options.graph_path = raw.graph_path;
     bench.frame_options.size = parse_size(raw.bench_size);
     render_options.request.size = view_options.render.request.size = parse_size(raw.size);
     render_options.request.params = view_options.render.request.params = parse_params(raw.params);
@@ -107,6 +109,7 @@ void CommandLine::finish(const Limits& limits) {
         offline->request.size = render_options.request.size;
         offline->request.params = render_options.request.params;
         offline->limits = limits;
+        offline->graph_path = raw.graph_path;
     }
 }
 
@@ -132,6 +135,7 @@ std::optional<ExitCode> CommandLine::enter_sandbox() {
     } else {
         return std::nullopt;
     }
+    needs.read.insert(needs.read.end(), raw.graph_path.begin(), raw.graph_path.end());
     return run_in_sandbox(needs);
 }
 

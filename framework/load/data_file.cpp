@@ -58,6 +58,7 @@ DataFile find_data_file(const std::string& folder, const std::string& name, uint
         if (!shipped.empty()) places.push_back(shipped);
     std::vector<fs::path> real;
     for (const fs::path& place : places) real.push_back(real_folder(place));
+    for (const fs::path& place : settings.graph_path) real.push_back(real_folder(place));
     std::string tried;
     for (const fs::path& place : places) {
         const std::string path = (place / name).lexically_normal().generic_string();

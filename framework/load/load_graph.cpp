@@ -8,6 +8,7 @@
 #include "graph/syntax/read_graph.h"
 #include "load/area_reads.h"
 #include "load/load_steps.h"
+#include "load/place_shaders.h"
 #include "load/shared_resources.h"
 #include "load/tier_formats.h"
 
@@ -38,12 +39,20 @@ void add_place(const std::string& path, std::set<std::filesystem::path>& files) 
     if (!error) files.insert(std::move(real));
 }
 
+GraphReading reading_of(const LoadSettings& settings) {
+    GraphReading reading{settings.graph_root.string(), settings.limits.graph};
+    for (const std::filesystem::path& folder : settings.graph_path)
+        reading.graph_path.push_back(folder.string());
+    return reading;
+}
+
 Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const LoadInput& input,
                               Diagnostics& warnings) {
     const GraphRequest& request = input.request;
     if (!request.debug.empty()) {
         Status added = add_debug_view(desc, input.imports, request.debug);
         if (!added) return with_places(document, request.tier, added.take_errors());
+        place_shaders(desc, input.settings);
     }
     Diagnostics faults;
     TierVariant own{std::move(desc), {}};
@@ -72,7 +81,7 @@ Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const Loa
 }  // namespace
 
 Result<JsonDoc> read_graph(const std::string& path, const LoadSettings& settings) {
-    return read_graph(path, settings.reader, {settings.graph_root.string(), settings.limits.graph});
+    return read_graph(path, settings.reader, reading_of(settings));
 }
 
 Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings& settings,
@@ -82,8 +91,7 @@ Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings&
         add_place(path, places);
         return settings.reader(path);
     };
-    Result<JsonDoc> document =
-        read_graph(request.path, reader, {settings.graph_root.string(), settings.limits.graph});
+    Result<JsonDoc> document = read_graph(request.path, reader, reading_of(settings));
     Result<GraphDesc> desc = Diagnostics{};
     if (document) desc = parse_tier(*document, request.tier, settings, &places);
     if (files != nullptr) files->insert(places.begin(), places.end());

@@ -9,6 +9,7 @@
 #include "graph/parse/parse.h"
 #include "graph/syntax/merge.h"
 #include "load/measure_files.h"
+#include "load/place_shaders.h"
 #include "shader/compile/glsl_compile.h"
 
 namespace weft {
@@ -38,15 +39,18 @@ bool says_no_compiler(const Diagnostic& fault) {
 }
 
 // The folder of the graph is taken from the request unchanged, so that messages name shader files with the
-// path that the user gave (relative or absolute).
-ShaderRoots shader_roots(const LoadInput& input) {
+// path that the user gave (relative or absolute). `beside` is the folder of an included file; empty: none.
+ShaderRoots shader_roots(const LoadInput& input, const std::string& beside) {
     const LoadSettings& settings = input.settings;
-    return {{std::filesystem::path(input.request.path).parent_path(), settings.shader_root},
-            settings.shader_root / "include",
-            settings.shader_cache,
-            settings.shader_worker,
-            settings.limits.shader,
-            shader_target(input.profile)};
+    ShaderRoots roots{{std::filesystem::path(input.request.path).parent_path(), settings.shader_root},
+                      settings.shader_root / "include",
+                      settings.shader_cache,
+                      settings.shader_worker,
+                      settings.limits.shader,
+                      shader_target(input.profile),
+                      settings.graph_path};
+    if (!beside.empty()) roots.roots.insert(roots.roots.begin(), beside);
+    return roots;
 }
 
 }  // namespace
@@ -63,6 +67,7 @@ Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier, c
     if (!desc) return desc;
     desc->tier = tier;
     Diagnostics faults;
+    place_shaders(*desc, settings);
     measure_files(*desc, settings, searched, faults);
     if (!faults.empty()) return faults;
     return desc;
@@ -87,16 +92,17 @@ Result<ResolvedGraph> resolve_formats(const GraphDesc& desc, const ShaderCatalog
 }
 
 ShaderCatalog compile_shaders(const GraphDesc& graph, const LoadInput& input, Diagnostics& faults) {
-    const ShaderRoots roots = shader_roots(input);
     ShaderCatalog catalog;
     std::set<std::pair<std::string, ProgramKind>> known;
-    shader::StageCompiler compiler(roots);
+    shader::StageCompiler compiler(shader_roots(input, {}));
     // True after the error "no compiler" (X570) was reported once. It is not repeated for other shaders.
     bool no_compiler = false;
     for (const auto& [name, pass] : graph.passes) {
         const std::optional<ProgramKind> kind = program_kind(pass);
         if (!kind || pass.shader.empty() || !known.emplace(pass.shader, *kind).second) continue;
-        Result<ShaderProgram> program = compile_shader(pass.shader, *kind, roots, compiler, input.memory);
+        const std::string& reference = pass.shader_folder.empty() ? pass.shader : pass.shader_in_folder;
+        Result<ShaderProgram> program =
+            compile_shader(reference, *kind, shader_roots(input, pass.shader_folder), compiler, input.memory);
         if (program) {
             catalog.emplace(pass.shader, std::move(*program));
             continue;

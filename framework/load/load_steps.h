@@ -11,8 +11,8 @@
 namespace weft {
 
 void append(Diagnostics& to, Diagnostics from);
-// Merges the document for one tier, parses the result, and reads the sizes of the files that its resources
-// name. Adds the searched files to `searched`, if it is not null.
+// Merges the document for one tier, parses the result, finds the folders of the shaders, and reads the sizes
+// of the files that its resources name. Adds the searched files to `searched`, if it is not null.
 [[nodiscard]] Result<GraphDesc> parse_tier(const JsonDoc& document, const std::string& tier,
                                            const LoadSettings& settings,
                                            std::set<std::filesystem::path>* searched = nullptr);

@@ -122,6 +122,9 @@ def main():
             if need:
                 failures += filter(None, [fault_of_need(program, file.name, need, folder)])
                 continue
+            # A file with ports is a module: a graph that includes it is another example.
+            if "ports" in graph:
+                continue
             for run in runs(program, file.name, graph, folder, has_device):
                 if run.returncode != 0:
                     failures.append(f"{' '.join(run.args[1:])}: {run.stderr}\n{file.read_text()}")

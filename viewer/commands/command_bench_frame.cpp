@@ -66,6 +66,7 @@ class Run {
         render_.device = options.device;
         render_.timeout_s = options.timeout_s;
         render_.limits = options.limits;
+        render_.graph_path = options.graph_path;
     }
 
     [[nodiscard]] Result<FrameBench> measure() {

@@ -48,6 +48,7 @@ class TestRun {
         options_.request.params = options.offline.request.params;
         for (const auto& [name, value] : test.params) options_.request.params[name] = value;
         options_.limits = options.offline.limits;
+        options_.graph_path = options.offline.graph_path;
         uint64_t& frame_bytes = options_.limits.graph.transient_bytes;
         frame_bytes = std::min(frame_bytes, options_.limits.graph.test_bytes);
         options_.queues = options.offline.queues;

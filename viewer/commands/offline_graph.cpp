@@ -22,7 +22,7 @@ Result<PlannedGraph> plan_offline(const JsonDoc& document, const OfflineOptions&
                                   SharedByTiers* shared) {
     const PassCatalog passes = registered_passes();
     const ImportCatalog imports = render::scene_imports(options.request.size);
-    const LoadSettings settings = load_settings(options.limits);
+    const LoadSettings settings = load_settings(options.limits, options.graph_path);
     LoadInput input{.request = options.request,
                     .settings = settings,
                     .passes = passes,
@@ -41,7 +41,7 @@ Result<PlannedGraph> plan_offline(const JsonDoc& document, const OfflineOptions&
 }  // namespace
 
 Result<JsonDoc> read_offline(const std::string& file, const OfflineOptions& options) {
-    return read_graph(file, load_settings(options.limits));
+    return read_graph(file, load_settings(options.limits, options.graph_path));
 }
 
 Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOptions& options,

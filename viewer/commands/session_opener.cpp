@@ -48,7 +48,7 @@ render::SessionInput session_input(const RenderOptions& options, const PassCatal
         input.request.path = (shipped_root() / "graphs" / "deferred.json").string();
     if (!options.resource.empty()) input.request.observed.push_back(options.resource);
     if (!input.request.debug.empty()) input.request.observed.emplace_back(kDebugView);
-    input.load = load_settings(options.limits);
+    input.load = load_settings(options.limits, options.graph_path);
     input.passes = &passes;
     input.queues = options.queues;
     input.check_plan = options.validate;

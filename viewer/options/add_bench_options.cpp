@@ -66,6 +66,7 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
     command->add_option("--timeout", o.timeout_s, "seconds to wait for a frame before the command fails")
         ->transform(number_in(kTimeout))
         ->capture_default_str();
+    add_graph_path(*command, raw);
     add_limits(*command, raw);
     command->add_flag("--json", o.json, "print the result as JSON");
 }

@@ -38,6 +38,7 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     add_queues(command, o.queues);
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
+    add_graph_path(command, raw);
     add_limits(command, raw);
 }
 
@@ -52,6 +53,14 @@ void add_limits(CLI::App& command, RawTexts& raw) {
     command.add_option("--limits", raw.limits, "a JSON file that changes the limits for input files");
 }
 
+void add_graph_path(CLI::App& command, RawTexts& raw) {
+    command
+        .add_option(
+            "--graph-path", raw.graph_path,
+            "a folder in which included graphs are searched before the shipped graphs; may be repeated")
+        ->check(folder_validator());
+}
+
 void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command
         .add_option("SCENE", o.scene,
@@ -61,6 +70,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command.add_option("--graph", o.request.path,
                        "the graph file (JSON) [default: the shipped graphs/deferred.json]");
+    add_graph_path(command, raw);
     command.add_option("--tier", o.request.tier, "the quality tier of the graph [default: none]");
     add_size(command, raw);
     command
@@ -167,6 +177,7 @@ void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
         "FILE", o.file,
         "a graph file; the schema then proposes the names in this graph [default: a schema for all graphs]");
     command.add_option("-o,--output", o.output, "write to this file instead of stdout");
+    add_graph_path(command, raw);
     add_limits(command, raw);
 }
 

@@ -22,6 +22,7 @@ struct RawTexts {
     std::vector<std::string> turns;
     double exposure = 0;
     std::string limits;
+    std::vector<std::string> graph_path;
 };
 
 void add_render(CLI::App& command, RenderOptions& options, RawTexts& raw);
@@ -34,6 +35,7 @@ void add_diff(CLI::App& command, DiffOptions& options, RawTexts& raw);
 void add_compare(CLI::App& command, CompareOptions& options, RawTexts& raw);
 void add_doctor(CLI::App& command, DoctorOptions& options);
 void add_limits(CLI::App& command, RawTexts& raw);
+void add_graph_path(CLI::App& command, RawTexts& raw);
 
 // The command `bench` with the options of its commands `bench compile` and `bench frame`.
 struct BenchCommands {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <span>
+#include <system_error>
 
 #include "viewer/options/numbers.h"
 #include "weft/result.h"
@@ -83,6 +85,11 @@ std::string plot_fault(const std::string& text) {
     return text.size() > 4 && text.ends_with(".svg")
                ? ""
                : "\"" + text + "\" is not a name of a plot; wanted FILE.svg";
+}
+
+std::string folder_fault(const std::string& text) {
+    std::error_code failed;
+    return std::filesystem::is_directory(text, failed) ? "" : "\"" + text + "\" is not a folder";
 }
 
 std::string env_fault(const std::string& text) {

@@ -36,6 +36,7 @@ namespace weft::viewer {
 // Returns a message if the file name of a plot does not end with .svg. Returns an empty text if the name is
 // valid.
 [[nodiscard]] std::string plot_fault(const std::string& text);
+[[nodiscard]] std::string folder_fault(const std::string& text);
 
 // Returns a message if the arguments (without the name of the program) contain a flag that is reserved for a
 // later version, or if the command is `view` and neither --headless nor --help is given. Otherwise, returns

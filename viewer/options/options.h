@@ -44,6 +44,7 @@ struct RenderOptions {
     bool sandbox = false;
     std::string named_output;  // Name of the output file in messages; if empty, the path in `output` is used.
     Limits limits;
+    std::vector<std::string> graph_path;  // Folders in which included graphs are searched.
 };
 
 // Returns the files that the command reads. A word such as "sky" is included, too, because a file may have
@@ -68,6 +69,7 @@ struct OfflineOptions {
     std::string profile;   // A profile file, or the name of a shipped profile; if empty, "lavapipe".
     uint32_t queues = 1;
     Limits limits;
+    std::vector<std::string> graph_path;
 };
 
 struct CheckOptions {
@@ -92,6 +94,7 @@ struct SchemaOptions {
     std::string file;    // The graph whose names the schema proposes; if empty, the schema is for all graphs.
     std::string output;  // File to write; if empty, the command writes to stdout.
     Limits limits;
+    std::vector<std::string> graph_path;
 };
 
 struct ExplainOptions {
@@ -140,6 +143,7 @@ struct FrameBenchOptions {
     std::string plot;  // Path of the .svg file for the plot; if empty, no plot is drawn.
     bool json = false;
     Limits limits;
+    std::vector<std::string> graph_path;
 };
 
 struct DoctorOptions {

@@ -26,6 +26,10 @@ CLI::Validator plot_validator() {
     return CLI::Validator([](std::string& text) { return plot_fault(text); }, "FILE.svg");
 }
 
+CLI::Validator folder_validator() {
+    return CLI::Validator([](std::string& text) { return folder_fault(text); }, "DIR");
+}
+
 // Checks the number, and replaces its text by a plain decimal number, which CLI11 reads in the same way in
 // every locale.
 CLI::Validator number_in(const NumberRange& range) {

@@ -25,6 +25,7 @@ inline constexpr NumberRange kTimeout{0.001, 3600, "s"};
 [[nodiscard]] CLI::Validator turns_validator();
 [[nodiscard]] CLI::Validator env_validator();
 [[nodiscard]] CLI::Validator plot_validator();
+[[nodiscard]] CLI::Validator folder_validator();
 [[nodiscard]] CLI::Validator number_in(const NumberRange& range);
 [[nodiscard]] CLI::Validator fraction_in(const NumberRange& range);
 [[nodiscard]] CLI::Validator whole_number_in(uint64_t least, uint64_t most);

@@ -1,6 +1,7 @@
 #include "viewer/schema/schema_names.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -25,11 +26,22 @@ constexpr size_t kMostFiles = 10'000;
 
 ShaderRoots shader_roots(const SchemaOptions& options) {
     const fs::path shipped = shipped_root() / "shaders";
-    return {{fs::absolute(options.file).parent_path(), shipped},
-            shipped / "include",
-            shader_cache(),
-            find_shader_worker(),
-            options.limits.shader};
+    ShaderRoots roots{{fs::absolute(options.file).parent_path(), shipped},
+                      shipped / "include",
+                      shader_cache(),
+                      find_shader_worker(),
+                      options.limits.shader};
+    roots.allowed.assign(options.graph_path.begin(), options.graph_path.end());
+    return roots;
+}
+
+// Returns true for names such as "raw" and "glass::raw".
+bool is_part_name(std::string_view name) {
+    for (size_t end = name.find(kInGroup); end != std::string_view::npos; end = name.find(kInGroup)) {
+        if (!is_identifier(name.substr(0, end))) return false;
+        name.remove_prefix(end + kInGroup.size());
+    }
+    return is_identifier(name);
 }
 
 bool is_hidden(const fs::path& path) {
@@ -64,7 +76,7 @@ std::set<std::string> keys_of(const JsonNode& node, std::string_view section) {
     std::set<std::string> keys;
     if (const JsonNode* value = node.find(section))
         for (const JsonMember& member : value->members)
-            if (is_identifier(member.key)) keys.insert(member.key);
+            if (is_part_name(member.key)) keys.insert(member.key);
     return keys;
 }
 
@@ -75,7 +87,9 @@ class NameGatherer {
         for (const fs::path& root : roots_.roots) list_shaders(root, names_);
     }
 
-    void add(const JsonNode& root) {
+    void add(const JsonDoc& document) {
+        const JsonNode& root = document.root;
+        sources_ = &document.sources;
         names_.resources.merge(keys_of(root, "resources"));
         names_.params.merge(keys_of(root, "params"));
         names_.views.insert({"camera", "sun"});
@@ -88,7 +102,7 @@ class NameGatherer {
         add_passes(root, names_.passes);
         if (const JsonNode* groups = root.find("groups"))
             for (const JsonMember& group : groups->members)
-                if (is_identifier(group.key)) add_group(group);
+                if (is_part_name(group.key)) add_group(group);
     }
 
     GraphNames take(const std::vector<std::string>& tiers) {
@@ -106,7 +120,7 @@ class NameGatherer {
     void add_passes(const JsonNode& owner, std::map<std::string, PassNames>& passes) {
         if (const JsonNode* section = owner.find("passes"))
             for (const JsonMember& pass : section->members)
-                if (is_identifier(pass.key)) add_pass(pass.value, passes[pass.key]);
+                if (is_part_name(pass.key)) add_pass(pass.value, passes[pass.key]);
     }
 
     void add_group(const JsonMember& group) {
@@ -122,7 +136,7 @@ class NameGatherer {
         const std::string type = text_of(node, "type");
         const auto custom = custom_.find(type);
         if (custom != custom_.end()) return add_custom(custom->second, pass);
-        const ShaderProgram* program = compiled(type, text_of(node, "shader"));
+        const ShaderProgram* program = compiled(type, node.find("shader"));
         if (program == nullptr)
             pass.is_open = true;
         else
@@ -148,15 +162,20 @@ class NameGatherer {
 
     // Returns the compiled program of a shader, or null if the shader does not exist or does not compile.
     // Also returns null if passes of `type` have no shader. Compiles each shader only once.
-    const ShaderProgram* compiled(const std::string& type, const std::string& shader) {
+    const ShaderProgram* compiled(const std::string& type, const JsonNode* shader) {
         std::optional<ProgramKind> kind;
         if (type == "compute") kind = ProgramKind::compute;
         if (type == "fullscreen") kind = ProgramKind::fullscreen;
         if (type == "raster") kind = ProgramKind::raster;
-        if (!kind || shader.empty()) return nullptr;
-        const auto [program, is_new] = programs_.try_emplace({type, shader});
+        if (!kind || shader == nullptr || shader->string.empty()) return nullptr;
+        // The shader is searched first in the folder of the file that names it.
+        const fs::path file(sources_->files.at(shader->loc.file).path);
+        ShaderRoots roots = roots_;
+        roots.roots.insert(roots.roots.begin(), fs::absolute(file).parent_path());
+        const auto [program, is_new] =
+            programs_.try_emplace({type, shader->string, roots.roots.front().string()});
         if (is_new) {
-            Result<ShaderProgram> made = compile_shader(shader, *kind, roots_, compiler_);
+            Result<ShaderProgram> made = compile_shader(shader->string, *kind, roots, compiler_);
             if (made) program->second = std::move(*made);
         }
         return program->second ? &*program->second : nullptr;
@@ -165,22 +184,25 @@ class NameGatherer {
     ShaderRoots roots_;
     shader::StageCompiler compiler_;
     PassCatalog custom_;
-    std::map<std::pair<std::string, std::string>, std::optional<ShaderProgram>> programs_;
+    const SourceMap* sources_ = nullptr;  // The files of the document whose names are being added.
+    // By type of the pass, name of the shader, and folder of the file that names it.
+    std::map<std::array<std::string, 3>, std::optional<ShaderProgram>> programs_;
     GraphNames names_;
 };
 
 }  // namespace
 
 Result<GraphNames> gather_names(const SchemaOptions& options) {
-    Result<JsonDoc> document = read_graph(options.file, reader_up_to(options.limits.graph.json_bytes),
-                                          {(shipped_root() / "graphs").string(), options.limits.graph});
+    Result<JsonDoc> document =
+        read_graph(options.file, reader_up_to(options.limits.graph.json_bytes),
+                   {(shipped_root() / "graphs").string(), options.limits.graph, options.graph_path});
     if (!document) return document.take_errors();
     const std::vector<std::string> tiers = tier_names(*document);
     NameGatherer gatherer(options);
     const Result<JsonDoc> plain = merge(*document);
-    gatherer.add(plain ? plain->root : document->root);
+    gatherer.add(plain ? *plain : *document);
     for (const std::string& tier : tiers)
-        if (const Result<JsonDoc> merged = merge(*document, tier)) gatherer.add(merged->root);
+        if (const Result<JsonDoc> merged = merge(*document, tier)) gatherer.add(*merged);
     return gatherer.take(tiers);
 }
 

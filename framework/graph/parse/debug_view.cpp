@@ -4,6 +4,7 @@
 #include <array>
 
 #include "graph/parse/expression.h"
+#include "graph/parse/module_scope.h"
 #include "graph/parse/reference.h"
 #include "weft/format.h"
 
@@ -142,6 +143,7 @@ PortDesc sampled_port(const char* name, RefDesc ref, SourceLoc loc) {
 PassDesc view_pass(const GraphDesc& graph, const DebugViewDesc& view, const Shown& shown) {
     PassDesc pass;
     pass.name = kDebugView;
+    pass.module = module_of(graph, view.name);
     pass.type = "fullscreen";
     pass.observes = true;
     pass.shader = view.shader.empty() ? shader_for(shown) : view.shader;

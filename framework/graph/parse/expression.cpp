@@ -4,6 +4,8 @@
 #include <array>
 #include <charconv>
 
+#include "graph/syntax/reference_name.h"
+
 namespace weft {
 namespace {
 
@@ -170,9 +172,19 @@ class ExpressionParser {
         return std::string(text_.text.substr(begin, position_ - begin));
     }
 
+    // Reads a name, which may begin with the names of modules: "glass::bias".
+    std::string full_word() {
+        std::string name = word();
+        while (peek() == ':' && peek(1) == ':' && is_name_start(peek(2))) {
+            position_ += kInGroup.size();
+            name = name_in_group(name, word());
+        }
+        return name;
+    }
+
     bool name_or_call() {
         const size_t begin = position_;
-        const std::string name = word();
+        const std::string name = full_word();
         skip_spaces();
         if (peek() != '(') {
             position_ = begin + name.size();
@@ -193,11 +205,7 @@ class ExpressionParser {
         skip_spaces();
         const size_t begin = position_;
         if (!is_name_start(peek())) return fail_here("the name of an image");
-        std::string name = word();
-        if (peek() == ':' && peek(1) == ':' && is_name_start(peek(2))) {
-            position_ += 2;
-            name += "::" + word();
-        }
+        const std::string name = full_word();
         if (!emit(ExprOp::mips_of, begin, name.size(), 0, name)) return false;
         return accept(')') || fail_here("')'");
     }

@@ -3,6 +3,7 @@
 #include "graph/parse/expression.h"
 #include "graph/parse/parse.h"
 #include "graph/parse/parse_context.h"
+#include "graph/syntax/module_names.h"
 
 namespace weft {
 namespace {
@@ -47,7 +48,7 @@ void read_imports(ParseContext& context, const JsonNode& node, GraphDesc& graph)
 }
 
 void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    read_named(context, node, "a constant", [&](const JsonMember& member) {
+    read_parts(context, node, "a constant", [&](const JsonMember& member) {
         if (!check_value_count(context, graph, member.key_loc)) return;
         Expr value;
         if (read_expression(context, member.value, value)) graph.consts.emplace(member.key, std::move(value));
@@ -65,7 +66,8 @@ constexpr std::array kLiveSizeKeys{
         "size", [](ParseContext& c, const JsonNode& n, LiveSizeDraft& d) { read_size(c, n, d.size); }},
     KeyRule<LiveSizeDraft>{"scale", [](ParseContext& c, const JsonNode& n, LiveSizeDraft& d) {
                                d.scale.loc = n.loc;
-                               read_string(c, n, d.scale.param);
+                               std::string param;
+                               if (read_string(c, n, param)) d.scale.param = c.param_name(param, n.loc);
                            }}};
 
 void read_live_size(ParseContext& context, const JsonMember& member, GraphDesc& graph) {
@@ -82,7 +84,7 @@ void read_live_size(ParseContext& context, const JsonMember& member, GraphDesc& 
 }
 
 void read_sizes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    read_named(context, node, "a size", [&](const JsonMember& member) {
+    read_parts(context, node, "a size", [&](const JsonMember& member) {
         if (!check_value_count(context, graph, member.key_loc)) return;
         if (member.value.kind == JsonKind::object) return read_live_size(context, member, graph);
         Expr size;
@@ -139,8 +141,8 @@ void read_tiers(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     });
 }
 
-// Skips the key "include", because read_graph() has already read the included files.
-void skip_include(ParseContext&, const JsonNode&, GraphDesc&) {}
+// Skips the keys "include" and "ports", because read_graph() has already read them.
+void skip_read(ParseContext&, const JsonNode&, GraphDesc&) {}
 
 // Skips the section "tests", because tests refer to names of other sections. parse() reads "tests" after all
 // other sections.
@@ -152,15 +154,15 @@ void skip_schema(ParseContext& context, const JsonNode& node, GraphDesc&) {
 }
 
 constexpr std::array kTopKeys{
-    KeyRule<GraphDesc>{"$schema", skip_schema},  KeyRule<GraphDesc>{"version", read_version},
-    KeyRule<GraphDesc>{"name", read_text},       KeyRule<GraphDesc>{"imports", read_imports},
-    KeyRule<GraphDesc>{"consts", read_consts},   KeyRule<GraphDesc>{"params", parse_params},
-    KeyRule<GraphDesc>{"sizes", read_sizes},     KeyRule<GraphDesc>{"resources", parse_resources},
-    KeyRule<GraphDesc>{"passes", parse_passes},  KeyRule<GraphDesc>{"frames", read_frames},
-    KeyRule<GraphDesc>{"include", skip_include}, KeyRule<GraphDesc>{"tiers", read_tiers},
-    KeyRule<GraphDesc>{"debug", parse_debug},    KeyRule<GraphDesc>{"tests", skip_tests},
-    KeyRule<GraphDesc>{"jitter", read_jitter},   KeyRule<GraphDesc>{"groups", parse_groups},
-    KeyRule<GraphDesc>{"views", parse_views},
+    KeyRule<GraphDesc>{"$schema", skip_schema}, KeyRule<GraphDesc>{"version", read_version},
+    KeyRule<GraphDesc>{"name", read_text},      KeyRule<GraphDesc>{"imports", read_imports},
+    KeyRule<GraphDesc>{"consts", read_consts},  KeyRule<GraphDesc>{"params", parse_params},
+    KeyRule<GraphDesc>{"sizes", read_sizes},    KeyRule<GraphDesc>{"resources", parse_resources},
+    KeyRule<GraphDesc>{"passes", parse_passes}, KeyRule<GraphDesc>{"frames", read_frames},
+    KeyRule<GraphDesc>{"include", skip_read},   KeyRule<GraphDesc>{"tiers", read_tiers},
+    KeyRule<GraphDesc>{"debug", parse_debug},   KeyRule<GraphDesc>{"tests", skip_tests},
+    KeyRule<GraphDesc>{"jitter", read_jitter},  KeyRule<GraphDesc>{"groups", parse_groups},
+    KeyRule<GraphDesc>{"views", parse_views},   KeyRule<GraphDesc>{"ports", skip_read},
 };
 
 // Checks that no two entries of `sections` have the same name, even if they are in different sections. A
@@ -175,7 +177,9 @@ void check_shared_names(ParseContext& context, const JsonNode& root,
         const PointerScope section_scope(context, section);
         for (const JsonMember& member : node->members) {
             const PointerScope scope(context, member.key);
-            if (in_expressions && is_reserved_word(member.key))
+            const ModuleNames* modules = context.modules();
+            if (in_expressions &&
+                is_reserved_word(modules == nullptr ? member.key : modules->own_part(member.key)))
                 context.error(member.key_loc, "W109",
                               "\"" + member.key +
                                   "\" is a reserved word of expressions, so nothing else can have this name",
@@ -187,6 +191,15 @@ void check_shared_names(ParseContext& context, const JsonNode& root,
             error.help.emplace_back("choose another name, because references find both by name");
             error.notes.push_back({error.file, it->second.line, it->second.column, "first used here"});
         }
+    }
+}
+
+void list_modules(const JsonDoc& document, const ModuleNames& names, GraphDesc& graph) {
+    for (const ModuleInstance& module : document.modules) {
+        if (module.name.empty()) continue;
+        ModuleDesc& desc = graph.modules[module.name];
+        desc.parent = document.modules[module.parent].name;
+        for (const auto& [port, target] : module.with) desc.values[port] = names.target_value(module, target);
     }
 }
 
@@ -223,6 +236,11 @@ Result<GraphDesc> parse(const JsonDoc& document, const GraphLimits& limits) {
     if (!graph.sources.files.empty()) graph.name = stem(graph.sources.files.front().path);
     ParseContext context(document.sources, limits);
     const JsonNode& root = document.root;
+    const ModuleNames modules(document);
+    if (!document.modules.empty()) {
+        context.set_modules(&modules);
+        list_modules(document, modules, graph);
+    }
     if (read_object(context, root, "a graph", kTopKeys, graph)) {
         if (root.find("version") == nullptr)
             missing_key(context, root.loc, "a graph", "version", "write \"version\": 1 first");

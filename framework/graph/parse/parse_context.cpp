@@ -17,8 +17,9 @@ constexpr size_t kShortList = 16;
 
 Diagnostic& ParseContext::error(SourceLoc loc, std::string code, std::string message) {
     if (is_full()) return dropped_ = Diagnostic{};
+    const size_t before = errors_.size();
     add({sources_.error(loc, std::move(code), std::move(message))});
-    return errors_.back();
+    return errors_.size() == before ? dropped_ = Diagnostic{} : errors_.back();
 }
 
 void ParseContext::error(SourceLoc loc, std::string code, std::string message, std::string help) {
@@ -30,6 +31,12 @@ void ParseContext::add(Diagnostics errors) {
         if (is_full()) return;
         one.pointer = pointer();
         if (one.source_line.size() > kMaxExcerptBytes) one.source_line.clear();
+        // If a file belongs to several modules, each of its errors is reported only once.
+        const auto is_known = [&](const Diagnostic& d) {
+            return d.line == one.line && d.column == one.column && d.file == one.file && d.code == one.code &&
+                   d.message == one.message;
+        };
+        if (modules_ != nullptr && std::ranges::any_of(errors_, is_known)) continue;
         errors_.push_back(std::move(one));
     }
 }
@@ -44,28 +51,47 @@ bool ParseContext::within(size_t count, uint64_t limit, SourceLoc loc, const std
     return false;
 }
 
-std::string ParseContext::resource_name(const std::string& name) const {
-    const bool is_own = names_ != nullptr && names_->resources.contains(name);
-    return is_own ? name_in_group(names_->group.name, name) : name;
+std::string ParseContext::resource_name(const std::string& name, SourceLoc place) const {
+    if (names_ != nullptr && names_->resources.contains(name)) return declared_name(name);
+    return modules_ == nullptr ? name : modules_->full_name(NameKind::resource, name, place);
 }
 
-std::string ParseContext::pass_name(const std::string& name) const {
-    const bool is_own = names_ != nullptr && names_->passes.contains(name);
-    return is_own ? name_in_group(names_->group.name, name) : name;
+std::string ParseContext::pass_name(const std::string& name, SourceLoc place) const {
+    if (names_ != nullptr && names_->passes.contains(name)) return declared_name(name);
+    return modules_ == nullptr || name.empty() ? name : modules_->full_name(NameKind::pass, name, place);
+}
+
+std::string ParseContext::view_name(const std::string& name, SourceLoc place) const {
+    return modules_ == nullptr ? name : modules_->full_name(NameKind::view, name, place);
+}
+
+std::string ParseContext::import_name(const std::string& name, SourceLoc place) const {
+    return modules_ == nullptr ? name : modules_->import_name(name, place);
+}
+
+std::string ParseContext::param_name(const std::string& name, SourceLoc place) const {
+    return modules_ == nullptr ? name : modules_->full_name(NameKind::value, name, place);
+}
+
+std::string ParseContext::value_name(const ExprNode& node) const {
+    const bool is_index = indices_.contains(node.name) || node.name == kViewIndex;
+    return is_index ? node.name : modules_->full_name(NameKind::value, node.name, node.loc);
 }
 
 bool ParseContext::complete(Expr& expression) {
-    if (names_ != nullptr)
-        for (ExprNode& node : expression.postfix)
-            if (node.op == ExprOp::mips_of) node.name = resource_name(node.name);
+    if (names_ != nullptr || modules_ != nullptr)
+        for (ExprNode& node : expression.postfix) {
+            if (node.op == ExprOp::mips_of) node.name = resource_name(node.name, node.loc);
+            if (node.op == ExprOp::name && modules_ != nullptr) node.name = value_name(node);
+        }
     parts_ += expression.postfix.size();
     return within(parts_, limits_.expression_parts, expression.loc, "parts of expressions",
                   "graph.expressionParts", "define repeated expressions once, in \"consts\" or \"sizes\"");
 }
 
 bool ParseContext::complete(RefDesc& ref) {
-    ref.name = resource_name(ref.name);
-    ref.pass = pass_name(ref.pass);
+    ref.name = resource_name(ref.name, ref.loc);
+    ref.pass = pass_name(ref.pass, ref.loc);
     for (std::optional<Expr>* part : {&ref.mip_first, &ref.mip_last, &ref.layer_first, &ref.layer_last,
                                       &ref.element_first, &ref.element_last})
         if (*part && !complete(**part)) return false;
@@ -277,6 +303,13 @@ bool check_identifier(ParseContext& context, std::string_view what, const std::s
     context.error(loc, "W109", "\"" + name + "\" is not a valid name for " + std::string(what),
                   "use only letters, digits and _, and begin with a letter or _");
     return false;
+}
+
+bool check_part_name(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc) {
+    const ModuleNames* modules = context.modules();
+    if (modules == nullptr || context.group() != nullptr || name.size() > context.limits().name_bytes)
+        return check_identifier(context, what, name, loc);
+    return check_identifier(context, what, std::string(modules->own_part(name)), loc);
 }
 
 bool read_reference(ParseContext& context, const JsonNode& node, RefDesc& out) {

@@ -16,6 +16,8 @@
 
 #include "graph/diagnostics/quoted_list.h"
 #include "graph/parse/grammar_tables.h"
+#include "graph/syntax/module_names.h"
+#include "graph/syntax/reference_name.h"
 #include "weft/graph_desc.h"
 #include "weft/result.h"
 #include "weft/syntax/json_doc.h"
@@ -47,10 +49,9 @@ class ParseContext {
     // which a user can raise the limit, for example "graph.debugViews".
     bool within(size_t count, uint64_t limit, SourceLoc loc, const std::string& what, const char* limit_name,
                 const std::string& help);
-    // Completes a parsed expression or reference. Inside a group, the names of the group's resources and
-    // passes become full names such as "relight::raw". The parts (numbers, names and operations) are added to
-    // the total of the graph. If the total exceeds the limit graph.expressionParts, reports an error and
-    // returns false.
+    // Completes a parsed expression or reference. Inside a group or module, the names of its parts become
+    // full names such as "relight::raw". The parts (numbers, names and operations) are added to the total of
+    // the graph. If the total exceeds the limit graph.expressionParts, reports an error and returns false.
     bool complete(Expr& expression);
     bool complete(RefDesc& ref);
     // Returns true if parsing should stop: kMaxErrors errors were reported, or within() has found a count
@@ -65,20 +66,39 @@ class ParseContext {
     void set_group(const GroupNames* names) { names_ = names; }
     // Returns the group whose content is being parsed, or null.
     [[nodiscard]] const GroupDesc* group() const { return names_ == nullptr ? nullptr : &names_->group; }
-    // Returns the full name of the resource or pass that `name` means here: "relight::raw" for "raw" if the
-    // group "relight" is being parsed and has such a resource or pass; else `name` itself.
-    [[nodiscard]] std::string resource_name(const std::string& name) const;
-    [[nodiscard]] std::string pass_name(const std::string& name) const;
+    // Sets the names of the modules; null: the graph has no modules.
+    void set_modules(const ModuleNames* modules) { modules_ = modules; }
+    [[nodiscard]] const ModuleNames* modules() const { return modules_; }
+    // Sets the indices that the expressions of the next pass or group may name.
+    void set_indices(std::set<std::string, std::less<>> indices) { indices_ = std::move(indices); }
+    [[nodiscard]] const std::set<std::string, std::less<>>& indices() const { return indices_; }
+
+    // Returns the full name of a resource or pass that is declared here: "relight::raw" for "raw" in the
+    // group "relight". Names in the sections of the graph are full names already.
+    [[nodiscard]] std::string declared_name(const std::string& name) const {
+        return names_ == nullptr ? name : name_in_group(names_->group.name, name);
+    }
+    // Return the full name of the part that `name` means at this place: "relight::raw" for "raw" if the group
+    // "relight" is being parsed and has such a part; "glass::raw" if the file belongs to the module "glass";
+    // else `name` itself.
+    [[nodiscard]] std::string resource_name(const std::string& name, SourceLoc place) const;
+    [[nodiscard]] std::string pass_name(const std::string& name, SourceLoc place) const;
+    [[nodiscard]] std::string view_name(const std::string& name, SourceLoc place) const;
+    [[nodiscard]] std::string import_name(const std::string& name, SourceLoc place) const;
+    [[nodiscard]] std::string param_name(const std::string& name, SourceLoc place) const;
 
     void push(std::string_view key) { path_.emplace_back(key); }
     void pop() { path_.pop_back(); }
 
  private:
     [[nodiscard]] std::string pointer() const;
+    [[nodiscard]] std::string value_name(const ExprNode& node) const;
 
     const SourceMap& sources_;
     const GraphLimits limits_;
     const GroupNames* names_ = nullptr;
+    const ModuleNames* modules_ = nullptr;
+    std::set<std::string, std::less<>> indices_;
     size_t parts_ = 0;
     bool is_over_limit_ = false;
     Diagnostics errors_;
@@ -220,6 +240,20 @@ void read_named(ParseContext& context, const JsonNode& node, std::string_view wh
     }
 }
 
+// Checks the name of a part of the graph. It may begin with the name of a module: "glass::cull".
+bool check_part_name(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc);
+
+// Reads a section of the graph: like read_named(), but the names are names of parts.
+template <class F>
+void read_parts(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
+    if (!expect(context, node, JsonKind::object)) return;
+    for (const JsonMember& member : node.members) {
+        if (context.is_full()) break;
+        const PointerScope scope(context, member.key);
+        if (check_part_name(context, what, member.key, member.key_loc)) read(member);
+    }
+}
+
 // Parsers for the sections of a graph and of a pass. Each parses one JSON value and stores the result in
 // `graph` or `pass`.
 void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph);
@@ -251,6 +285,9 @@ void parse_procedural_draws(ParseContext& context, const JsonNode& node, PassDes
 void parse_depth(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_constants(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
+// Returns the names of the indices in the "repeat" of a pass or group, and those of `outer`.
+[[nodiscard]] std::set<std::string, std::less<>> indices_of(const JsonNode& node,
+                                                            const std::vector<RepeatDesc>& outer);
 // Reads the indices of a repeat and appends them to `repeats`, which may already contain those of a group.
 void read_repeat(ParseContext& context, const JsonNode& node, std::vector<RepeatDesc>& repeats);
 // Checks that the limit graph.constants allows one more constant, parameter or size. If not, reports an error

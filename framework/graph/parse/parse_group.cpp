@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "graph/parse/module_scope.h"
 #include "graph/parse/parse_context.h"
+#include "graph/syntax/reference_name.h"
 
 namespace weft {
 namespace {
@@ -25,7 +27,7 @@ void read_rounds_per_frame(ParseContext& context, const JsonNode& node, GroupDes
 
 void read_turns(ParseContext& context, const JsonNode& node, GroupDesc& group) {
     group.turns_loc = node.loc;
-    read_string(context, node, group.turns);
+    if (read_string(context, node, group.turns)) group.turns = context.import_name(group.turns, node.loc);
 }
 
 void read_warm_up(ParseContext& context, const JsonNode& node, GroupDesc& group) {
@@ -150,14 +152,15 @@ void add_places(const JsonNode& root, std::string_view section, Places& places) 
         for (const JsonMember& member : node->members) places.emplace(member.key, member.key_loc);
 }
 
-// Reports each name in a section of a group that is also a name of the graph.
+// Reports each name in a section of a group that is also a name of the graph, or of the module `module` to
+// which the group belongs.
 void check_own_names(ParseContext& context, const JsonNode& group, std::string_view section,
-                     const Places& places) {
+                     std::string_view module, const Places& places) {
     const JsonNode* node = group.find(section);
     if (node == nullptr) return;
     const PointerScope section_scope(context, section);
     for (const JsonMember& member : node->members) {
-        const auto first = places.find(member.key);
+        const auto first = places.find(name_in_group(module, member.key));
         if (first == places.end()) continue;
         const PointerScope scope(context, member.key);
         Diagnostic& error =
@@ -176,7 +179,7 @@ void list_group_grammar(std::vector<GrammarTable>& lists) {
 }
 
 void parse_groups(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    read_named(context, node, "a group", [&](const JsonMember& member) {
+    read_parts(context, node, "a group", [&](const JsonMember& member) {
         GroupDesc group;
         group.name = member.key;
         group.loc = member.key_loc;
@@ -184,11 +187,13 @@ void parse_groups(ParseContext& context, const JsonNode& node, GraphDesc& graph)
         add_keys(member.value, "resources", names.resources);
         add_keys(member.value, "passes", names.passes);
         context.set_group(&names);
+        context.set_indices(indices_of(member.value, {}));
         if (read_object(context, member.value, "a group", kGroupKeys, group)) {
             check_needs(context, member.value);
             parse_parts(context, member, graph);
         }
         context.set_group(nullptr);
+        context.set_indices({});
         graph.groups.emplace(member.key, std::move(group));
     });
 }
@@ -203,8 +208,9 @@ void check_groups(ParseContext& context, const JsonNode& root, const GraphDesc& 
     const PointerScope section(context, "groups");
     for (const JsonMember& member : groups->members) {
         const PointerScope scope(context, member.key);
-        check_own_names(context, member.value, "resources", resources);
-        check_own_names(context, member.value, "passes", passes);
+        const std::string_view module = module_of(graph, member.key);
+        check_own_names(context, member.value, "resources", module, resources);
+        check_own_names(context, member.value, "passes", module, passes);
         if (const auto group = graph.groups.find(member.key); group != graph.groups.end())
             check_turns(context, group->second, root.find("imports"));
     }

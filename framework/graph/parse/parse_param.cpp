@@ -116,7 +116,7 @@ bool read_switch(ParseContext& context, const JsonNode& node, Expr& out) {
 }
 
 void parse_params(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    read_named(context, node, "a parameter", [&](const JsonMember& member) {
+    read_parts(context, node, "a parameter", [&](const JsonMember& member) {
         if (!check_value_count(context, graph, member.key_loc)) return;
         ParamDesc param;
         param.name = member.key;

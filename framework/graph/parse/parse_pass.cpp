@@ -57,6 +57,7 @@ void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
         return parse_procedural_draws(context, node, pass);
     if (node.kind == JsonKind::object) return parse_indirect_draws(context, node, pass);
     read_names(context, node, pass.draws, pass.draw_locs);
+    for (std::string& name : pass.draws) name = context.import_name(name, node.loc);
 }
 
 // Reads one to three counts, for x, y and z. The JSON value is an array of expressions or a single
@@ -114,12 +115,14 @@ void read_live_switch(ParseContext& context, const JsonNode& node, PassDesc& pas
     if (!read_string(context, node, text)) return;
     pass.switch_inverted = text.starts_with('!');
     if (pass.switch_inverted) text.erase(0, 1);
-    if (check_identifier(context, "a parameter", text, node.loc)) pass.switch_param = std::move(text);
+    if (check_part_name(context, "a parameter", text, node.loc))
+        pass.switch_param = context.param_name(text, node.loc);
 }
 
 void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_names(context, node, pass.after, pass.after_locs);
-    for (std::string& name : pass.after) name = context.pass_name(name);
+    for (size_t i = 0; i < pass.after.size(); ++i)
+        pass.after[i] = context.pass_name(pass.after[i], pass.after_locs[i]);
 }
 
 constexpr std::array kCostKeys{KeyRule<PassDesc>{
@@ -367,16 +370,19 @@ void list_pass_grammar(std::vector<GrammarTable>& lists) {
 }
 
 void parse_passes(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    read_named(context, node, "a pass", [&](const JsonMember& member) {
+    read_parts(context, node, "a pass", [&](const JsonMember& member) {
         if (!expect(context, member.value, JsonKind::object)) return;
-        PassDesc& pass = graph.passes[context.pass_name(member.key)];
-        pass.name = context.pass_name(member.key);
+        PassDesc& pass = graph.passes[context.declared_name(member.key)];
+        pass.name = context.declared_name(member.key);
         pass.loc = member.key_loc;
+        if (const ModuleNames* modules = context.modules()) pass.module = modules->module_of(pass.name);
         if (const GroupDesc* group = context.group()) {
             pass.group = group->name;
             pass.repeat = group->repeat;
         }
+        context.set_indices(indices_of(member.value, pass.repeat));
         read_pass(context, member, node, pass);
+        context.set_indices({});
     });
 }
 

@@ -231,7 +231,7 @@ void parse_indirect_draws(ParseContext& context, const JsonNode& node, PassDesc&
         missing_key(context, node.loc, kWhat, "indirect",
                     "name the buffer of draw commands, or write \"draws\": [\"opaque\"]");
     if (!draft.list.empty()) {
-        pass.draws.push_back(std::move(draft.list));
+        pass.draws.push_back(context.import_name(draft.list, draft.list_loc));
         pass.draw_locs.push_back(draft.list_loc);
     }
     if (draft.commands.has_ref) pass.indirect = std::move(draft.commands.port);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "graph/parse/expression.h"
+#include "graph/parse/module_scope.h"
 #include "graph/parse/parse_context.h"
 #include "graph/parse/reference.h"
 
@@ -69,12 +70,12 @@ const char* meaning_of(const GraphDesc& graph, const std::string& name) {
 
 // Checks the names of the indices of one pass or group. `owner` is its key in the graph file.
 void check_names(ParseContext& context, const GraphDesc& graph, std::string_view owner,
-                 std::span<const RepeatDesc> repeats) {
+                 std::string_view module, std::span<const RepeatDesc> repeats) {
     const PointerScope owner_scope(context, owner);
     const PointerScope key_scope(context, "repeat");
     for (const RepeatDesc& repeat : repeats) {
         const PointerScope scope(context, repeat.index);
-        const char* meaning = meaning_of(graph, repeat.index);
+        const char* meaning = meaning_of(graph, name_in_module(graph, module, repeat.index));
         if (meaning == nullptr) continue;
         context.error(repeat.loc, "W109", "the index \"" + repeat.index + "\" is already " + meaning,
                       "choose another name for the index");
@@ -83,14 +84,15 @@ void check_names(ParseContext& context, const GraphDesc& graph, std::string_view
 
 // Checks the indices of a group, and those that its passes have in addition.
 void check_group_indices(ParseContext& context, const GraphDesc& graph, const GroupDesc& group) {
-    check_names(context, graph, group.name, group.repeat);
+    const std::string_view module = module_of(graph, group.name);
+    check_names(context, graph, group.name, module, group.repeat);
     const PointerScope group_scope(context, group.name);
     const PointerScope section(context, "passes");
     const std::string prefix = name_in_group(group.name, "");
     for (auto at = graph.passes.lower_bound(prefix); at != graph.passes.end(); ++at) {
         const auto& [name, pass] = *at;
         if (pass.group != group.name) break;
-        check_names(context, graph, name.substr(prefix.size()),
+        check_names(context, graph, name.substr(prefix.size()), module,
                     std::span(pass.repeat).subspan(group.repeat.size()));
     }
 }
@@ -120,6 +122,14 @@ void read_repeat(ParseContext& context, const JsonNode& node, std::vector<Repeat
     });
 }
 
+std::set<std::string, std::less<>> indices_of(const JsonNode& node, const std::vector<RepeatDesc>& outer) {
+    std::set<std::string, std::less<>> indices;
+    for (const RepeatDesc& repeat : outer) indices.insert(repeat.index);
+    if (const JsonNode* repeat = node.find("repeat"))
+        for (const JsonMember& member : repeat->members) indices.insert(member.key);
+    return indices;
+}
+
 void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_repeat(context, node, pass.repeat);
 }
@@ -131,7 +141,7 @@ void check_indices(ParseContext& context, const GraphDesc& graph) {
     }
     const PointerScope section(context, "passes");
     for (const auto& [name, pass] : graph.passes)
-        if (pass.group.empty()) check_names(context, graph, name, pass.repeat);
+        if (pass.group.empty()) check_names(context, graph, name, pass.module, pass.repeat);
 }
 
 }  // namespace weft

@@ -284,9 +284,9 @@ void list_resource_grammar(std::vector<GrammarTable>& lists) {
 }
 
 void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    read_named(context, node, "a resource", [&](const JsonMember& member) {
+    read_parts(context, node, "a resource", [&](const JsonMember& member) {
         ResourceDesc resource;
-        const std::string name = context.resource_name(member.key);
+        const std::string name = context.declared_name(member.key);
         resource.name = name;
         resource.loc = member.key_loc;
         if (context.group() != nullptr) resource.group = context.group()->name;

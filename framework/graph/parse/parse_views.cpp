@@ -11,7 +11,7 @@ namespace {
 
 void read_of(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
     list.of_loc = node.loc;
-    read_string(context, node, list.of);
+    if (read_string(context, node, list.of)) list.of = context.view_name(list.of, node.loc);
 }
 
 // Reads the buffer of a list. Passes that draw a view of the list read an element of the buffer, so the list
@@ -134,7 +134,7 @@ void list_view_grammar(std::vector<GrammarTable>& lists) {
 }
 
 void parse_views(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
-    read_named(context, node, "a list of views", [&](const JsonMember& member) {
+    read_parts(context, node, "a list of views", [&](const JsonMember& member) {
         ViewListDesc list;
         list.name = member.key;
         list.loc = member.key_loc;
@@ -150,7 +150,11 @@ void parse_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.view_loc = node.loc;
     if (!read_string(context, node, pass.view)) return;
     const size_t open = pass.view.find('(');
-    if (open == std::string::npos) return;
+    const std::string name = context.view_name(pass.view.substr(0, open), node.loc);
+    if (open == std::string::npos) {
+        pass.view = name;
+        return;
+    }
     const LocatedText text{node.string, node.loc};
     size_t end = open + 1;
     Result<Expr> number = parse_expression_at(text, end, context.sources());
@@ -159,12 +163,13 @@ void parse_view(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (text.text.substr(end) != ")")
         return context.error(text.at(end, 1), "W106", "the number of a view needs ')' as its last character",
                              "write the view as \"" + pass.view.substr(0, open) + "(i)\"");
-    pass.view.resize(open);
+    pass.view = name;
     pass.view_number = std::move(*number);
 }
 
 void parse_pass_views(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     if (!read_string(context, node, pass.view)) return;
+    pass.view = context.view_name(pass.view, node.loc);
     if (!context.within(pass.repeat.size() + 1, context.limits().repeat_indices, node.loc,
                         "indices in a repeat", "graph.repeatIndices", "combine several indices into one"))
         return;

@@ -62,14 +62,15 @@ class ReferenceParser {
         if (!is_identifier(out)) return fail_at(begin, wanted);
         return true;
     }
-    // Reads the name of a resource or pass, such as "raw" or "relight::raw".
+    // Reads the name of a resource or pass, such as "raw", "relight::raw" or "glass::relight::raw".
     bool name(std::string& out, const std::string& wanted) {
         if (!identifier(out, wanted)) return false;
-        if (text_.text.substr(position_, kInGroup.size()) != kInGroup) return true;
-        position_ += kInGroup.size();
-        std::string inner;
-        if (!identifier(inner, wanted)) return false;
-        out = name_in_group(out, inner);
+        while (text_.text.substr(position_, kInGroup.size()) == kInGroup) {
+            position_ += kInGroup.size();
+            std::string inner;
+            if (!identifier(inner, wanted)) return false;
+            out = name_in_group(out, inner);
+        }
         return true;
     }
 

@@ -12,20 +12,13 @@
 #include <string_view>
 
 #include "graph/diagnostics/located_text.h"
+#include "graph/syntax/reference_name.h"
 #include "weft/graph_desc.h"
 #include "weft/result.h"
 
 namespace weft {
 
 inline constexpr uint32_t kMaxHistory = 16;  // The largest N of [-N].
-
-// Stands between the name of a group and the name of its resource or pass, as in "relight::raw".
-inline constexpr std::string_view kInGroup = "::";
-
-// Returns the full name of a resource or pass of a group: "relight::raw" for "relight" and "raw".
-[[nodiscard]] inline std::string name_in_group(std::string_view group, std::string_view name) {
-    return std::string(group).append(kInGroup).append(name);
-}
 
 [[nodiscard]] Result<RefDesc> parse_reference(const LocatedText& text, const SourceMap& sources);
 

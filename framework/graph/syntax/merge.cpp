@@ -7,6 +7,7 @@
 #include "graph/diagnostics/quoted_list.h"
 #include "graph/syntax/json_patch.h"
 #include "graph/syntax/merge.h"
+#include "graph/syntax/module_names.h"
 #include "graph/syntax/reference_name.h"
 
 namespace weft {
@@ -109,7 +110,8 @@ void expand(JsonNode& root, const SourceMap& sources, Diagnostics& errors) {
 // inherit them.
 JsonNode without_own_keys(JsonNode root) {
     std::erase_if(root.members, [](const JsonMember& member) {
-        return member.key == "name" || member.key == "$schema" || member.key == "include";
+        return member.key == "name" || member.key == "$schema" || member.key == "include" ||
+               member.key == "ports";
     });
     return root;
 }
@@ -215,7 +217,11 @@ Result<JsonDoc> merge(JsonDoc document, const std::string& tier) {
     PatchLog log{document.sources, {}};
     for (IncludedJson& included : document.included) expand(included.root, document.sources, log.errors);
     expand(document.root, document.sources, log.errors);
+    for (IncludedJson& included : document.included)
+        if (!document.modules.empty())
+            qualify_names(included.root, document.modules[document.module_of_file[included.file]]);
     merge_files(document, log);
+    if (!document.modules.empty()) ModuleNames(document).check(document, log.errors);
     if (!tier.empty()) merge_tier(document, tier, log);
     if (!log.errors.empty()) return std::move(log.errors);
     return document;

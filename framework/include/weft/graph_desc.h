@@ -12,6 +12,7 @@
 
 #include "weft/declaration.h"
 #include "weft/expr_op.h"
+#include "weft/module_desc.h"
 #include "weft/source.h"
 
 namespace weft {
@@ -244,9 +245,13 @@ struct PassDesc {
     std::string group;  // Name of the group to which the pass belongs; empty: none.
     // True for the pass of a debug view, which Weft adds to show a resource. It may read resources of groups.
     bool observes = false;
+    // The module to which the pass belongs, a key of GraphDesc::modules; empty: none.
+    std::string module;
     std::string type;
     QueueKind queue = QueueKind::graphics;
-    std::string shader;
+    std::string shader;  // Key of ShaderCatalog. place_shaders() may add a folder to the name in the file.
+    // If an included file names the shader: the folder of this file, and the name without the folder.
+    std::string shader_folder, shader_in_folder;
     SourceLoc shader_loc;
     std::vector<PortDesc> in;
     std::vector<PortDesc> out;
@@ -390,7 +395,8 @@ struct GraphDesc {
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
     std::map<std::string, GroupDesc> groups;
-    Expr frames;  // Number of frames of a run; absent: 1.
+    std::map<std::string, ModuleDesc> modules;  // By full name, for example "glass".
+    Expr frames;                                // Number of frames of a run; absent: 1.
     std::map<std::string, DebugViewDesc> debug;
     std::vector<GraphTestDesc> tests;
     // The camera moves by fractions of a pixel from frame to frame. The movement repeats after this number of

@@ -34,6 +34,7 @@ SourceReader::SourceReader(const ShaderRoots& roots) : limits_(roots.limits) {
     };
     std::ranges::for_each(roots.roots, add);
     add(roots.include_root);
+    for (const fs::path& folder : roots.allowed) folders_.push_back(real_folder(folder));
 }
 
 SourceLookup SourceReader::look(size_t root, const fs::path& relative) {

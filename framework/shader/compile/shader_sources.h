@@ -70,7 +70,8 @@ class SourceReader {
 
     ShaderLimits limits_;
     std::vector<Root> roots_;  // The searched root folders; the last one is the include root.
-    // Real paths of the root folders. The target of a symbolic link must be below one of them.
+    // Real paths of the root folders and of ShaderRoots::allowed. The target of a symbolic link must be below
+    // one of them.
     std::vector<std::filesystem::path> folders_;
     std::map<std::pair<size_t, std::string>, SourceText> texts_;
     std::vector<SourceProbe> probes_;

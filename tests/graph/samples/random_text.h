@@ -57,5 +57,10 @@ struct FaultyText {
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,
                                                  const std::map<std::string, double>& params,
                                                  const DeviceProfile& profile, uint32_t output_px = 64);
+// Resolves a graph that contains only an instance of the text as a module named "m". So all names of the text
+// begin with "m::".
+[[nodiscard]] Result<ResolvedGraph> resolve_as_module(const std::string& text,
+                                                      const std::map<std::string, double>& params,
+                                                      const DeviceProfile& profile);
 
 }  // namespace weft::test

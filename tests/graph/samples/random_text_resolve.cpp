@@ -2,6 +2,7 @@
 #include "graph/parse/parse.h"
 #include "graph/resolve/resolve.h"
 #include "graph/syntax/merge.h"
+#include "graph/syntax/read_graph.h"
 #include "tests/graph/samples/fake_shaders.h"
 #include "tests/graph/samples/random_text.h"
 
@@ -128,12 +129,8 @@ void find_files(GraphDesc& graph) {
     }
 }
 
-}  // namespace
-
-Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
-                                   const DeviceProfile& profile, uint32_t output_px) {
-    const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
-    Result<JsonDoc> document = read_json("random.json", reader);
+Result<ResolvedGraph> resolve_document(Result<JsonDoc> document, const std::map<std::string, double>& params,
+                                       const DeviceProfile& profile, uint32_t output_px) {
     if (!document) return document.take_errors();
     Result<JsonDoc> merged = merge(std::move(document).value());
     if (!merged) return merged.take_errors();
@@ -151,6 +148,26 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
                     .profile = profile,
                     .request = {.params = params, .size = {output_px, output_px, 1}}},
                    warnings);
+}
+
+}  // namespace
+
+Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
+                                   const DeviceProfile& profile, uint32_t output_px) {
+    const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
+    return resolve_document(read_json("random.json", reader), params, profile, output_px);
+}
+
+Result<ResolvedGraph> resolve_as_module(const std::string& text, const std::map<std::string, double>& params,
+                                        const DeviceProfile& profile) {
+    const FileReader reader = [&](const std::string& path) -> std::optional<std::string> {
+        if (path == "module.json") return text;
+        if (path != "random.json") return std::nullopt;
+        return R"({"version": 1, "include": [{"file": "module.json", "as": "m"}], "passes": {}})";
+    };
+    std::map<std::string, double> full;
+    for (const auto& [name, value] : params) full["m::" + name] = value;
+    return resolve_document(read_graph("random.json", reader), full, profile);
 }
 
 }  // namespace weft::test

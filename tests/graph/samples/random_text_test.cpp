@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <sstream>
 
 #include "tests/graph/resolve/resolve_fixture.h"
 #include "weft/compile.h"
+#include "weft/report/plan_dump.h"
 
 namespace weft::test {
 namespace {
@@ -46,6 +48,31 @@ TEST(RandomText, MeansTheSameWithoutItsConditions) {
     }
     std::cout << "seeds 0.." << seeds - 1 << ": " << omitted << " texts leave something out\n";
     EXPECT_GE(omitted * 2, seeds);
+}
+
+// Returns the plan as text without the prefix of the module and without the hash, which depends on names.
+std::string text_without_prefix(const ResolvedGraph& graph) {
+    std::istringstream lines(plan_to_text(compile(graph, content_needs(graph), {})));
+    std::string text;
+    for (std::string line; std::getline(lines, line);) {
+        for (size_t at = line.find("m::"); at != std::string::npos; at = line.find("m::", at))
+            line.erase(at, 3);
+        if (!line.starts_with("hash") && !line.starts_with("plan of")) text += line + "\n";
+    }
+    return text;
+}
+
+TEST(RandomText, MeansTheSameAsAModule) {
+    const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 200;
+    for (uint32_t seed = 0; seed < seeds; ++seed) {
+        const RandomText made = random_text(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, fake_profile());
+        ASSERT_TRUE(graph.ok()) << to_text(graph.errors()) << made.text;
+        const Result<ResolvedGraph> module = resolve_as_module(made.text, made.params, fake_profile());
+        ASSERT_TRUE(module.ok()) << to_text(module.errors()) << made.text;
+        ASSERT_EQ(text_without_prefix(*graph), text_without_prefix(*module)) << made.text;
+    }
 }
 
 // Expects exactly one error for each faulty text, with the code of the fault that the generator has inserted.

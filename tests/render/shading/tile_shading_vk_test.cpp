@@ -105,7 +105,7 @@ TEST_F(TileShading, ForwardPicturesAreThoseOfAllLights) {
 // WEFT_EXTENDED, only the first camera is tested.
 TEST_F(TileShading, DeferredAndForwardHaveTheSameLists) {
     const scene::Scene scene = crowded_scenes()[0];
-    const std::vector<std::string> names{"tileLights", "glassTileLights"};
+    const std::vector<std::string> names{"tileLights", "glass::tileLights"};
     const size_t cameras = std::getenv("WEFT_EXTENDED") != nullptr ? scene.cameras.size() : 1;
     for (size_t camera = 0; camera < cameras; ++camera) {
         auto deferred = bytes_of(scene, "light_indexed", names, camera);

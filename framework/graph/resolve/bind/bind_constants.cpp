@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "graph/diagnostics/whole_number.h"
+#include "graph/parse/module_scope.h"
 #include "graph/resolve/bind/bind_pass.h"
 #include "graph/resolve/fault_text.h"
 
@@ -88,10 +89,12 @@ class ConstantBinder {
                std::ranges::find(at_.bound.absent, port) == at_.bound.absent.end();
     }
 
-    std::optional<ExprValue> from_graph(const std::string& name) const {
+    std::optional<ExprValue> from_graph(const std::string& constant) const {
         const GraphDesc& graph = at_.declared.input.graph;
-        if (!graph.params.contains(name) && !graph.consts.contains(name) &&
-            !at_.draft.indices.contains(name) && !at_.declared.input.imports.numbers.contains(name))
+        const bool is_index = at_.draft.indices.contains(constant);
+        const std::string name = is_index ? constant : name_in_module(graph, desc().module, constant);
+        if (!graph.params.contains(name) && !graph.consts.contains(name) && !is_index &&
+            !at_.declared.input.imports.numbers.contains(name))
             return std::nullopt;
         return at_.evaluator.find(name);
     }

@@ -2,6 +2,7 @@
 // directly or through constants and sizes.
 #include <algorithm>
 
+#include "graph/parse/module_scope.h"
 #include "graph/resolve/check/resource_names.h"
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
@@ -101,7 +102,8 @@ class ParamCosts {
         for (const Expr* expression : {&resource.size, &resource.mips, &resource.layers, &resource.samples,
                                        &resource.count, &resource.history})
             add(*expression, ParamCost::graph);
-        if (resource.size.empty() && !resource.is_buffer) add_name("render", ParamCost::graph);
+        if (resource.size.empty() && !resource.is_buffer)
+            add_name(render_size_name(graph_, resource.name), ParamCost::graph);
         add(resource.clear);
         add(resource.first_frame);
     }
@@ -145,7 +147,7 @@ class ParamCosts {
         const auto custom = input_.passes.find(pass.type);
         if (custom != input_.passes.end())
             for (const ParamDecl& param : custom->second.params)
-                add_name(std::string(param.name), ParamCost::live);
+                add_name(name_in_module(graph_, pass.module, std::string(param.name)), ParamCost::live);
         const auto shader = input_.shaders.find(pass.shader);
         if (shader == input_.shaders.end()) return;
         if (shader->second.modules.empty()) is_unknown_ = true;
@@ -153,9 +155,11 @@ class ParamCosts {
             return std::ranges::find(values, name, &ParamValueDesc::name) != values.end();
         };
         for (const BlockMember& member : shader->second.interface.params.members)
-            if (!given(pass.params, member.name)) add_name(member.name, ParamCost::live);
+            if (!given(pass.params, member.name))
+                add_name(name_in_module(graph_, pass.module, member.name), ParamCost::live);
         for (const SpecConstant& constant : shader->second.interface.spec_constants)
-            if (!given(pass.constants, constant.name)) add_name(constant.name, ParamCost::pipeline);
+            if (!given(pass.constants, constant.name))
+                add_name(name_in_module(graph_, pass.module, constant.name), ParamCost::pipeline);
     }
 
     void add_view_list(const ViewListDesc& list) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "graph/diagnostics/whole_number.h"
+#include "graph/parse/module_scope.h"
 
 namespace weft {
 namespace {
@@ -58,11 +59,13 @@ std::optional<MemberValue> member_value(const Declared& declared, const PassDraf
     if (param != draft.desc->params.end())
         return MemberValue{&*param, evaluate_components(*param, evaluator)};
     const GraphDesc& graph = declared.input.graph;
-    const bool named = draft.indices.contains(member) || graph.params.contains(member) ||
-                       graph.consts.contains(member) || counts_draws(graph, member) ||
-                       counts_views(declared, member) || counts_textures(graph, member);
+    const bool is_index = draft.indices.contains(member);
+    const std::string name = is_index ? member : name_in_module(graph, draft.desc->module, member);
+    const bool named = is_index || graph.params.contains(name) || graph.consts.contains(name) ||
+                       counts_draws(graph, name) || counts_views(declared, name) ||
+                       counts_textures(graph, name);
     if (!named) return std::nullopt;
-    const std::optional<ExprValue> value = evaluator.find(member);
+    const std::optional<ExprValue> value = evaluator.find(name);
     if (!value) return std::nullopt;
     return MemberValue{nullptr, {value->x}};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "graph/parse/module_scope.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/live/check_areas.h"
 #include "graph/resolve/live/live_table.h"
@@ -119,9 +120,10 @@ class PassFollower {
         if (param != given.end()) return follow_components(param->components, write);
         const GraphDesc& graph = declared_.input.graph;
         if (draft_.indices.contains(write.member)) return;
-        if (graph.params.contains(write.member) || graph.consts.contains(write.member)) {
+        const std::string full = name_in_module(graph, draft_.desc->module, write.member);
+        if (graph.params.contains(full) || graph.consts.contains(full)) {
             Expr name;
-            name.postfix.push_back({ExprOp::name, 0, write.member, {}});
+            name.postfix.push_back({ExprOp::name, 0, full, {}});
             return follow_components({name}, write);
         }
         for (const AreaBuiltin& builtin : kAreaBuiltins)
@@ -171,13 +173,14 @@ class PassFollower {
 
 void follow_images(const Declared& declared, const Suspects& suspects, ResolvedGraph& graph, LiveTable& table,
                    Reporter& reporter) {
-    Expr render;
-    render.postfix.push_back({ExprOp::name, 0, "render", {}});
-    const bool has_render = declared.input.graph.sizes.contains("render");
+    const GraphDesc& described = declared.input.graph;
     for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDesc* desc = declared.shapes.origins[id].desc;
         if (desc == nullptr || desc->is_buffer || suspects.shapes[id]) continue;
         const bool usual = desc->size.empty();
+        Expr render;
+        render.postfix.push_back({ExprOp::name, 0, render_size_name(described, desc->name), {}});
+        const bool has_render = described.sizes.contains(render.postfix.front().name);
         if (usual && (!has_render || !desc->file.name.empty())) continue;
         const std::optional<uint32_t> area = table.find(usual ? render : desc->size, {});
         if (!area) continue;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "graph/parse/module_scope.h"
+
 namespace weft {
 namespace {
 
@@ -36,7 +38,7 @@ bool has_live_size(const ResolveInput& input, const Values& values, const Resour
     if (values.scales.empty()) return false;
     ScaleSearch search(input, values);
     if (!image.size.empty()) return search.depends(image.size);
-    return image.file.name.empty() && search.name_depends("render");
+    return image.file.name.empty() && search.name_depends(render_size_name(input.graph, image.name));
 }
 
 }  // namespace weft

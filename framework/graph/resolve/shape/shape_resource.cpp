@@ -7,6 +7,7 @@
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/diagnostics/whole_number.h"
 #include "graph/parse/grammar_tables.h"
+#include "graph/parse/module_scope.h"
 #include "graph/resolve/evaluator.h"
 #include "graph/resolve/fault_text.h"
 
@@ -23,13 +24,14 @@ uint32_t at_least_one(double value) {
     return saturated<uint32_t>(std::clamp(std::floor(value), 1.0, kMost));
 }
 
-ExprValue default_size(const Values& values) {
-    const auto render = values.by_name.find("render");
+// `render_name` is the name of the size "render" for the resource; see render_size_name().
+ExprValue default_size(const Values& values, const std::string& render_name) {
+    const auto render = values.by_name.find(render_name);
     return render != values.by_name.end() ? render->second : values.by_name.at("output");
 }
 
-bool default_size_is_faulty(const Values& values) {
-    return values.faulty.contains("render");
+bool default_size_is_faulty(const Values& values, const std::string& render_name) {
+    return values.faulty.contains(render_name);
 }
 
 struct Element {
@@ -101,6 +103,8 @@ class ResourceShaper {
                  "make the value greater than zero, for example with max(…, 1)");
     }
 
+    std::string render_name() const { return render_size_name(input_.graph, desc_.name); }
+
     bool has_file() const { return !desc_.file.name.empty(); }
     bool has_picture() const { return desc_.file.width_px > 0; }
 
@@ -168,7 +172,7 @@ class ResourceShaper {
 
     // Returns the size of an image: that of its picture, or else the key "size".
     std::optional<ExprValue> image_size() {
-        if (!has_file()) return value(desc_.size, default_size(values_));
+        if (!has_file()) return value(desc_.size, default_size(values_, render_name()));
         if (!has_picture() && desc_.size.empty()) {
             report_misfit(desc_.file.loc,
                           "the file " + quote(desc_.file.name) +
@@ -232,7 +236,7 @@ class ResourceShaper {
         decl_.kind = ResourceKind::image;
         decl_.image_kind = desc_.image_kind;
         if (!count_samples()) return;
-        if (desc_.size.empty() && !has_file() && default_size_is_faulty(values_)) {
+        if (desc_.size.empty() && !has_file() && default_size_is_faulty(values_, render_name())) {
             is_suspect_ = 1;
             return;
         }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "weft/declaration.h"
 #include "weft/file_reader.h"
@@ -36,7 +37,7 @@ struct LoadSettings {
     // True: `reader` returns the contents of files on disk. Then a session looks only at the times and sizes
     // of the files to see that a graph has not changed.
     bool reads_disk = false;
-    // The folder graphs/ that is shipped with Weft. Included files are searched there too.
+    // The folder graphs/ that is shipped with Weft. Included files are searched there last.
     std::filesystem::path graph_root;
     // The folder shaders/ that is shipped with Weft. Its subfolder include/ is the root of includes in
     // shaders.
@@ -45,6 +46,9 @@ struct LoadSettings {
     // Path of the program weft-shader-worker, from find_shader_worker(). Empty: glslang runs in this process.
     std::filesystem::path shader_worker;
     Limits limits;
+    // Folders with graphs and their shaders. Included files are searched there after the folder of the
+    // including file and before `graph_root`. The program trusts these folders like that of the graph.
+    std::vector<std::filesystem::path> graph_path = {};
 };
 
 // A graph that was read with all its includes, merged for the tier of the request, and parsed.

@@ -30,7 +30,8 @@ class ShaderMemory;
 // The folders and limits of a compilation. No file outside these folders is opened, even if a reference, an
 // include or a symbolic link names one.
 struct ShaderRoots {
-    // Folders that are searched in this order: the graph's own folder, then shaders/.
+    // Folders that are searched in this order: the folder of the file that names the shader, the graph's own
+    // folder, then shaders/.
     std::vector<std::filesystem::path> roots;
     std::filesystem::path include_root;  // The folder shaders/include. It also contains fullscreen.vert.
     std::filesystem::path cache_dir;     // Folder for the cache of compiled programs; empty: no cache.
@@ -39,6 +40,8 @@ struct ShaderRoots {
     std::filesystem::path worker = {};
     ShaderLimits limits = {};
     ShaderTarget target = {};
+    // Further folders to which symbolic links may lead.
+    std::vector<std::filesystem::path> allowed = {};
 };
 
 enum class ProgramKind : uint8_t {

@@ -4,6 +4,7 @@
 // remedy. Source: RFC 8259, plus // and /* */ comments and a comma after the last value.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,12 +45,40 @@ struct IncludedJson {
     JsonNode root;
 };
 
+// A name of the section "ports" of a module.
+struct ModulePort {
+    std::string description;  // Empty if the module gives none.
+    SourceLoc loc;
+};
+
+// A name of the including graph that replaces a port, from the key "with" of an include.
+struct PortTarget {
+    std::string name;
+    SourceLoc port_loc, loc;  // Places of the name of the port and of the name that replaces it.
+};
+
+// An instance of a module: a file that was included with "as", together with the files that this file
+// includes without "as". The graph itself is the first element of JsonDoc::modules; its name is empty.
+struct ModuleInstance {
+    std::string name;     // The full name, for example "glass", or "glass::inner" inside of "glass".
+    uint32_t parent = 0;  // The instance that includes this one: an index into JsonDoc::modules.
+    uint32_t file = 0;    // The included file: an index into SourceMap::files.
+    SourceLoc as_loc;     // Place of the value of "as".
+    std::map<std::string, ModulePort> ports = {};
+    std::map<std::string, PortTarget> with = {};
+};
+
 struct JsonDoc {
     JsonNode root;
     SourceMap sources;  // The files that were read. The first file contains `root`.
     // The included files in the order in which they are merged. `root` is merged last and has priority over
     // them.
     std::vector<IncludedJson> included;
+    // The graph and the instances of modules. If a file is part of several instances, SourceMap::files
+    // contains it once for each of them. Empty: there are no instances.
+    std::vector<ModuleInstance> modules = {};
+    // For each file of SourceMap::files: the instance that it belongs to, an index into `modules`.
+    std::vector<uint32_t> module_of_file = {};
 };
 
 // Reads the file `path` with `reader`. Returns the error W002 if the file does not exist.
