@@ -16,6 +16,10 @@ namespace weft::vk {
 class ReadbackMemory {
  public:
     [[nodiscard]] static Result<ReadbackMemory> create(Device& device, const FramePlan& plan);
+    // Returns the size of the buffer that each frame slot gets; 0: none. Error: V417.
+    [[nodiscard]] static Result<uint64_t> slot_bytes(const FramePlan& plan) {
+        return ReadbackMemory().lay_out(plan);
+    }
 
     // Records the copy commands of the readback pass at index `position` of the execution order.
     void record(const Device& device, VkCommandBuffer commands, Position position, uint32_t slot,
@@ -38,6 +42,9 @@ class ReadbackMemory {
         // Copy regions of the image that the pass reads; empty if the pass reads a buffer.
         ImageRegions regions;
     };
+    // Fills `places_`, and returns the bytes of all places.
+    [[nodiscard]] Result<uint64_t> lay_out(const FramePlan& plan);
+
     std::vector<Place> places_;
     SlotBuffers memory_;
 };
