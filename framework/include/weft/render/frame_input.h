@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "weft/pass.h"
 #include "weft/scene/scene.h"
+#include "weft/vulkan/frame_submit.h"
 
 namespace weft::render {
 
@@ -34,6 +36,10 @@ struct FrameInput {
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
+    // Values of the program for passes in C++, by name; may be null. Weft adds the value "lights".
+    const HostInputs* host = nullptr;
+    // How the frame reaches the GPU: semaphores of the program, or a command buffer of the program.
+    vk::FrameSubmit submit = {};
 };
 
 }  // namespace weft::render

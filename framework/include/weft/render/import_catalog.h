@@ -4,7 +4,7 @@
 // (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes, materials), and the
 // output image. The lists of views "sun" and "lampFaces" have the cascades of the sun and the views of the
 // scene's lamps. Graphs may also use the view "camera", the element types Light and DrawCommand and those of
-// the buffers, and the numbers directionalLights and environmentPictures.
+// the buffers, and the numbers directionalLights, environmentPictures and outputIsLinear.
 #pragma once
 
 #include <array>
