@@ -46,7 +46,18 @@ target_compile_features(weft_embedded INTERFACE cxx_std_20)
 set(needs glm::glm glslang::SPIRV glslang::glslang glslang::glslang-default-resource-limits SPIRV-Tools-opt
   SPIRV-Tools-static Threads::Threads ${CMAKE_DL_LIBS} weft::carried)
 target_link_libraries(weft_embedded INTERFACE "$<INSTALL_INTERFACE:${needs}>")
-install(TARGETS weft_embedded EXPORT weft ARCHIVE DESTINATION lib)
+# A smaller archive for programs that only run cooked graphs. It needs no GLSL compiler.
+add_library(weft_runtime STATIC)
+foreach(library weft_graph weft_check weft_vulkan weft_passes)
+  target_sources(weft_runtime PRIVATE $<TARGET_OBJECTS:${library}>)
+endforeach()
+set_target_properties(weft_runtime PROPERTIES EXPORT_NAME runtime LINKER_LANGUAGE CXX
+                      ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+target_include_directories(weft_runtime INTERFACE $<INSTALL_INTERFACE:include>)
+target_compile_features(weft_runtime INTERFACE cxx_std_20)
+set(needs glm::glm Threads::Threads ${CMAKE_DL_LIBS} weft::carried_by_runtime)
+target_link_libraries(weft_runtime INTERFACE "$<INSTALL_INTERFACE:${needs}>")
+install(TARGETS weft_embedded weft_runtime EXPORT weft ARCHIVE DESTINATION lib)
 install(EXPORT weft FILE weftTargets.cmake NAMESPACE weft:: DESTINATION lib/cmake/weft)
 
 # Finds the sonames of the shared libraries that the archive needs, such as libpng16.so.16.
@@ -57,6 +68,7 @@ foreach(library ${XXHASH_LIBRARY} ${PNG_LIBRARY} ${JPEG_LIBRARY} ${TINYEXR_LIBRA
   string(REGEX MATCH "SONAME +([^\n]+)" unused "${header}")
   list(APPEND WEFT_CARRIED ${CMAKE_MATCH_1})
 endforeach()
+list(GET WEFT_CARRIED 0 WEFT_CARRIED_BY_RUNTIME)  # The soname of xxhash.
 list(TRANSFORM WEFT_CARRIED PREPEND "-l:" OUTPUT_VARIABLE WEFT_CARRIED_FLAGS)
 list(JOIN WEFT_CARRIED_FLAGS " " WEFT_CARRIED_FLAGS)
 configure_package_config_file(cmake/weftConfig.cmake.in ${PROJECT_BINARY_DIR}/weftConfig.cmake
@@ -65,4 +77,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/weftConfigVersion.cmake C
 install(FILES ${PROJECT_BINARY_DIR}/weftConfig.cmake ${PROJECT_BINARY_DIR}/weftConfigVersion.cmake
   DESTINATION lib/cmake/weft)
 configure_file(cmake/weft.pc.in ${PROJECT_BINARY_DIR}/weft.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/weft.pc DESTINATION lib/pkgconfig)
+configure_file(cmake/weft_runtime.pc.in ${PROJECT_BINARY_DIR}/weft_runtime.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/weft.pc ${PROJECT_BINARY_DIR}/weft_runtime.pc DESTINATION lib/pkgconfig)

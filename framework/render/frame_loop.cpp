@@ -67,12 +67,13 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
         !set)
         return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};
-    HostInputs host;
+    HostInputs host = input.host != nullptr ? *input.host : HostInputs{};
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
     frame.scales = input.scales;
     frame.switches = &input.switches;
+    frame.submit = input.submit;
     scene.gpu().add_versions(frame.import_versions);
     // The textures of tables never change.
     for (const std::string& table : stage_.tables) frame.import_versions.emplace(table, 0);
@@ -91,6 +92,17 @@ Result<vk::ReadbackData> FrameLoop::read_output() {
         d.message = "the graph has no output, so there is no picture";
         d.help = {"import an output, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
                   "or write a resource of the graph instead: --resource NAME"};
+        return d;
+    }
+    if (const Layout layout = plan().graph.resources[plan().graph.output].import->exit.layout;
+        layout != Layout::transfer_src) {
+        Diagnostic d;
+        d.code = "V426";
+        d.message =
+            "the output has the layout " + layout_text(layout) + " after the frame, so Weft cannot read it";
+        d.help = {
+            "give the output the final layout transfer_src (OutputFormat::final_layout), or read the image "
+            "with commands of your own"};
         return d;
     }
     return stage_.executor->read_image(stage_.output);

@@ -19,7 +19,8 @@ class FrameLoop {
 
     [[nodiscard]] Status render(const FrameInput& input, DrawnScene& scene);
     [[nodiscard]] Status finish() { return stage_.executor->finish(); }
-    // Reads the output image of the last frame. Error W184: the graph has no output.
+    // Reads the output image of the last frame. Errors: W184 the graph has no output, V426 its final layout
+    // is not transfer_src.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
 
     // Replaces the values and pipelines of the running stage from the next frame on. Call set_graph()

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/imports/output_import.h"
+
 namespace weft::render {
 
 bool GraphLoader::has_document(const GraphRequest& request) const {
@@ -16,7 +18,7 @@ Result<LoadedGraph> GraphLoader::resolve(const GraphRequest& request, const Pars
     ++work_.resolved;
     memory_.begin();
     searched_.clear();
-    const ImportCatalog imports = imports_at(request.size);
+    const ImportCatalog imports = imports_at(request);
     const LoadInput input{.request = request,
                           .settings = settings_,
                           .passes = passes_,
@@ -74,7 +76,7 @@ Result<LoadedVersion> GraphLoader::load(const GraphRequest& request, const Parse
 
 std::optional<ResolvedGraph> GraphLoader::change_values(const GraphRequest& request) {
     if (!last_->loaded || last_->request == request) return std::nullopt;
-    const ImportCatalog imports = imports_at(request.size);
+    const ImportCatalog imports = imports_at(request);
     std::optional<ResolvedGraph> graph = weft::change_values(*last_->loaded, last_->request,
                                                              {.request = request,
                                                               .settings = settings_,
@@ -104,7 +106,7 @@ void GraphLoader::remember(const GraphRequest& request, Diagnostics warnings, co
 
 Result<ResolvedGraph> GraphLoader::resolve_again(const LoadedGraph& loaded, const GraphRequest& request,
                                                  Diagnostics& warnings) const {
-    const ImportCatalog imports = imports_at(request.size);
+    const ImportCatalog imports = imports_at(request);
     return weft::resolve_again(loaded,
                                {.request = request,
                                 .settings = settings_,
@@ -114,9 +116,9 @@ Result<ResolvedGraph> GraphLoader::resolve_again(const LoadedGraph& loaded, cons
                                warnings);
 }
 
-ImportCatalog GraphLoader::imports_at(Extent3D size) const {
+ImportCatalog GraphLoader::imports_at(const GraphRequest& request) const {
     ImportCatalog imports = imports_;
-    imports.imports.at("backbuffer").resource.extent = size;
+    set_output(imports, request, profile_);
     return imports;
 }
 

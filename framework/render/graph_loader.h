@@ -36,8 +36,8 @@ struct LoadWork {
 
 class GraphLoader {
  public:
-    // `profile` must outlive the loader. `imports` are the imports of the scene. Their output size does not
-    // matter, because imports_at() replaces it.
+    // `profile` must outlive the loader. `imports` are the imports of the scene. The size and the format
+    // of their output do not matter, because imports_at() replaces them.
     GraphLoader(const DeviceProfile& profile, LoadSettings settings, PassCatalog passes,
                 ImportCatalog imports)
         : profile_(profile),
@@ -57,9 +57,10 @@ class GraphLoader {
                                                       Diagnostics& warnings) const;
 
     [[nodiscard]] const LoadSettings& settings() const { return settings_; }
+    [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const PassCatalog& passes() const { return passes_; }
-    // Returns the scene's imports with an output of this size.
-    [[nodiscard]] ImportCatalog imports_at(Extent3D size) const;
+    // Returns the scene's imports with the output of this request.
+    [[nodiscard]] ImportCatalog imports_at(const GraphRequest& request) const;
     [[nodiscard]] const LoadWork& work() const { return work_; }
 
  private:

@@ -158,7 +158,8 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.imports.emplace("sun", view_list("sun", shared::kMostSunCascades));
     catalog.imports.emplace(kLampViews, view_list(kLampViews, count_all_lamp_views(scene)));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
-                       {"environmentPictures", has_environment_picture(scene) ? 1 : 0}};
+                       {"environmentPictures", has_environment_picture(scene) ? 1 : 0},
+                       {"outputIsLinear", 0}};
     catalog.strides = {{"DrawCommand", sizeof(shared::DrawCommand)},
                        {"DrawVerticesCommand", sizeof(shared::DrawVerticesCommand)},
                        {"Light", sizeof(shared::Light)},

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "render/imports/output_import.h"
+
 namespace weft::render {
 namespace {
 
@@ -22,6 +24,8 @@ RunningGraph::RunningGraph(const vk::Device& device, const SessionInput& input, 
       selection_{input.request, input.output} {}
 
 Status RunningGraph::load_first(const ParsedGraph* parsed, Diagnostics& warnings) {
+    if (Status possible = check_output(selection_.request.output, loader_.profile()); !possible)
+        return possible;
     Result<LoadedVersion> loaded = loader_.load(selection_.request, parsed, 0, warnings, first_files_);
     if (!loaded) return loaded.take_errors();
     loaded_ = std::move(*loaded->graph);
@@ -48,6 +52,8 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     const std::lock_guard one_at_a_time(preparing_);
     Diagnostics warnings;
     std::set<std::filesystem::path> files;
+    if (Status possible = check_output(selection.request.output, loader_.profile()); !possible)
+        return {possible.take_errors(), std::move(warnings), std::move(files)};
     StageFingerprint now = running();
     // For another output image, the stage must be made again. This needs the graph. If `known` is 0, load()
     // returns the graph even if no file has changed.

@@ -3,6 +3,7 @@
 #include <iterator>
 #include <utility>
 
+#include "render/imports/output_import.h"
 #include "render/session_parts.h"
 #include "render/unsupported_report.h"
 #include "scene/model/light_check.h"
@@ -34,8 +35,13 @@ void append(Diagnostics& to, Diagnostics from) {
 
 }  // namespace
 
-VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size) {
-    VkImageCreateInfo info = vk::image_create_info(scene_imports(size).imports.at("backbuffer").resource);
+VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size, const OutputFormat& output) {
+    GraphRequest request;
+    request.size = size;
+    request.output = output;
+    ImportCatalog imports = scene_imports(size);
+    set_output(imports, request, device.profile());
+    VkImageCreateInfo info = vk::image_create_info(imports.imports.at("backbuffer").resource);
     vk::share(info, vk::concurrent_sharing(device));
     return info;
 }
@@ -59,6 +65,7 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
                                                  scene::Scene* owned, const SessionInput& input,
                                                  Diagnostics& warnings,
                                                  std::set<std::filesystem::path>* files) {
+    const size_t known_warnings = warnings.size();
     auto graph = std::make_unique<RunningGraph>(device, input, owned_imports(device, scene, input));
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
@@ -71,9 +78,10 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     FrameLoop frames(std::move(*first->parts().stage), input.request.size, graph->loaded().desc.jitter);
     graph->adopt(first->parts());
     std::unique_ptr<Session> session(new Session(std::make_unique<SessionParts>(
-        SessionParts{std::move(*drawn), std::move(graph), std::move(frames)})));
+        SessionParts{device, std::move(*drawn), std::move(graph), std::move(frames)})));
     append(warnings, scene::light_warnings(scene));
     append(warnings, report_unsupported(session->plan(), scene));
+    device.log(warnings, known_warnings);
     return session;
 }
 
@@ -86,7 +94,9 @@ const std::set<std::filesystem::path>& Session::first_files() const {
 }
 
 PrepareResult Session::prepare(const Selection& selection) {
-    return parts_->graph->prepare(selection);
+    PrepareResult prepared = parts_->graph->prepare(selection);
+    parts_->device.log(prepared.warnings);
+    return prepared;
 }
 
 Result<bool> Session::swap_in(PendingSwap next) {
@@ -106,7 +116,9 @@ Result<bool> Session::swap_in(PendingSwap next) {
 
 Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
     if (size == selection().request.size) return Unit{};
+    const size_t known_warnings = warnings.size();
     Result<PendingSwap> next = parts_->graph->prepare_resize(size, output, warnings);
+    parts_->device.log(warnings, known_warnings);
     if (!next) return next.take_errors();
     // The value of `swapped` is never false: only this thread swaps graphs, so no other swap can have
     // happened since prepare_resize().

@@ -1,6 +1,7 @@
 #include "render/stage_maker.h"
 
 #include "render/gpu_scene.h"
+#include "render/imports/output_import.h"
 #include "weft/check/check_plan.h"
 #include "weft/compile.h"
 #include "weft/render/import_catalog.h"
@@ -57,13 +58,14 @@ Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
 
 }  // namespace
 
-Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const std::string& path) const {
+Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const GraphRequest& request) const {
     FramePlan plan = compile(graph, vk::query_memory_needs(device_, graph),
                              compile_options(device_.profile(), settings_.queues));
     Diagnostics faults;
     if (settings_.check_plan) faults = check_plan(plan);
-    if (faults.empty()) faults = find_excess(device_, plan, loader_.settings().limits.graph, path);
+    if (faults.empty()) faults = find_excess(device_, plan, loader_.settings().limits.graph, request.path);
     if (faults.empty()) faults = find_missing_features(device_, plan);
+    if (faults.empty()) faults = find_output_faults(plan, request.output, device_.profile());
     if (!faults.empty()) return faults;
     return plan;
 }
@@ -71,7 +73,7 @@ Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const std::s
 Result<std::unique_ptr<SwapParts>> StageMaker::make(const Selection& selection, const ShaderCatalog& shaders,
                                                     const ResolvedGraph& graph,
                                                     const StageFingerprint& running) {
-    Result<FramePlan> plan = make_plan(graph, selection.request.path);
+    Result<FramePlan> plan = make_plan(graph, selection.request);
     if (!plan) return plan.take_errors();
     Result<FileUses> files = files_.acquire(plan->graph, loader_.settings());
     if (!files) return files.take_errors();
@@ -112,14 +114,14 @@ std::unique_ptr<SwapParts> StageMaker::make_values(const Selection& selection, R
 
 Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders,
                                 FileUses files) {
-    const ImportCatalog imports = loader_.imports_at(next.selection.request.size);
+    const ImportCatalog imports = loader_.imports_at(next.selection.request);
     vk::ExecutorInput run;
     run.hooks.drop_barriers_of_position = position_of(plan, settings_.drop_barriers_before);
     run.plan = std::move(plan);
     run.shaders = &shaders;
     run.passes = &loader_.passes();
     run.draws = &scene_;
-    run.pipelines = &pipelines_;
+    run.pipelines = settings_.pipelines != nullptr ? settings_.pipelines : &pipelines_;
     run.shared = &shared_;
     run.timestamps = settings_.timestamps;
     run.imports = &imports;

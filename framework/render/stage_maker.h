@@ -12,6 +12,7 @@
 #include "vulkan/memory/shared_store.h"
 #include "vulkan/pipelines/pipeline_store.h"
 #include "weft/render/session.h"
+#include "weft/vulkan/shared_pipelines.h"
 
 namespace weft::render {
 
@@ -23,13 +24,15 @@ struct StageSettings {
     bool timestamps = false;
     std::string drop_barriers_before;
     std::map<std::string, std::vector<VkImageView>, std::less<>> textures;
+    vk::PipelineStore* pipelines = nullptr;  // The store of several sessions; null: a store of its own.
 
     explicit StageSettings(const SessionInput& input)
         : queues(input.queues),
           check_plan(input.check_plan || kAlwaysCheck),
           timestamps(input.timestamps),
           drop_barriers_before(input.drop_barriers_before),
-          textures(input.textures) {}
+          textures(input.textures),
+          pipelines(input.pipelines != nullptr ? &input.pipelines->store() : nullptr) {}
 };
 
 class StageMaker {
@@ -56,7 +59,7 @@ class StageMaker {
     [[nodiscard]] uint64_t pipelines_made_between_frames() const { return made_between_frames_; }
 
  private:
-    [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const std::string& path) const;
+    [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const GraphRequest& request) const;
     [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders,
                                       FileUses files);
     [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, VkImage output, FileUses files) const;

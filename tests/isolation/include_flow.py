@@ -14,7 +14,7 @@ FLOW = [
     # Public headers with the types that the stages exchange.
     PUBLIC,
     "framework/graph/diagnostics", "framework/graph/model", "framework/graph/live", "framework/graph/syntax", "framework/graph/parse",
-    "framework/graph/resolve", "framework/graph/plan", "framework/graph/rest", "framework/graph/schedule", "framework/graph/sync",
+    "framework/graph/resolve", "framework/graph/plan", "framework/graph/cook", "framework/graph/rest", "framework/graph/schedule", "framework/graph/sync",
     "framework/graph/memory", "framework/graph/compile", "framework/graph/report", "framework/graph/report/html",
     "framework/check", "framework/null", "framework/file",
     "framework/shader/faults", "framework/shader/gate", "framework/shader/reflect", "framework/shader/worker",

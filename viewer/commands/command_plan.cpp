@@ -2,6 +2,7 @@
 #include "viewer/commands/offline_graph.h"
 #include "viewer/output/output.h"
 #include "viewer/output/report.h"
+#include "weft/cooked_graph.h"
 #include "weft/report/plan_dump.h"
 
 namespace weft::viewer {
@@ -12,6 +13,10 @@ std::string in_format(const PlanOptions& options, const OfflinePlan& made) {
     if (options.format == "dot") return plan_to_dot(made.plan);
     if (options.format == "html")
         return plan_to_html(made.plan, {options.file, options.offline.request.tier, made.profile.name});
+    if (options.format == "cooked") {
+        const std::vector<std::byte> bytes = cook(made.plan.graph, made.shaders);
+        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    }
     return plan_to_text(made.plan, &made.profile);
 }
 

@@ -51,7 +51,7 @@ Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOption
     Result<PlannedGraph> planned = plan_offline(document, options, *profile, warnings, shared);
     if (!planned) return planned.take_errors();
     const LoadedGraph& loaded = planned->loaded;
-    OfflinePlan made{std::move(planned->plan), std::move(*profile), {}};
+    OfflinePlan made{std::move(planned->plan), loaded.shaders, std::move(*profile), {}};
     // Check the debug views only if the graph has an output. A graph without an output is a module that other
     // graphs include, and those graphs may declare the resources that the views show.
     if (loaded.graph.output != kNoId)

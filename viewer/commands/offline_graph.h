@@ -19,6 +19,7 @@ namespace weft::viewer {
 
 struct OfflinePlan {
     FramePlan plan;
+    ShaderCatalog shaders;
     DeviceProfile profile;
     // Errors in the "debug" section. They are separate, because a view may show a resource that only another
     // tier has.

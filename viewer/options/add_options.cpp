@@ -165,8 +165,11 @@ void add_plan(CLI::App& command, PlanOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     add_tier(command, o.offline, "none");
     add_offline(command, o.offline, raw);
-    command.add_option("--format", o.format, "format of the plan: text, json, dot (Graphviz) or html")
-        ->check(choice_validator({"text", "json", "dot", "html"}))
+    command
+        .add_option("--format", o.format,
+                    "format of the plan: text, json, dot (Graphviz), html, or cooked (graph and shaders for "
+                    "a program)")
+        ->check(choice_validator({"text", "json", "dot", "html", "cooked"}))
         ->capture_default_str();
     command.add_option("-o,--output", o.output, "write to this file instead of stdout");
     add_sandbox(command, o.sandbox);

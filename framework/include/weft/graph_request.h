@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "weft/declaration.h"
+#include "weft/output_format.h"
 
 namespace weft {
 
@@ -17,6 +18,7 @@ struct GraphRequest {
     // Parameter values by name. They replace the defaults in the graph.
     std::map<std::string, double> params = {};
     Extent3D size{1280, 720, 1};  // Size of the output image.
+    OutputFormat output = {};     // Format of the output image, and its layout after the frame.
     // References such as "name@pass.mip(e)". These resources are read back in every frame.
     std::vector<std::string> observed = {};
     // Name of a debug view of the graph, or a reference to any resource; empty: none. The view is rendered to

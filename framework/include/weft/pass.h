@@ -1,6 +1,7 @@
 // Purpose: declares the types of passes written in C++. Most passes are only JSON and GLSL; C++ is for passes
 // that need work on the CPU. Such a pass is a struct with static members, and pass_type<T>() converts it to a
 // PassType. Passes use no Vulkan type: they write host data with Uploads and record commands with Recorder.
+// The exception are passes that record Vulkan commands of their own; see weft/vulkan/raw_pass.h.
 #pragma once
 
 #include <cstddef>
@@ -22,13 +23,20 @@ struct PortDecl {
     std::string_view name;
     Access access = Access::none;
     bool is_output = false;
+    // The shader stages that access the port. They matter only for accesses by shaders, such as sampled_read,
+    // in passes that record Vulkan commands of their own (weft/vulkan/raw_pass.h).
+    ShaderStageMask stages = stage_bit(ShaderStage::compute);
 };
 
 struct In : PortDecl {
-    constexpr In(std::string_view port, Access a) : PortDecl{port, a, false} {}
+    constexpr In(std::string_view port, Access a,
+                 ShaderStageMask shader_stages = stage_bit(ShaderStage::compute))
+        : PortDecl{port, a, false, shader_stages} {}
 };
 struct Out : PortDecl {
-    constexpr Out(std::string_view port, Access a) : PortDecl{port, a, true} {}
+    constexpr Out(std::string_view port, Access a,
+                  ShaderStageMask shader_stages = stage_bit(ShaderStage::compute))
+        : PortDecl{port, a, true, shader_stages} {}
 };
 
 // A parameter of a pass type: its name, default, range and unit. Graphs set it in "params"; `weft doctor` and

@@ -15,15 +15,15 @@ Device::~Device() {
 }
 
 void Device::tear_down() {
-    if (!owned_ || abandoned_) return;
-    owned_ = false;
+    const bool destroys = std::exchange(owned_, false) && !abandoned_;
     // The messenger is destroyed after the device, so that it also reports objects that were still alive when
-    // the device was destroyed.
-    if (device_ != VK_NULL_HANDLE) functions_->vkDestroyDevice(device_, nullptr);
-    if (messenger_ != VK_NULL_HANDLE) {
-        instance_functions_->vkDestroyDebugUtilsMessengerEXT(instance_, messenger_, nullptr);
-    }
-    if (instance_ != VK_NULL_HANDLE) instance_functions_->vkDestroyInstance(instance_, nullptr);
+    // the device was destroyed. The messenger of an adopted device refers to this object, so it is destroyed
+    // even after abandon().
+    if (destroys && device_ != VK_NULL_HANDLE) functions_->vkDestroyDevice(device_, nullptr);
+    if (messenger_ != VK_NULL_HANDLE && (destroys || callbacks_.log))
+        instance_functions_->vkDestroyDebugUtilsMessengerEXT(instance_, std::exchange(messenger_, nullptr),
+                                                             nullptr);
+    if (destroys && instance_ != VK_NULL_HANDLE) instance_functions_->vkDestroyInstance(instance_, nullptr);
 }
 
 std::vector<Message> destroy_device(std::unique_ptr<Device> device) {
@@ -41,6 +41,17 @@ uint32_t Device::memory_type(uint32_t type_bits, VkMemoryPropertyFlags wanted) c
         if ((memory_.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
     }
     return UINT32_MAX;
+}
+
+void Device::log(const Diagnostics& diagnostics, size_t first) const {
+    if (!callbacks_.log) return;
+    for (size_t i = first; i < diagnostics.size(); ++i) {
+        const Diagnostic& d = diagnostics[i];
+        callbacks_.log({d.severity == Severity::error ? MessageSeverity::error : MessageSeverity::warning,
+                        d.code,
+                        {},
+                        to_text({d})});
+    }
 }
 
 void Device::name(VkObjectType type, uint64_t handle, const std::string& text) const {

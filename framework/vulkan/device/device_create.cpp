@@ -195,7 +195,8 @@ Result<std::unique_ptr<Device>> Device::adopt(const EmbedderDevice& own) {
     if (!loader) return loader.errors();
     DeviceBuilder builder;
     Device& made = *builder.device;
-    made.timeout_ns_ = DeviceOptions{}.timeout_ns;
+    made.timeout_ns_ = own.timeout_ns;
+    made.callbacks_ = own.callbacks;
     made.instance_ = own.instance;
     *made.instance_functions_ = load_instance_functions(*loader, own.instance);
     made.debug_utils_ = made.instance_functions_->vkSetDebugUtilsObjectNameEXT != nullptr;
@@ -215,6 +216,10 @@ Result<std::unique_ptr<Device>> Device::adopt(const EmbedderDevice& own) {
     builder.find_sharing_families();
     builder.describe(candidate);
     made.info_.timestamps = made.families_[made.queue_.family].timestamps;
+    if (!own.callbacks.log) return std::move(builder.device);
+    made.messages_.send_to(own.callbacks.log);
+    if (made.instance_functions_->vkCreateDebugUtilsMessengerEXT == nullptr) return std::move(builder.device);
+    if (Status logged = builder.make_messenger(); !logged) return logged.take_errors();
     return std::move(builder.device);
 }
 

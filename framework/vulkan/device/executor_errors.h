@@ -8,6 +8,7 @@
 //   V416 a shader reads a vertex input that the draw list does not have
 //   V417 this executor cannot run the plan
 //   V418 recording, submitting or reading back failed
+//   V422, V423 a frame cannot be submitted as the program wishes; see program_submit.h
 // Time-outs, lost devices and exhausted memory have the codes of vk_result.h instead.
 #pragma once
 

@@ -43,7 +43,6 @@ class Handle {
 
 using ImageHandle = Handle<VkImage, &DeviceFunctions::vkDestroyImage>;
 using BufferHandle = Handle<VkBuffer, &DeviceFunctions::vkDestroyBuffer>;
-using MemoryHandle = Handle<VkDeviceMemory, &DeviceFunctions::vkFreeMemory>;
 using ImageViewHandle = Handle<VkImageView, &DeviceFunctions::vkDestroyImageView>;
 using SamplerHandle = Handle<VkSampler, &DeviceFunctions::vkDestroySampler>;
 using SetLayoutHandle = Handle<VkDescriptorSetLayout, &DeviceFunctions::vkDestroyDescriptorSetLayout>;

@@ -2,6 +2,7 @@
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/handle.h"
+#include "vulkan/device/queue_lock.h"
 
 namespace weft::vk {
 namespace {
@@ -42,7 +43,10 @@ VkResult submit_and_wait(Device& device, ImmediateCommands& immediate) {
     VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &immediate.commands;
-    const VkResult result = fn.vkQueueSubmit(device.queue().handle, 1, &submit, immediate.fence.get());
+    const VkResult result = [&] {
+        const QueueLock lock(device, device.queue().handle);
+        return fn.vkQueueSubmit(device.queue().handle, 1, &submit, immediate.fence.get());
+    }();
     if (result != VK_SUCCESS) return result;
     VkFence fence = immediate.fence.get();
     return fn.vkWaitForFences(device.handle(), 1, &fence, VK_TRUE, device.timeout_ns());

@@ -6,6 +6,7 @@ namespace weft::vk {
 
 void MessageCollector::add(Message message) {
     if (message.pass.empty()) message.pass = current_pass();
+    if (log_) return log_(message);
     const std::lock_guard lock(mutex_);
     messages_.push_back(std::move(message));
 }

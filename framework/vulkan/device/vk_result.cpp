@@ -43,7 +43,10 @@ Diagnostic vk_error(VkResult result, std::string_view what) {
             break;
         case VK_ERROR_DEVICE_LOST:
             error.code = "V408";
-            error.help = {"the driver has lost the device; look for the cause with --validate"};
+            error.help = {
+                "the driver has lost the device; look for the cause with --validate",
+                "a program that embeds Weft must destroy the session, Weft's device and the VkDevice, "
+                "and create them again"};
             break;
         case VK_ERROR_OUT_OF_HOST_MEMORY:
         case VK_ERROR_OUT_OF_DEVICE_MEMORY:

@@ -6,6 +6,7 @@
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
+#include "vulkan/execute/program_submit.h"
 #include "vulkan/execute/unit_input.h"
 #include "vulkan/record/barriers_vk.h"
 #include "vulkan/record/record.h"
@@ -59,6 +60,19 @@ Combination switches_in(const ResolvedGraph& graph, const FrameInput& frame) {
     return on;
 }
 
+// Returns true if a frame has finished after a wait with this result. A lost device runs nothing any more, so
+// its objects can be destroyed.
+bool is_finished(VkResult wait) {
+    return wait == VK_SUCCESS || wait == VK_ERROR_DEVICE_LOST;
+}
+
+// Returns the text about the ticket of a frame in the message that the frame did not finish; empty if the
+// frame has none.
+std::string ticket_text(const FrameTicket& ticket) {
+    if (ticket.timeline == VK_NULL_HANDLE) return {};
+    return " in the command buffer of the program, with the ticket " + std::to_string(ticket.value);
+}
+
 void begin_label(const Device& device, VkCommandBuffer commands, const std::string& name) {
     VkDebugUtilsLabelEXT label{VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT};
     label.pLabelName = name.c_str();
@@ -78,7 +92,7 @@ ReplayExecutor::~ReplayExecutor() {
     for (uint32_t slot = 0; slot < kFramesInFlight; ++slot)
         // After a time-out, the destructor does not wait a second time. It only checks whether the late frame
         // has finished in the meantime.
-        idle &= timed_out_ ? slots_->is_over(slot) : slots_->wait(slot) == VK_SUCCESS;
+        idle &= timed_out_ ? slots_->is_over(slot) : is_finished(slots_->wait(slot));
     if (!idle)
         device_.abandon();
     else if (!followed_)
@@ -91,14 +105,20 @@ Diagnostic ReplayExecutor::lost_frame(uint32_t slot, VkResult result) {
     if (first >= pass_count) first = 0;
     Diagnostic diagnostic = failed_call("V418",
                                         "waiting for frame " + std::to_string(in_flight_[slot].frame_index) +
+                                            ticket_text(slots_->ticket(slot)) +
                                             " (unfinished passes: " + pass_names(objects_->plan, first) + ")",
                                         result);
+    if (slots_->ticket(slot).timeline != VK_NULL_HANDLE && result == VK_TIMEOUT)
+        diagnostic.help.insert(diagnostic.help.begin(),
+                               "submit the command buffer of the frame, and let the submission signal the "
+                               "timeline semaphore of the ticket");
     if (diagnostic.help.empty())
         diagnostic.help.push_back("look for an endless loop in the first unfinished pass");
     if (const std::string counts = draw_counts(objects_->plan, objects_->draws, first); !counts.empty())
         diagnostic.help.push_back(
             "or draw fewer objects; the unfinished passes draw these numbers of objects: " + counts);
     lost_ = {diagnostic};
+    device_.log(lost_);
     timed_out_ = true;
     return diagnostic;
 }
@@ -244,6 +264,7 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
         const RecordContext context{device_,
                                     place.commands,
                                     place.labels,
+                                    place.family,
                                     slot,
                                     frame,
                                     *objects_,
@@ -268,10 +289,12 @@ std::vector<uint8_t> ReplayExecutor::empty_batches() const {
     return empty;
 }
 
-Status ReplayExecutor::submit_frame(uint32_t slot) {
+Status ReplayExecutor::submit_frame(const FrameSubmit& how, uint32_t slot) {
     const std::string all_passes = pass_names(objects_->plan, 0);
     device_.messages().set_current_pass(all_passes);
-    const VkResult result = slots_->submit(slot, frames_run_, empty_batches());
+    const std::vector<uint8_t> empty = empty_batches();
+    const VkResult result =
+        slots_->submit(slot, frames_run_, empty, {how, waiting_batches(plan(), how.waits, empty)});
     device_.messages().set_current_pass("");
     if (result == VK_ERROR_DEVICE_LOST) return lost_frame(slot, result);
     if (result == VK_SUCCESS) {
@@ -290,6 +313,7 @@ Status ReplayExecutor::run(const FrameInput& frame) {
     assert(slot_ != kNoId && "run() needs the slot of begin_frame()");
     const uint32_t slot = std::exchange(slot_, kNoId);
     if (!lost_.empty()) return lost_;
+    if (Status possible = check_submit(plan(), frame.submit); !possible) return possible;
     InFlight& in_flight = in_flight_[slot];
     in_flight.frame_index = frame.frame_index;
     in_flight.switches = switches_in(plan().graph, frame);
@@ -302,13 +326,13 @@ Status ReplayExecutor::run(const FrameInput& frame) {
         plan(),
         {frame, {objects_->resources, frames_run_}, objects_->areas, &objects_->validity, in_flight.switches},
         slot);
-    if (Status begun = slots_->begin(slot, frames_run_); !begun) return begun;
+    if (Status begun = slots_->begin(slot, frames_run_, frame.submit.commands); !begun) return begun;
     record_frame(frame, slot);
     in_flight.wakes = chosen_.wakes;
     in_flight.timing.dropped_turns = chosen_.dropped_turns;
     in_flight.timing.record_ms = record_watch.ms();
     const Stopwatch submit_watch;
-    Status submitted = submit_frame(slot);
+    Status submitted = submit_frame(frame.submit, slot);
     in_flight.timing.submit_ms = submit_watch.ms();
     return submitted;
 }
@@ -317,7 +341,8 @@ NativeResource ReplayExecutor::native(ResourceId resource) const {
     for (const Placement& placement : plan().memory.placements)
         if (placement.resource == resource)
             return {objects_->heap.image(resource), objects_->heap.buffer(resource),
-                    objects_->heap.memory(placement), placement.offset_bytes};
+                    objects_->heap.memory(placement).memory,
+                    objects_->heap.memory(placement).offset_bytes + placement.offset_bytes};
     return {};
 }
 

@@ -1,42 +1,15 @@
 #include "vulkan/execute/frame_slots.h"
 
 #include <algorithm>
-#include <span>
+#include <utility>
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
+#include "vulkan/device/queue_lock.h"
+#include "vulkan/execute/submission.h"
 
 namespace weft::vk {
 namespace {
-
-// Submits `commands` so that all of them run after the points `waits` and before the point `signal`. Calls
-// vkQueueSubmit instead of vkQueueSubmit2, because the validation layer of Vulkan 1.3.239 tracks hazards
-// between submissions only for vkQueueSubmit.
-VkResult submit_between(const Device& device, VkQueue queue, std::span<const VkCommandBuffer> commands,
-                        const std::vector<TimelinePoint>& waits, const TimelinePoint& signal) {
-    std::vector<VkSemaphore> semaphores;
-    std::vector<uint64_t> values;
-    for (const TimelinePoint& point : waits) {
-        semaphores.push_back(point.semaphore);
-        values.push_back(point.value);
-    }
-    const std::vector<VkPipelineStageFlags> stages(waits.size(), VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
-    VkTimelineSemaphoreSubmitInfo timeline{VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO};
-    timeline.waitSemaphoreValueCount = static_cast<uint32_t>(values.size());
-    timeline.pWaitSemaphoreValues = values.data();
-    timeline.signalSemaphoreValueCount = 1;
-    timeline.pSignalSemaphoreValues = &signal.value;
-    VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    info.pNext = &timeline;
-    info.commandBufferCount = static_cast<uint32_t>(commands.size());
-    info.pCommandBuffers = commands.data();
-    info.waitSemaphoreCount = timeline.waitSemaphoreValueCount;
-    info.pWaitSemaphores = semaphores.data();
-    info.pWaitDstStageMask = stages.data();
-    info.signalSemaphoreCount = 1;
-    info.pSignalSemaphores = &signal.semaphore;
-    return device.fn().vkQueueSubmit(queue, 1, &info, VK_NULL_HANDLE);
-}
 
 VkResult wait_for(const Device& device, const std::vector<TimelinePoint>& points) {
     std::vector<VkSemaphore> semaphores;
@@ -125,7 +98,7 @@ VkResult FrameSlots::wait(uint32_t index) {
     Slot& slot = slots_[index];
     if (!slot.in_flight) return VK_SUCCESS;
     const DeviceFunctions& fn = device_->fn();
-    if (!timelines_.in_use()) {
+    if (slot.last.empty()) {
         VkFence fence = slot.fence.get();
         const VkResult result =
             fn.vkWaitForFences(device_->handle(), 1, &fence, VK_TRUE, device_->timeout_ns());
@@ -140,14 +113,17 @@ VkResult FrameSlots::wait(uint32_t index) {
 
 void FrameSlots::let_go() const {
     if (!timelines_.in_use() || !submitted_) return;
-    for (const PlanQueue& queue : queues_) static_cast<void>(device_->fn().vkQueueWaitIdle(queue.handle));
+    for (const PlanQueue& queue : queues_) {
+        const QueueLock lock(*device_, queue.handle);
+        static_cast<void>(device_->fn().vkQueueWaitIdle(queue.handle));
+    }
 }
 
 bool FrameSlots::is_over(uint32_t index) const {
     const Slot& slot = slots_[index];
     if (!slot.in_flight) return true;
     const DeviceFunctions& fn = device_->fn();
-    if (!timelines_.in_use()) {
+    if (slot.last.empty()) {
         const VkResult result = fn.vkGetFenceStatus(device_->handle(), slot.fence.get());
         return result == VK_SUCCESS || result == VK_ERROR_DEVICE_LOST;
     }
@@ -158,8 +134,14 @@ bool FrameSlots::is_over(uint32_t index) const {
     });
 }
 
-Status FrameSlots::begin(uint32_t index, uint64_t frame) {
-    const Slot& slot = slots_[index];
+Status FrameSlots::begin(uint32_t index, uint64_t frame, VkCommandBuffer own) {
+    Slot& slot = slots_[index];
+    slot.own = own;
+    slot.ticket = {};
+    if (own != VK_NULL_HANDLE) {
+        fence_off_barriers(*device_, own, queues_[0].family);
+        return Unit{};
+    }
     VkResult result = VK_SUCCESS;
     for (const CommandPoolHandle& pool : slot.pools)
         if (result == VK_SUCCESS) result = device_->fn().vkResetCommandPool(device_->handle(), pool.get(), 0);
@@ -171,58 +153,116 @@ Status FrameSlots::begin(uint32_t index, uint64_t frame) {
     return Unit{};
 }
 
-BatchCommands FrameSlots::batch(uint32_t slot, uint32_t batch) const {
-    return {slots_[slot].commands[batch], queues_[queue_of_[batch]].labels};
+BatchCommands FrameSlots::batch(uint32_t index, uint32_t batch) const {
+    const Slot& slot = slots_[index];
+    const PlanQueue& queue = queues_[queue_of_[batch]];
+    return {slot.own != VK_NULL_HANDLE ? slot.own : slot.commands[batch], queue.labels, queue.family};
 }
 
-VkResult FrameSlots::submit_alone(Slot& slot, uint64_t frame) const {
+VkResult FrameSlots::submit_alone(Slot& slot, uint64_t frame, const FrameSubmit& how) const {
     std::vector<VkCommandBuffer> commands;
     if (frame == 0) commands.push_back(slot.prologue);
     commands.push_back(slot.commands.front());
-    VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    info.commandBufferCount = static_cast<uint32_t>(commands.size());
-    info.pCommandBuffers = commands.data();
-    const VkResult result = device_->fn().vkQueueSubmit(queues_[0].handle, 1, &info, slot.fence.get());
+    Submission submission;
+    for (const SemaphoreWait& wait : how.waits) submission.add(wait);
+    for (const SemaphoreSignal& signal : how.signals) submission.add(signal);
+    slot.last.clear();
+    const VkResult result = submission.submit(*device_, queues_[0].handle, commands, slot.fence.get());
     slot.in_flight = result == VK_SUCCESS;
     return result;
 }
 
-VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame, const std::vector<uint8_t>& empty) {
+// Lets all batches of the frame wait for those semaphores of the program that are not for a single batch. A
+// binary semaphore can release only one submission. So an empty submission waits for the semaphores and
+// signals a timeline semaphore, for which the first batch of each queue waits. Returns this point.
+VkResult FrameSlots::open_gate(const FrameSubmit& how, const std::vector<uint32_t>& batches,
+                               TimelinePoint& gate) {
+    Submission submission;
+    bool waits = false;
+    for (size_t i = 0; i < how.waits.size(); ++i) {
+        if (batches[i] != kNoId) continue;
+        submission.add(how.waits[i]);
+        waits = true;
+    }
+    if (!waits) return VK_SUCCESS;
+    gate = timelines_.next_gate();
+    submission.add_signal(gate.semaphore, gate.value);
+    return submission.submit(*device_, queues_[0].handle, {}, VK_NULL_HANDLE);
+}
+
+// Signals the semaphores of the program after all batches of the frame.
+VkResult FrameSlots::close_frame(const Slot& slot, const FrameSubmit& how) const {
+    if (how.signals.empty()) return VK_SUCCESS;
+    Submission submission;
+    for (const TimelinePoint& point : slot.last) submission.add_wait(point.semaphore, point.value);
+    for (const SemaphoreSignal& signal : how.signals) submission.add(signal);
+    return submission.submit(*device_, queues_[0].handle, {}, VK_NULL_HANDLE);
+}
+
+VkResult FrameSlots::submit_batch(const Slot& slot, uint32_t batch, uint64_t frame,
+                                  const std::vector<TimelinePoint>& gates, const ProgramWaits& own) {
+    Submission submission;
+    for (const TimelinePoint& point : timelines_.submit(batch, frame))
+        submission.add_wait(point.semaphore, point.value);
+    for (const TimelinePoint& gate : gates) submission.add_wait(gate.semaphore, gate.value);
+    for (size_t i = 0; i < own.batches.size(); ++i)
+        if (own.batches[i] == batch) submission.add(own.how.waits[i]);
+    const TimelinePoint end = timelines_.end_of(batch, frame);
+    submission.add_signal(end.semaphore, end.value);
+    return submission.submit(*device_, queues_[queue_of_[batch]].handle, {&slot.commands[batch], 1},
+                             VK_NULL_HANDLE);
+}
+
+VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame, const std::vector<uint8_t>& empty,
+                                    const ProgramWaits& own) {
     std::vector<TimelinePoint> last(queues_.size());
-    VkResult result = VK_SUCCESS;
-    if (frame == 0) {
+    TimelinePoint gate;
+    VkResult result = open_gate(own.how, own.batches, gate);
+    if (result == VK_SUCCESS && frame == 0) {
         last[0] = timelines_.ready();
-        result = submit_between(*device_, queues_[0].handle, {&slot.prologue, 1}, {}, last[0]);
+        Submission prologue;
+        prologue.add_signal(last[0].semaphore, last[0].value);
+        result = prologue.submit(*device_, queues_[0].handle, {&slot.prologue, 1}, VK_NULL_HANDLE);
         slot.in_flight = result == VK_SUCCESS;
     }
     timelines_.begin_frame();
+    std::vector<uint8_t> passed(queues_.size(), gate.semaphore == VK_NULL_HANDLE ? 1 : 0);
     for (uint32_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch) {
         if (batch < empty.size() && empty[batch] != 0) {
             timelines_.skip(batch);
             continue;
         }
-        const TimelinePoint end = timelines_.end_of(batch, frame);
-        result = submit_between(*device_, queues_[queue_of_[batch]].handle, {&slot.commands[batch], 1},
-                                timelines_.submit(batch, frame), end);
+        const QueueIndex queue = queue_of_[batch];
+        std::vector<TimelinePoint> gates;
+        if (std::exchange(passed[queue], uint8_t{1}) == 0) gates.push_back(gate);
+        result = submit_batch(slot, batch, frame, gates, own);
         if (result != VK_SUCCESS) break;
-        last[queue_of_[batch]] = end;
+        last[queue] = timelines_.end_of(batch, frame);
         slot.in_flight = true;
     }
     slot.last.clear();
     for (const TimelinePoint& point : last)
         if (point.semaphore != VK_NULL_HANDLE) slot.last.push_back(point);
-    return result;
+    return result == VK_SUCCESS ? close_frame(slot, own.how) : result;
 }
 
-VkResult FrameSlots::submit(uint32_t index, uint64_t frame, const std::vector<uint8_t>& empty) {
+VkResult FrameSlots::submit(uint32_t index, uint64_t frame, const std::vector<uint8_t>& empty,
+                            const ProgramWaits& own) {
     Slot& slot = slots_[index];
+    if (slot.own != VK_NULL_HANDLE) {
+        fence_off_barriers(*device_, slot.own, queues_[0].family);
+        slot.ticket = own.how.ticket;
+        slot.last = {{slot.ticket.timeline, slot.ticket.value}};
+        slot.in_flight = true;
+        return VK_SUCCESS;
+    }
     VkResult result = VK_SUCCESS;
     if (frame == 0) result = end_commands(*device_, slot.prologue, queues_[0].family);
     for (size_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch)
         result = end_commands(*device_, slot.commands[batch], queues_[queue_of_[batch]].family);
     if (result != VK_SUCCESS) return result;
     submitted_ = true;
-    return timelines_.in_use() ? submit_batches(slot, frame, empty) : submit_alone(slot, frame);
+    return timelines_.in_use() ? submit_batches(slot, frame, empty, own) : submit_alone(slot, frame, own.how);
 }
 
 }  // namespace weft::vk

@@ -17,6 +17,14 @@ struct BatchCommands {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     // True if the command buffer may contain debug labels, because its queue draws or computes.
     bool labels = false;
+    uint32_t family = 0;
+};
+
+// The program's part of a submission: its semaphores and its ticket, and the batch that waits for each of
+// FrameSubmit::waits (kNoId: all batches).
+struct ProgramWaits {
+    const FrameSubmit& how;
+    std::vector<uint32_t> batches;
 };
 
 class FrameSlots {
@@ -35,17 +43,25 @@ class FrameSlots {
     // True if the frame in `slot` has finished, or if the device is lost. This function does not wait.
     [[nodiscard]] bool is_over(uint32_t slot) const;
 
+    // Returns the ticket of the frame in `slot`; its semaphore is null if Weft has submitted the frame
+    // itself.
+    [[nodiscard]] const FrameTicket& ticket(uint32_t slot) const { return slots_[slot].ticket; }
+
     // Resets the command buffers of the slot for frame number `frame`. Commands are recorded between begin()
-    // and submit().
-    [[nodiscard]] Status begin(uint32_t slot, uint64_t frame);
+    // and submit(). If `own` is not null, the frame is recorded into this command buffer of the program.
+    [[nodiscard]] Status begin(uint32_t slot, uint64_t frame, VkCommandBuffer own);
     [[nodiscard]] BatchCommands batch(uint32_t slot, uint32_t batch) const;
     // Returns the command buffer that is used in frame 0 only. It runs before all batches, on queue 0, and
     // initialises persistent resources.
-    [[nodiscard]] VkCommandBuffer prologue(uint32_t slot) const { return slots_[slot].prologue; }
+    [[nodiscard]] VkCommandBuffer prologue(uint32_t slot) const {
+        return slots_[slot].own != VK_NULL_HANDLE ? slots_[slot].own : slots_[slot].prologue;
+    }
     // Submits the batches of a frame in the order of the plan. `empty` tells which of them have no commands
     // and are left out (index: batch; 1: left out); an empty list means that all are submitted. If this
-    // fails, some of the batches may be in flight.
-    [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame, const std::vector<uint8_t>& empty);
+    // fails, some of the batches may be in flight. A frame in a command buffer of the program is not
+    // submitted; it is in flight until its ticket is reached.
+    [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame, const std::vector<uint8_t>& empty,
+                                  const ProgramWaits& own);
 
  private:
     struct Slot {
@@ -54,17 +70,27 @@ class FrameSlots {
         // One command buffer for each batch of the plan.
         std::vector<VkCommandBuffer> commands;
         VkCommandBuffer prologue = VK_NULL_HANDLE;
+        // The program's command buffer for the current frame; null: the frame uses `commands`.
+        VkCommandBuffer own = VK_NULL_HANDLE;
+        FrameTicket ticket;
         // Signalled at the end of the frame, if the plan has only one batch per frame.
         FenceHandle fence;
-        // Used if a frame has several batches: the end of the frame's last batch on each queue. The frame has
-        // finished when all these points are reached.
+        // If a frame has several batches: the end of the frame's last batch on each queue. If the frame is in
+        // a command buffer of the program: its ticket. The frame has finished when all these points are
+        // reached. Empty: the frame has finished when `fence` is signalled.
         std::vector<TimelinePoint> last;
         bool in_flight = false;
     };
     [[nodiscard]] VkResult open(Slot& slot) const;
     [[nodiscard]] VkResult allocate(VkCommandPool pool, VkCommandBuffer& commands) const;
-    [[nodiscard]] VkResult submit_alone(Slot& slot, uint64_t frame) const;
-    [[nodiscard]] VkResult submit_batches(Slot& slot, uint64_t frame, const std::vector<uint8_t>& empty);
+    [[nodiscard]] VkResult submit_alone(Slot& slot, uint64_t frame, const FrameSubmit& how) const;
+    [[nodiscard]] VkResult open_gate(const FrameSubmit& how, const std::vector<uint32_t>& batches,
+                                     TimelinePoint& gate);
+    [[nodiscard]] VkResult close_frame(const Slot& slot, const FrameSubmit& how) const;
+    [[nodiscard]] VkResult submit_batch(const Slot& slot, uint32_t batch, uint64_t frame,
+                                        const std::vector<TimelinePoint>& gates, const ProgramWaits& own);
+    [[nodiscard]] VkResult submit_batches(Slot& slot, uint64_t frame, const std::vector<uint8_t>& empty,
+                                          const ProgramWaits& own);
 
     Device* device_ = nullptr;
     std::vector<PlanQueue> queues_;

@@ -34,6 +34,8 @@ Result<QueueTimelines> QueueTimelines::create(Device& device, const FramePlan& p
     }
     if (Status made = make_timeline(device, "before the first frame", timelines.ready_); !made)
         return made.take_errors();
+    if (Status made = make_timeline(device, "semaphores of the program", timelines.gate_); !made)
+        return made.take_errors();
     return timelines;
 }
 

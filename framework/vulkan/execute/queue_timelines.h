@@ -37,12 +37,17 @@ class QueueTimelines {
     // Returns the point that queue 0 signals before frame 0, after the prologue has initialised persistent
     // resources.
     [[nodiscard]] TimelinePoint ready() const { return {ready_.get(), 1}; }
+    // Returns the next point of the timeline on which the batches of a frame wait for semaphores of the
+    // program.
+    [[nodiscard]] TimelinePoint next_gate() { return {gate_.get(), ++gate_value_}; }
 
  private:
     // One timeline semaphore for each logical queue.
     std::vector<SemaphoreHandle> semaphores_;
     BatchOrder order_;
     SemaphoreHandle ready_;
+    SemaphoreHandle gate_;
+    uint64_t gate_value_ = 0;
 };
 
 }  // namespace weft::vk

@@ -69,7 +69,7 @@ class ReplayExecutor final : public Executor {
     void name_changed_inputs(const UnitInputContext& context);
     [[nodiscard]] std::vector<uint8_t> running_units() const;
     [[nodiscard]] std::vector<uint8_t> empty_batches() const;
-    [[nodiscard]] Status submit_frame(uint32_t slot);
+    [[nodiscard]] Status submit_frame(const FrameSubmit& how, uint32_t slot);
     // Called when another executor is about to replace this one. Prepares this executor's resources, so that
     // the first frame of the new executor, which runs the plan `next`, can copy their contents.
     [[nodiscard]] Status be_followed(const FramePlan& next);

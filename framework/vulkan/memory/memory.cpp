@@ -5,9 +5,11 @@
 #include <cassert>
 #include <utility>
 
+#include "vulkan/device/device_memory.h"
 #include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
 #include "vulkan/device/vk_result.h"
+#include "vulkan/memory/buffer_demand.h"
 #include "weft/vulkan/native.h"
 
 namespace weft::vk {
@@ -36,19 +38,15 @@ uint32_t pick_memory_type(const Device& device, uint32_t type_bits, VkMemoryProp
     return device.memory_type(type_bits, wanted & ~wishes);
 }
 
-Result<VkDeviceMemory> allocate(Device& device, const VkMemoryRequirements& needs,
-                                VkMemoryPropertyFlags wanted, const std::string& name) {
+Result<MemoryBlock> allocate(Device& device, const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted,
+                             bool mapped, const std::string& name) {
     const std::string what = "allocating " + std::to_string(needs.size) + " bytes for \"" + name + "\"";
-    VkMemoryAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    info.allocationSize = needs.size;
-    info.memoryTypeIndex = pick_memory_type(device, needs.memoryTypeBits, wanted);
-    if (info.memoryTypeIndex == UINT32_MAX) return vk_error(VK_ERROR_OUT_OF_DEVICE_MEMORY, what);
-    VkDeviceMemory memory = VK_NULL_HANDLE;
-    const VkResult result = device.fn().vkAllocateMemory(device.handle(), &info, nullptr, &memory);
+    const uint32_t type = pick_memory_type(device, needs.memoryTypeBits, wanted);
+    if (type == UINT32_MAX) return vk_error(VK_ERROR_OUT_OF_DEVICE_MEMORY, what);
+    MemoryBlock block;
+    const VkResult result = allocate_memory(device, {needs.size, needs.alignment, type, mapped, name}, block);
     if (result != VK_SUCCESS) return vk_error(result, what);
-    device.name(VK_OBJECT_TYPE_DEVICE_MEMORY, object_id(memory), name);
-    return memory;
+    return block;
 }
 
 // Returns the number of mip levels from the full size down to one texel. Vulkan also reports a
@@ -151,6 +149,20 @@ VkImageCreateInfo image_create_info(const ResourceDecl& decl) {
     return info;
 }
 
+BufferDemand buffer_demand(Device& device, uint64_t size_bytes, VkBufferUsageFlags usage,
+                           Buffer::Memory memory) {
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = size_bytes;
+    info.usage = usage;
+    share(info, concurrent_sharing(device));
+    VkDeviceBufferMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS};
+    query.pCreateInfo = &info;
+    VkMemoryRequirements2 needs{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    device.fn().vkGetDeviceBufferMemoryRequirements(device.handle(), &query, &needs);
+    return {needs.memoryRequirements.size,
+            pick_memory_type(device, needs.memoryRequirements.memoryTypeBits, wanted_properties(memory))};
+}
+
 Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsageFlags usage, Memory memory,
                               const std::string& name) {
     assert(size_bytes > 0 && usage != 0);
@@ -170,25 +182,20 @@ Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsage
 
     VkMemoryRequirements needs{};
     fn.vkGetBufferMemoryRequirements(device.handle(), buffer.buffer_, &needs);
-    Result<VkDeviceMemory> allocated = allocate(device, needs, wanted_properties(memory), name);
+    Result<MemoryBlock> allocated =
+        allocate(device, needs, wanted_properties(memory), memory != Memory::device, name);
     if (!allocated) return allocated.take_errors();
     buffer.memory_ = *allocated;
-    result = fn.vkBindBufferMemory(device.handle(), buffer.buffer_, buffer.memory_, 0);
+    result = fn.vkBindBufferMemory(device.handle(), buffer.buffer_, buffer.memory_.memory,
+                                   buffer.memory_.offset_bytes);
     if (result != VK_SUCCESS) return vk_error(result, "binding memory of \"" + name + "\"");
-    if (memory == Memory::device) return buffer;
-
-    void* mapped = nullptr;
-    result = fn.vkMapMemory(device.handle(), buffer.memory_, 0, VK_WHOLE_SIZE, 0, &mapped);
-    if (result != VK_SUCCESS) return vk_error(result, "mapping \"" + name + "\"");
-    buffer.mapped_ = static_cast<std::byte*>(mapped);
     return buffer;
 }
 
 Buffer::~Buffer() {
     if (device_ == nullptr || device_->abandoned()) return;
     device_->fn().vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-    // vkFreeMemory also unmaps the memory.
-    device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);
+    free_memory(*device_, memory_);
 }
 
 Buffer::Buffer(Buffer&& other) noexcept {
@@ -200,7 +207,6 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
     std::swap(buffer_, other.buffer_);
     std::swap(memory_, other.memory_);
     std::swap(size_bytes_, other.size_bytes_);
-    std::swap(mapped_, other.mapped_);
     return *this;
 }
 
@@ -219,11 +225,12 @@ Result<Image> Image::create(Device& device, const ResourceDecl& decl) {
 
     VkMemoryRequirements needs{};
     fn.vkGetImageMemoryRequirements(device.handle(), image.image_, &needs);
-    Result<VkDeviceMemory> allocated =
-        allocate(device, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, decl.name);
+    Result<MemoryBlock> allocated =
+        allocate(device, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false, decl.name);
     if (!allocated) return allocated.take_errors();
     image.memory_ = *allocated;
-    result = fn.vkBindImageMemory(device.handle(), image.image_, image.memory_, 0);
+    result =
+        fn.vkBindImageMemory(device.handle(), image.image_, image.memory_.memory, image.memory_.offset_bytes);
     if (result != VK_SUCCESS) return vk_error(result, "binding memory of \"" + decl.name + "\"");
 
     if (Status made = image.make_view(); !made) return made.take_errors();
@@ -253,7 +260,7 @@ Image::~Image() {
     device_->fn().vkDestroyImageView(device_->handle(), view_, nullptr);
     if (adopted_) return;
     device_->fn().vkDestroyImage(device_->handle(), image_, nullptr);
-    device_->fn().vkFreeMemory(device_->handle(), memory_, nullptr);
+    free_memory(*device_, memory_);
 }
 
 Image::Image(Image&& other) noexcept {

@@ -28,8 +28,7 @@ void host_visibility_barrier(const Device& device, VkCommandBuffer commands, VkB
 
 }  // namespace
 
-Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& plan) {
-    ReadbackMemory memory;
+Result<uint64_t> ReadbackMemory::lay_out(const FramePlan& plan) {
     uint64_t size_bytes = 0;
     for (Position position(0); position < plan.schedule.order.size(); ++position) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
@@ -46,9 +45,16 @@ Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& p
             place.regions = image_regions(decl, use.range, size_bytes);
         size_bytes +=
             decl.kind == ResourceKind::buffer ? place.buffer.size_bytes : place.regions.staging_bytes;
-        memory.places_.push_back(std::move(place));
+        places_.push_back(std::move(place));
     }
-    Status made = create_slot_buffers(memory.memory_, device, size_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+    return size_bytes;
+}
+
+Result<ReadbackMemory> ReadbackMemory::create(Device& device, const FramePlan& plan) {
+    ReadbackMemory memory;
+    Result<uint64_t> size_bytes = memory.lay_out(plan);
+    if (!size_bytes) return size_bytes.take_errors();
+    Status made = create_slot_buffers(memory.memory_, device, *size_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT,
                                       Buffer::Memory::readback, "readback");
     if (!made) return made.take_errors();
     return memory;

@@ -25,6 +25,10 @@ struct FrameShape {
 class ReadbackMemory {
  public:
     [[nodiscard]] static Result<ReadbackMemory> create(Device& device, const FramePlan& plan);
+    // Returns the size of the buffer that each frame slot gets; 0: none. Error: V417.
+    [[nodiscard]] static Result<uint64_t> slot_bytes(const FramePlan& plan) {
+        return ReadbackMemory().lay_out(plan);
+    }
 
     // Records the copy commands of the readback pass at index `position` of the execution order.
     void record(const Device& device, VkCommandBuffer commands, Position position, uint32_t slot,
@@ -51,6 +55,9 @@ class ReadbackMemory {
     // Returns the copy regions for a frame in which the image has this area.
     [[nodiscard]] static ImageRegions regions_of(const Place& place, const ResourceDecl& decl,
                                                  const UseDecl& use, const Extent3D& area);
+    // Fills `places_`, and returns the bytes of all places.
+    [[nodiscard]] Result<uint64_t> lay_out(const FramePlan& plan);
+
     std::vector<Place> places_;
     SlotBuffers memory_;
 };

@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "vulkan/device/device_memory.h"
 #include "vulkan/device/handle.h"
 #include "weft/declaration.h"
 #include "weft/result.h"
@@ -19,7 +20,7 @@ namespace weft::vk {
 
 // An image or a buffer with memory of its own. The memory is destroyed last.
 struct SharedObject {
-    MemoryHandle memory;
+    DeviceMemory memory;
     ImageHandle image;
     BufferHandle buffer;
 };

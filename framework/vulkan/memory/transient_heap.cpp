@@ -55,23 +55,35 @@ bool is_concurrent(const FramePlan& plan, const Rings& rings, ResourceId resourc
                        [&](ResourceId role) { return role < concurrent.size() && concurrent[role] != 0; });
 }
 
-Result<MemoryHandle> allocate_memory(Device& device, const HeapPlan& heap, const std::string& what) {
-    uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-    if (type == UINT32_MAX) type = device.memory_type(heap.type_bits, 0);
+// Returns the alignment that the memory of a heap needs: the offsets of the plan are multiples of the
+// alignments of its resources. Memory of vkAllocateMemory() fits every resource, so only an allocator of the
+// program needs to know the alignment.
+uint64_t heap_alignment(Device& device, const FramePlan& plan, size_t heap) {
+    if (device.callbacks().memory == nullptr) return 1;
+    uint64_t alignment_bytes = 1;
+    for (const Placement& placement : plan.memory.placements)
+        if (placement.heap == heap)
+            alignment_bytes = std::max(
+                alignment_bytes, any_need(device, plan.graph.resources[placement.resource]).alignment_bytes);
+    return alignment_bytes;
+}
+
+Result<DeviceMemory> allocate_heap(Device& device, const FramePlan& plan, size_t index,
+                                   const std::string& what, const std::string& name) {
+    const HeapPlan& heap = plan.memory.heaps[index];
+    const uint32_t type = heap_memory_type(device, heap);
     if (type == UINT32_MAX)
         return failed_call("V411", what + " in any memory type of the device", VK_ERROR_FEATURE_NOT_PRESENT);
-    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
-    info.allocationSize = heap.size_bytes;
-    info.memoryTypeIndex = type;
-    VkDeviceMemory object = VK_NULL_HANDLE;
-    const VkResult result = device.fn().vkAllocateMemory(device.handle(), &info, nullptr, &object);
+    MemoryBlock block;
+    const VkResult result = allocate_memory(
+        device, {heap.size_bytes, heap_alignment(device, plan, index), type, false, name}, block);
     if (result != VK_SUCCESS) return failed_call("V411", what, result);
-    return MemoryHandle(device, object);
+    return DeviceMemory(device, block);
 }
 
 // Creates an image and binds it to memory.
 Result<ImageHandle> make_image(Device& device, const ResourceDecl& decl, const Sharing& sharing,
-                               VkDeviceMemory memory, uint64_t offset_bytes) {
+                               const MemoryBlock& memory, uint64_t offset_bytes) {
     VkImageCreateInfo info = image_create_info(decl);
     share(info, sharing);
     VkImage object = VK_NULL_HANDLE;
@@ -79,7 +91,8 @@ Result<ImageHandle> make_image(Device& device, const ResourceDecl& decl, const S
     if (result != VK_SUCCESS) return failed_call("V411", "creating image \"" + decl.name + "\"", result);
     ImageHandle image(device, object);
     device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindImageMemory(device.handle(), object, memory, offset_bytes);
+    result = device.fn().vkBindImageMemory(device.handle(), object, memory.memory,
+                                           memory.offset_bytes + offset_bytes);
     if (result != VK_SUCCESS)
         return failed_call("V411", "binding memory of image \"" + decl.name + "\"", result);
     return image;
@@ -87,7 +100,7 @@ Result<ImageHandle> make_image(Device& device, const ResourceDecl& decl, const S
 
 // Creates a buffer and binds it to memory.
 Result<BufferHandle> make_buffer(Device& device, const ResourceDecl& decl, const Sharing& sharing,
-                                 VkDeviceMemory memory, uint64_t offset_bytes) {
+                                 const MemoryBlock& memory, uint64_t offset_bytes) {
     VkBufferCreateInfo info = buffer_create_info(decl);
     share(info, sharing);
     VkBuffer object = VK_NULL_HANDLE;
@@ -95,7 +108,8 @@ Result<BufferHandle> make_buffer(Device& device, const ResourceDecl& decl, const
     if (result != VK_SUCCESS) return failed_call("V411", "creating buffer \"" + decl.name + "\"", result);
     BufferHandle buffer(device, object);
     device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindBufferMemory(device.handle(), object, memory, offset_bytes);
+    result = device.fn().vkBindBufferMemory(device.handle(), object, memory.memory,
+                                            memory.offset_bytes + offset_bytes);
     if (result != VK_SUCCESS)
         return failed_call("V411", "binding memory of buffer \"" + decl.name + "\"", result);
     return buffer;
@@ -103,21 +117,24 @@ Result<BufferHandle> make_buffer(Device& device, const ResourceDecl& decl, const
 
 // Creates an image or a buffer with memory of its own. All queue families may use it, because the plans that
 // share it may use it on different queues.
-Result<SharedObject> make_shared_object(Device& device, const ResourceDecl& decl, const HeapPlan& heap) {
-    Result<MemoryHandle> memory = allocate_memory(device, heap,
-                                                  "allocating " + std::to_string(heap.size_bytes) +
-                                                      " bytes for the shared resource \"" + decl.name + "\"");
+Result<SharedObject> make_shared_object(Device& device, const FramePlan& plan, const Placement& placement) {
+    const ResourceDecl& decl = plan.graph.resources[placement.resource];
+    const uint64_t size_bytes = plan.memory.heaps[placement.heap].size_bytes;
+    Result<DeviceMemory> memory = allocate_heap(
+        device, plan, placement.heap,
+        "allocating " + std::to_string(size_bytes) + " bytes for the shared resource \"" + decl.name + "\"",
+        decl.name);
     if (!memory) return memory.take_errors();
     SharedObject object;
     object.memory = std::move(*memory);
     const Sharing sharing = concurrent_sharing(device);
     if (decl.kind == ResourceKind::buffer) {
-        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, object.memory.get(), 0);
+        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, object.memory.block(), 0);
         if (!buffer) return buffer.take_errors();
         object.buffer = std::move(*buffer);
         return object;
     }
-    Result<ImageHandle> image = make_image(device, decl, sharing, object.memory.get(), 0);
+    Result<ImageHandle> image = make_image(device, decl, sharing, object.memory.block(), 0);
     if (!image) return image.take_errors();
     object.image = std::move(*image);
     return object;
@@ -137,16 +154,21 @@ MemoryNeeds query_memory_needs(Device& device, const ResolvedGraph& graph) {
     return needs;
 }
 
-Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
-    for (size_t i = 0; i < memory.heaps.size(); ++i) {
-        const HeapPlan& heap = memory.heaps[i];
+uint32_t heap_memory_type(const Device& device, const HeapPlan& heap) {
+    const uint32_t type = device.memory_type(heap.type_bits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+    return type != UINT32_MAX ? type : device.memory_type(heap.type_bits, 0);
+}
+
+Status TransientHeap::allocate(Device& device, const FramePlan& plan) {
+    for (size_t i = 0; i < plan.memory.heaps.size(); ++i) {
+        const HeapPlan& heap = plan.memory.heaps[i];
         if (heap.shared) {
             memory_.emplace_back();
             continue;
         }
         const std::string what =
             "allocating heap " + std::to_string(i) + " of " + std::to_string(heap.size_bytes) + " bytes";
-        Result<MemoryHandle> made = allocate_memory(device, heap, what);
+        Result<DeviceMemory> made = allocate_heap(device, plan, i, what, "heap " + std::to_string(i));
         if (!made) return made.take_errors();
         memory_.push_back(std::move(*made));
         if (!heap.persistent) bytes_ += heap.size_bytes;
@@ -156,7 +178,7 @@ Status TransientHeap::allocate(Device& device, const MemoryPlan& memory) {
 
 Status TransientHeap::place(Device& device, const ResourceDecl& decl, const Placement& placement,
                             const Sharing& sharing) {
-    const VkDeviceMemory memory = memory_[placement.heap].get();
+    const MemoryBlock& memory = memory_[placement.heap].block();
     if (decl.kind == ResourceKind::buffer) {
         Result<BufferHandle> buffer = make_buffer(device, decl, sharing, memory, placement.offset_bytes);
         if (!buffer) return buffer.take_errors();
@@ -172,8 +194,7 @@ Status TransientHeap::place(Device& device, const ResourceDecl& decl, const Plac
 Status TransientHeap::lease(Device& device, const FramePlan& plan, const Placement& placement,
                             SharedStore& shared) {
     const ResourceDecl& decl = plan.graph.resources[placement.resource];
-    Result<SharedLease> lease =
-        shared.get(decl, [&] { return make_shared_object(device, decl, plan.memory.heaps[placement.heap]); });
+    Result<SharedLease> lease = shared.get(decl, [&] { return make_shared_object(device, plan, placement); });
     if (!lease) return lease.take_errors();
     shared_[placement.resource] = std::move(*lease);
     return Unit{};
@@ -184,7 +205,7 @@ Result<TransientHeap> TransientHeap::create(Device& device, const FramePlan& pla
     heap.images_.resize(plan.graph.resources.size());
     heap.buffers_.resize(plan.graph.resources.size());
     heap.shared_.resize(plan.graph.resources.size());
-    if (Status status = heap.allocate(device, plan.memory); !status) return status.take_errors();
+    if (Status status = heap.allocate(device, plan); !status) return status.take_errors();
     Diagnostics errors;
     const Rings rings(plan);
     for (const Placement& placement : plan.memory.placements) {

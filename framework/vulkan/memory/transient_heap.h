@@ -31,16 +31,16 @@ class TransientHeap {
         const SharedObject* shared = shared_[resource].get();
         return shared != nullptr ? shared->buffer.get() : buffers_[resource].get();
     }
-    // Returns the memory of a resource in the plan's heaps.
-    [[nodiscard]] VkDeviceMemory memory(const Placement& placement) const {
+    // Returns the memory of the heap that contains the resource.
+    [[nodiscard]] const MemoryBlock& memory(const Placement& placement) const {
         const SharedObject* shared = shared_[placement.resource].get();
-        return shared != nullptr ? shared->memory.get() : memory_[placement.heap].get();
+        return shared != nullptr ? shared->memory.block() : memory_[placement.heap].block();
     }
     // Returns the size of the transient heaps in bytes; heaps of persistent resources do not count.
     [[nodiscard]] uint64_t bytes() const { return bytes_; }
 
  private:
-    [[nodiscard]] Status allocate(Device& device, const MemoryPlan& memory);
+    [[nodiscard]] Status allocate(Device& device, const FramePlan& plan);
     [[nodiscard]] Status lease(Device& device, const FramePlan& plan, const Placement& placement,
                                SharedStore& shared);
     [[nodiscard]] Status place(Device& device, const ResourceDecl& decl, const Placement& placement,
@@ -48,7 +48,7 @@ class TransientHeap {
 
     // One for each heap; empty for the heaps of shared resources. The memory is declared before the images
     // and buffers bound to it. Members are destroyed in reverse order, so the memory is freed last.
-    std::vector<MemoryHandle> memory_;
+    std::vector<DeviceMemory> memory_;
     // One image for each ResourceId; empty for buffers, imports and unused resources.
     std::vector<ImageHandle> images_;
     // One buffer for each ResourceId; empty for images, imports and unused resources.
@@ -57,5 +57,9 @@ class TransientHeap {
     std::vector<SharedLease> shared_;
     uint64_t bytes_ = 0;
 };
+
+// Returns the memory type in which a heap of a plan is allocated; UINT32_MAX if the device has none that
+// fits.
+[[nodiscard]] uint32_t heap_memory_type(const Device& device, const HeapPlan& heap);
 
 }  // namespace weft::vk

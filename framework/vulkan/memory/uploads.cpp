@@ -47,11 +47,11 @@ class SlotUploads final : public Uploads {
     TurnLists& turns_;
 };
 
-class CommandRecorder final : public Recorder {
+class CommandRecorder final : public RawRecorder {
  public:
     struct Target {
         const Device& device;
-        VkCommandBuffer commands;
+        const RawCommands& raw;
         const PassDecl& pass;
         const FrameResources& resources;
         const std::vector<UploadPlace>& places;
@@ -59,6 +59,8 @@ class CommandRecorder final : public Recorder {
         VkBuffer memory;
     };
     explicit CommandRecorder(Target target) : target_(target) {}
+
+    [[nodiscard]] const RawCommands& raw() const override { return target_.raw; }
 
     void copy_upload(std::string_view port) override {
         const std::optional<size_t> n = find_place(target_.places, port);
@@ -70,11 +72,11 @@ class CommandRecorder final : public Recorder {
         const DeviceFunctions& fn = target_.device.fn();
         if (place.regions.copies.empty()) {
             const VkBufferCopy copy{place.offset_bytes, place.target.offset_bytes, bytes};
-            fn.vkCmdCopyBuffer(target_.commands, target_.memory, target_.resources.buffer(use.resource), 1,
-                               &copy);
+            fn.vkCmdCopyBuffer(target_.raw.commands, target_.memory, target_.resources.buffer(use.resource),
+                               1, &copy);
             return;
         }
-        fn.vkCmdCopyBufferToImage(target_.commands, target_.memory, target_.resources.image(use.resource),
+        fn.vkCmdCopyBufferToImage(target_.raw.commands, target_.memory, target_.resources.image(use.resource),
                                   to_vk(use.state.layout), static_cast<uint32_t>(place.regions.copies.size()),
                                   place.regions.copies.data());
     }
@@ -83,7 +85,7 @@ class CommandRecorder final : public Recorder {
             const VkBuffer buffer = target_.resources.buffer(use.resource);
             if (use.port != port || !use.is_output || buffer == VK_NULL_HANDLE) continue;
             const ByteRange bytes = use.bytes.value_or(ByteRange{0, VK_WHOLE_SIZE});
-            target_.device.fn().vkCmdFillBuffer(target_.commands, buffer, bytes.offset_bytes,
+            target_.device.fn().vkCmdFillBuffer(target_.raw.commands, buffer, bytes.offset_bytes,
                                                 bytes.size_bytes, word);
         }
     }
@@ -107,20 +109,25 @@ UploadPlace make_place(const FramePlan& plan, const PassDecl& pass, uint32_t use
 
 }  // namespace
 
-Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan) {
-    UploadMemory memory;
+uint64_t UploadMemory::lay_out(const FramePlan& plan) {
     uint64_t size_bytes = 0;
-    memory.places_.resize(plan.schedule.order.size());
+    places_.resize(plan.schedule.order.size());
     for (Position position(0); position < plan.schedule.order.size(); ++position) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
         if (pass.kind != PassKind::custom) continue;
         for (uint32_t use = 0; use < pass.uses.size(); ++use) {
             if (pass.uses[use].access != Access::copy_write) continue;
             size_bytes = aligned_place(size_bytes);
-            memory.places_[position].push_back(make_place(plan, pass, use, size_bytes));
-            size_bytes += memory.places_[position].back().capacity_bytes;
+            places_[position].push_back(make_place(plan, pass, use, size_bytes));
+            size_bytes += places_[position].back().capacity_bytes;
         }
     }
+    return size_bytes;
+}
+
+Result<UploadMemory> UploadMemory::create(Device& device, const FramePlan& plan) {
+    UploadMemory memory;
+    const uint64_t size_bytes = memory.lay_out(plan);
     for (auto& slot : memory.filled_bytes_)
         for (const auto& places : memory.places_) slot.emplace_back(places.size(), 0);
     Status made = create_slot_buffers(memory.memory_, device, size_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
@@ -137,11 +144,11 @@ void UploadMemory::prepare(Position position, const PassType& type, const PassDe
     if (type.prepare != nullptr) type.prepare(PassContext{pass.custom_params}, host, uploads);
 }
 
-void UploadMemory::record(const Device& device, VkCommandBuffer commands, Position position,
-                          const PassType& type, const PassDecl& pass, uint32_t slot,
+void UploadMemory::record(const RawCommands& raw, const Recorded& recorded,
                           const FrameResources& resources) const {
-    CommandRecorder recorder({device, commands, pass, resources, places_[position],
-                              filled_bytes_[slot][position], memory_[slot].handle()});
+    const auto& [device, position, type, pass, slot] = recorded;
+    CommandRecorder recorder({device, raw, pass, resources, places_[position], filled_bytes_[slot][position],
+                              memory_[slot].handle()});
     if (type.record != nullptr) type.record(PassContext{pass.custom_params}, recorder);
 }
 

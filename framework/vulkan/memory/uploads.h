@@ -10,6 +10,7 @@
 
 #include "graph/rest/rest_state.h"
 #include "vulkan/memory/image_regions.h"
+#include "vulkan/memory/raw_recorder.h"
 #include "vulkan/memory/resource_table.h"
 #include "vulkan/memory/slot_buffers.h"
 #include "weft/vulkan/executor.h"
@@ -31,17 +32,29 @@ struct UploadPlace {
 class UploadMemory {
  public:
     [[nodiscard]] static Result<UploadMemory> create(Device& device, const FramePlan& plan);
+    // Returns the size of the buffer that each frame slot gets; 0: none.
+    [[nodiscard]] static uint64_t slot_bytes(const FramePlan& plan) { return UploadMemory().lay_out(plan); }
 
     // Calls the `prepare` function of the pass at index `position` of the execution order. This function
     // fills the upload memory of frame slot `slot`, and may replace lists of turns.
     void prepare(Position position, const PassType& type, const PassDecl& pass, const HostInputs& host,
                  uint32_t slot, TurnLists& turns);
-    // Calls the `record` function of the pass at index `position` of the execution order. This function
-    // records copies from the upload memory of frame slot `slot`.
-    void record(const Device& device, VkCommandBuffer commands, Position position, const PassType& type,
-                const PassDecl& pass, uint32_t slot, const FrameResources& resources) const;
+    // A pass that is recorded for a frame slot. `position` is its index in the execution order.
+    struct Recorded {
+        const Device& device;
+        Position position;
+        const PassType& type;
+        const PassDecl& pass;
+        uint32_t slot = 0;
+    };
+    // Calls the `record` function of a pass. This function records copies from the upload memory of its frame
+    // slot, or commands of its own with `raw`.
+    void record(const RawCommands& raw, const Recorded& recorded, const FrameResources& resources) const;
 
  private:
+    // Fills `places_`, and returns the bytes of all places.
+    [[nodiscard]] uint64_t lay_out(const FramePlan& plan);
+
     // The upload memory of the n-th port of a pass, counting only ports that have upload memory:
     // places_[position of the pass in the execution order][n].
     std::vector<std::vector<UploadPlace>> places_;

@@ -27,8 +27,8 @@ AspectMask shader_aspects(AspectMask aspects, NumericClass numeric) {
     return aspect::kDepth;
 }
 
-Result<VkImageView> ViewCache::shader_view(const UseDecl& use, uint32_t element,
-                                           const ShaderBinding& binding, uint64_t frame) {
+Result<VkImageView> ViewCache::shader_view(const UseDecl& use, uint32_t element, const ShaderBinding& binding,
+                                           uint64_t frame) {
     SubresourceRange range = element_range(use, element);
     range.aspects = shader_aspects(range.aspects, binding.numeric);
     return get(resources_->rings.copy(use.resource, frame), range, view_type(binding.dim, binding.arrayed));
@@ -39,6 +39,24 @@ Result<VkImageView> ViewCache::attachment_view(const UseDecl& use, uint64_t fram
     SubresourceRange range = use.range;
     range.aspects = plan_->graph.resources[use.resource].aspects;
     return get(resources_->rings.copy(use.resource, frame), range, view_type(ImageDim::d2, range.layers > 1));
+}
+
+Result<VkImageView> ViewCache::port_view(const UseDecl& use, uint64_t frame) {
+    constexpr UsageMask attachment = usage::kColorAttachment | usage::kDepthAttachment;
+    const ResourceDecl& decl = plan_->graph.resources[use.resource];
+    const UsageMask used = usage_of(use.access);
+    if (decl.kind == ResourceKind::buffer) return VkImageView{VK_NULL_HANDLE};
+    if ((used & attachment) != 0) return attachment_view(use, frame);
+    if ((used & (usage::kSampled | usage::kStorage)) == 0) return VkImageView{VK_NULL_HANDLE};
+    SubresourceRange range = use.range;
+    range.aspects = shader_aspects(range.aspects, NumericClass::float_like);
+    const bool arrayed = range.layers > 1;
+    const bool whole = range.layers == decl.layers && (used & usage::kStorage) == 0;
+    const bool cube = decl.image_kind == ImageKind::cube || decl.image_kind == ImageKind::cube_array;
+    VkImageViewType type = view_type(ImageDim::d2, arrayed);
+    if (decl.image_kind == ImageKind::d3) type = VK_IMAGE_VIEW_TYPE_3D;
+    if (cube && whole) type = view_type_to_vk(decl.image_kind);
+    return get(resources_->rings.copy(use.resource, frame), range, type);
 }
 
 Result<VkImageView> ViewCache::get(ResourceId copy, const SubresourceRange& range, VkImageViewType type) {

@@ -21,6 +21,9 @@ class ViewCache {
     // Returns the image view for an attachment. The view has one mip level; with several layers it is an
     // array view.
     [[nodiscard]] Result<VkImageView> attachment_view(const UseDecl& use, uint64_t frame);
+    // Returns a view of the whole range of a use, for passes in C++. Returns null for buffers, and for images
+    // that the pass only copies, blits or clears.
+    [[nodiscard]] Result<VkImageView> port_view(const UseDecl& use, uint64_t frame);
 
  private:
     using Key = std::tuple<ResourceId, SubresourceRange, VkImageViewType>;

@@ -97,20 +97,29 @@ void write_params(const ResolvedGraph& graph, PassId pass, const FrameValues& va
     }
 }
 
-Result<ParamsMemory> ParamsMemory::create(Device& device, const FramePlan& plan) {
-    ParamsMemory memory;
+uint64_t ParamsMemory::lay_out(const Device& device, const FramePlan& plan) {
     uint64_t size_bytes = 0;
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
         const bool pushed = pass.params_push && !device.hides_uniforms();
         if (pass.params_bytes == 0 || pushed) {
-            memory.blocks_.push_back({});
+            blocks_.push_back({});
             continue;
         }
-        memory.blocks_.push_back({size_bytes, pass.params_bytes});
+        blocks_.push_back({size_bytes, pass.params_bytes});
         size_bytes += (pass.params_bytes + kUniformAlignmentBytes - 1) / kUniformAlignmentBytes *
                       kUniformAlignmentBytes;
     }
+    return size_bytes;
+}
+
+uint64_t ParamsMemory::slot_bytes(const Device& device, const FramePlan& plan) {
+    return ParamsMemory().lay_out(device, plan);
+}
+
+Result<ParamsMemory> ParamsMemory::create(Device& device, const FramePlan& plan) {
+    ParamsMemory memory;
+    const uint64_t size_bytes = memory.lay_out(device, plan);
     Status made = create_slot_buffers(memory.memory_, device, size_bytes, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT,
                                       Buffer::Memory::upload, "Params");
     if (!made) return made.take_errors();

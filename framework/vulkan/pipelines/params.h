@@ -35,6 +35,8 @@ void write_params(const ResolvedGraph& graph, PassId pass, const FrameValues& va
 class ParamsMemory {
  public:
     [[nodiscard]] static Result<ParamsMemory> create(Device& device, const FramePlan& plan);
+    // Returns the size of the buffer that each frame slot gets; 0: none.
+    [[nodiscard]] static uint64_t slot_bytes(const Device& device, const FramePlan& plan);
 
     // Returns the memory of the Params block of the pass at index `position` of the execution order. Call it
     // only for passes whose Params are in a buffer.
@@ -49,6 +51,9 @@ class ParamsMemory {
         // Size of the Params block in bytes; 0 if the pass has no block in uniform memory.
         uint64_t size_bytes = 0;
     };
+    // Fills `blocks_`, and returns the bytes of all blocks.
+    [[nodiscard]] uint64_t lay_out(const Device& device, const FramePlan& plan);
+
     // One block for each pass, in execution order.
     std::vector<Block> blocks_;
     SlotBuffers memory_;

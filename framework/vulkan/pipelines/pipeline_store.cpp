@@ -2,7 +2,12 @@
 
 #include <cassert>
 
+#include "weft/vulkan/shared_pipelines.h"
+
 namespace weft::vk {
+
+SharedPipelines::SharedPipelines() : store_(std::make_unique<PipelineStore>()) {}
+SharedPipelines::~SharedPipelines() = default;
 
 PipelineLease& PipelineLease::operator=(PipelineLease&& other) noexcept {
     if (this == &other) return *this;

@@ -1,7 +1,7 @@
 // Purpose: shares pipelines by a hash of their inputs (graph/plan/pipeline_hash.h). Passes of one plan, and
 // plans that follow each other, can have leases on the same pipeline; when the last lease ends, the pipeline
-// is destroyed. Plans that share a store must also share a draw source, because the hash does not cover the
-// descriptor set layouts of the draw source. Thread-safe.
+// is destroyed. The draw sources of plans that share a store must have identical descriptor set layouts,
+// because the hash does not cover them; all scenes of render/ have the same layouts. Thread-safe.
 #pragma once
 
 #include <cstdint>

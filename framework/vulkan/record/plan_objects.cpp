@@ -8,6 +8,7 @@
 #include "vulkan/pipelines/lowered_views.h"
 #include "vulkan/pipelines/pass_shaders.h"
 #include "vulkan/record/merged_scopes.h"
+#include "vulkan/record/raw_pass.h"
 
 namespace weft::vk {
 namespace {
@@ -94,6 +95,13 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
         }
         if (pass.kind == PassKind::custom && (input.passes == nullptr || !input.passes->contains(pass.type)))
             fault("the program gave no pass type \"" + pass.type + "\"");
+        for (const UseDecl& use : pass.uses)
+            if (const std::string text = port_fault(plan, use);
+                pass.kind == PassKind::custom && !text.empty()) {
+                fault(text);
+                errors.back().help = {"select one mip, for example \"" +
+                                      plan.graph.resources[use.resource].name + ".mip(0)\""};
+            }
         if (pass.kind == PassKind::raster && !pass.draw_lists.empty() && input.draws == nullptr)
             errors.push_back(
                 pass_error(plan, pass, "V415",
@@ -200,6 +208,18 @@ Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjec
     return Unit{};
 }
 
+Status prepare_custom_pass(const ExecutorInput& input, PlanObjects& objects, Position position) {
+    const PassDecl& pass = objects.plan.graph.passes[objects.plan.schedule.order[position]];
+    PreparedPass& prepared = objects.passes[position];
+    prepared.type = input.passes->find(pass.type)->second;
+    for (uint64_t frame = 0; frame < objects.resources.rings.period(pass); ++frame) {
+        Result<std::vector<VkImageView>> views = make_port_views(pass, objects.views, frame);
+        if (!views) return views.take_errors();
+        prepared.port_views.push_back(std::move(*views));
+    }
+    return Unit{};
+}
+
 Status make_pool(Device& device, const ExecutorInput& input, PlanObjects& objects) {
     std::vector<SetDemand> demands;
     for (const PassId id : objects.plan.schedule.order) {
@@ -260,11 +280,11 @@ Result<std::unique_ptr<PlanObjects>> make_plan_objects(Device& device, ExecutorI
     objects->passes.resize(order.size());
     for (Position position(0); position < order.size(); ++position) {
         const PassDecl& pass = objects->plan.graph.passes[order[position]];
-        if (pass.kind == PassKind::custom)
-            objects->passes[position].type = input.passes->find(pass.type)->second;
-        if (!runs_shader(pass.kind)) continue;
+        const bool custom = pass.kind == PassKind::custom;
+        if (!custom && !runs_shader(pass.kind)) continue;
         device.messages().set_current_pass(pass.name);
-        const Status prepared = prepare_shader_pass(device, input, *objects, position);
+        const Status prepared = custom ? prepare_custom_pass(input, *objects, position)
+                                       : prepare_shader_pass(device, input, *objects, position);
         if (!prepared) append(errors, prepared.errors());
     }
     device.messages().set_current_pass("");

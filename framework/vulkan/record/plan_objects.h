@@ -32,8 +32,14 @@ struct PreparedPass {
     std::vector<FrameRange> frame_ranges;
     // The program's callbacks for the pass; set only for custom passes.
     std::optional<PassType> type;
+    // The views of the ports of a custom pass: one list for each frame of the period, with one view for each
+    // use.
+    std::vector<std::vector<VkImageView>> port_views;
 
     [[nodiscard]] const RenderingScope& scope(uint64_t frame) const { return scopes[frame % scopes.size()]; }
+    [[nodiscard]] const std::vector<VkImageView>& port_view_set(uint64_t frame) const {
+        return port_views[frame % port_views.size()];
+    }
     [[nodiscard]] const VkDescriptorSet& port_set(uint32_t variant, uint64_t frame, uint32_t slot) const {
         const size_t period = port_sets.size() / variants;
         return port_sets[variant * period + frame % period][slot];

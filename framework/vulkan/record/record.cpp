@@ -4,6 +4,7 @@
 
 #include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
+#include "vulkan/record/raw_pass.h"
 
 namespace weft::vk {
 namespace {
@@ -216,8 +217,7 @@ void record_pass(const RecordContext& context, Position position) {
             return objects.readbacks.record(context.device, context.commands, position, context.slot,
                                             objects.plan, context.resources, objects.areas);
         case PassKind::custom:
-            return objects.uploads.record(context.device, context.commands, position, *prepared.type, pass,
-                                          context.slot, context.resources);
+            return record_custom(context, position, pass, prepared);
     }
 }
 

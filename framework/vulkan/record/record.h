@@ -10,6 +10,7 @@ struct RecordContext {
     VkCommandBuffer commands = VK_NULL_HANDLE;
     // True if the queue supports debug labels.
     bool labels = false;
+    uint32_t family = 0;  // The queue family of the command buffer.
     uint32_t slot = 0;
     const FrameInput& frame;
     const PlanObjects& objects;
@@ -20,7 +21,7 @@ struct RecordContext {
 };
 
 // Records the pass at index `position` of the execution order, without its barriers. Calls one of the
-// functions below, or for readback and custom passes ReadbackMemory::record() or UploadMemory::record().
+// functions below, or for readback and custom passes ReadbackMemory::record() or record_custom().
 void record_pass(const RecordContext& context, Position position);
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared);

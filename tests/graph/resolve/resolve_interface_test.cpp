@@ -257,6 +257,23 @@ TEST_F(ResolveInterface, CppPasses) {
     EXPECT_EQ(d.line, 3u);
 }
 
+TEST_F(ResolveInterface, CppPassesNameTheShaderStagesOfTheirPorts) {
+    PassType type;
+    type.name = "overlay";
+    type.ports = {In{"x", Access::sampled_read, stage_bit(ShaderStage::fragment)},
+                  In{"z", Access::sampled_read}, Out{"target", Access::color_read_write}};
+    passes["overlay"] = type;
+    const ResolvedGraph g =
+        good(R"j("resources": {"x": "rgba16f", "y": "rgba16f", "z": "rgba16f"}, "passes": {
+      "c": {"type": "clear", "out": ["x", "y", "z"]},
+      "o": {"type": "overlay", "in": ["x", "z"], "out": {"target": "y"}, "after": ["c"]}})j");
+    EXPECT_EQ(use(g, "o", "x").state.stages, stage::kFragmentShader);
+    EXPECT_EQ(use(g, "o", "z").state.stages, stage::kComputeShader) << "the stage of a port that names none";
+    EXPECT_EQ(use(g, "o", "target").access, Access::color_read_write);
+    EXPECT_EQ(use(g, "o", "target").state.layout, Layout::color_attachment);
+    EXPECT_EQ(use(g, "o", "target").sources.size(), 1u) << "it continues what the clear pass has written";
+}
+
 TEST_F(ResolveInterface, CppPassPorts) {
     PassType type;
     type.name = "upload";

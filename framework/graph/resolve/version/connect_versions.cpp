@@ -123,9 +123,18 @@ class VersionConnector {
         UseDecl& decl = use(u);
         const ResourceDecl& resource = graph_.resources[decl.resource];
         const bool buffer = resource.kind == ResourceKind::buffer;
-        const ShaderStageMask stages =
-            port(u).binding ? port(u).binding->stages : stage_bit(ShaderStage::compute);
-        decl.state = access_state(decl.access, stages, buffer ? aspect::kNone : resource.aspects);
+        decl.state = access_state(decl.access, stages_of(u), buffer ? aspect::kNone : resource.aspects);
+    }
+
+    // Returns the shader stages that access the port of a use: those of the shader's binding, or those that
+    // the type of a C++ pass declares.
+    ShaderStageMask stages_of(const CellUse& u) {
+        if (port(u).binding) return port(u).binding->stages;
+        if (const PassType* type = declared_.expansion.passes[u.pass].custom)
+            for (const PortDecl& declared : type->ports)
+                if (declared.name == use(u).port && declared.is_output == use(u).is_output)
+                    return declared.stages;
+        return stage_bit(ShaderStage::compute);
     }
 
     // Returns true if the use needs the earlier content. For example, a partial copy or clear reads nothing,

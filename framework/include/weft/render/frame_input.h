@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "weft/live_value.h"
+#include "weft/pass.h"
 #include "weft/scene/scene.h"
+#include "weft/vulkan/frame_submit.h"
 
 namespace weft::render {
 
@@ -42,6 +44,10 @@ struct FrameInput {
     // Scales of the graph's live sizes in this frame, by the name of the parameter. They are clamped to the
     // ranges of the parameters. A scale that is not in the map has the value of its parameter.
     Scales scales = {};
+    // Values of the program for passes in C++, by name; may be null. Weft adds the value "lights".
+    const HostInputs* host = nullptr;
+    // How the frame reaches the GPU: semaphores of the program, or a command buffer of the program.
+    vk::FrameSubmit submit = {};
 };
 
 }  // namespace weft::render

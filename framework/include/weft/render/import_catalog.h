@@ -5,7 +5,7 @@
 // table materialTextures with the textures of all materials, and the output image. The lists of views "sun"
 // and "lampFaces" have the cascades of the sun and the views of the scene's lamps. Graphs may also use the
 // view "camera", the element types Light and DrawCommand and those of the buffers, and the numbers
-// directionalLights and environmentPictures.
+// directionalLights, environmentPictures and outputIsLinear.
 #pragma once
 
 #include <array>

@@ -25,8 +25,8 @@ struct Selection {
     GraphRequest request;
     // An embedder's image to which frames are rendered, created with output_create_info(). Null: the
     // session's own image is used. After render_frame(), commands that are submitted to the device's first
-    // queue find the image written, in the layout TRANSFER_SRC_OPTIMAL. They may copy or blit it, and must
-    // leave it in this layout. The image must outlive the session.
+    // queue find the image written, in the layout GraphRequest::output.final_layout. They may use it as
+    // OutputFormat says, and must leave it in this layout. The image must outlive the session.
     VkImage output = VK_NULL_HANDLE;
 };
 

@@ -24,13 +24,15 @@ struct Scene;
 }
 namespace weft::vk {
 class Device;
-}
+class SharedPipelines;
+}  // namespace weft::vk
 
 namespace weft::render {
 
-// Returns the creation info for the image Selection::output: RGBA8, one mip. It contains pointers into
-// `device`.
-[[nodiscard]] VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size);
+// Returns the creation info for the image Selection::output, with one mip. It contains pointers into
+// `device`. The usage flags are those of OutputFormat::usage, or all that the device supports for the format.
+[[nodiscard]] VkImageCreateInfo output_create_info(const vk::Device& device, Extent3D size,
+                                                   const OutputFormat& output = {});
 
 struct SessionInput {
     GraphRequest request;
@@ -50,6 +52,8 @@ struct SessionInput {
     // True: GPU times of each pass are measured. This records additional empty barriers after passes, so it
     // should be false in runs under validation.
     bool timestamps = false;
+    // The store of pipelines that sessions on this device share; null: the session has its own store.
+    vk::SharedPipelines* pipelines = nullptr;
     std::string drop_barriers_before;  // Hook for tests: name of a pass whose barriers are not recorded.
 };
 
@@ -95,8 +99,8 @@ class Session {
     [[nodiscard]] Status finish();
     // Returns true if the graph writes an output image. Some graphs write only other resources.
     [[nodiscard]] bool has_output() const;
-    // Returns the output image of the last frame. Call this after finish(). Error: W184 the graph has no
-    // output.
+    // Returns the output image of the last frame. Call this after finish(). Errors: W184 the graph has no
+    // output, V426 its final layout is not transfer_src.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
     [[nodiscard]] std::vector<vk::ReadbackData> take_readbacks();
     [[nodiscard]] std::vector<vk::FrameTiming> take_timings();

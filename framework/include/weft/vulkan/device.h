@@ -14,6 +14,7 @@
 #include "weft/device_profile.h"
 #include "weft/result.h"
 #include "weft/vulkan/device_features.h"
+#include "weft/vulkan/embedder_callbacks.h"
 #include "weft/vulkan/messages.h"
 
 namespace weft::vk {
@@ -69,6 +70,9 @@ struct EmbedderDevice {
     std::vector<Queue> queues;
     // The features that are enabled in `device`; see enable_features(). No extension is required.
     const FeatureChain* enabled = nullptr;
+    EmbedderCallbacks callbacks = {};
+    // Time-out for every wait for the GPU, and for every ticket of a frame (FrameSubmit::ticket).
+    uint64_t timeout_ns = 60'000'000'000;
 };
 
 // A queue family of the physical device, and the queues created from it.
@@ -82,7 +86,8 @@ class Device {
  public:
     [[nodiscard]] static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
     // Makes a Device from the embedder's objects. `own.enabled` is read only during the call. messages()
-    // stays empty. Errors: V401, and V404, which names all missing features.
+    // stays empty: messages go to EmbedderCallbacks::log. Errors: V401, and V404, which names all missing
+    // features.
     [[nodiscard]] static Result<std::unique_ptr<Device>> adopt(const EmbedderDevice& own);
     ~Device();
     Device(const Device&) = delete;
@@ -106,6 +111,9 @@ class Device {
     [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
     [[nodiscard]] MessageCollector& messages() { return messages_; }
     [[nodiscard]] uint64_t timeout_ns() const { return timeout_ns_; }
+    [[nodiscard]] const EmbedderCallbacks& callbacks() const { return callbacks_; }
+    // Sends warnings or errors to the program's log function, if there is one.
+    void log(const Diagnostics& diagnostics, size_t first = 0) const;
     // Keeps all objects from being destroyed from now on. It is called after a time-out, because the device
     // may still use the objects; to destroy them then would be an error.
     void abandon() { abandoned_ = true; }
@@ -150,6 +158,7 @@ class Device {
     OptionalFeatures optional_;
     VkPhysicalDeviceMemoryProperties memory_{};
     uint64_t timeout_ns_ = 0;
+    EmbedderCallbacks callbacks_;
     friend struct DeviceBuilder;
 };
 

@@ -19,6 +19,7 @@
 #include "weft/vulkan/device.h"
 #include "weft/vulkan/draw_source.h"
 #include "weft/vulkan/frame_results.h"
+#include "weft/vulkan/frame_submit.h"
 #include "weft/vulkan/memory.h"
 
 namespace weft::vk {
@@ -70,6 +71,7 @@ struct FrameInput {
     // Switches by the name of their parameter: true is on. A switch without an entry has the value of its
     // parameter. Names that are no switches are ignored. Null: no entries.
     const std::map<std::string, bool, std::less<>>* switches = nullptr;
+    FrameSubmit submit = {};
 };
 
 // Hooks for tests: they omit barriers, so that a test can check that the validation layer reports the missing
@@ -157,7 +159,8 @@ class Executor {
     // Waits until the next frame slot is free and returns its index, so that the program can fill its own
     // data for this slot. Errors: V407 time-out, V408 device lost; both messages name the passes in flight.
     [[nodiscard]] virtual Result<uint32_t> begin_frame() = 0;
-    // Records and submits one frame in the slot that begin_frame() returned.
+    // Records and submits one frame in the slot that begin_frame() returned. If FrameSubmit::commands is not
+    // null, it only records the frame. Errors: V422 and V423, after which no command is recorded; V418.
     [[nodiscard]] virtual Status run(const FrameInput& frame) = 0;
     // Waits for the fences of all frames in flight, and collects the timings and readbacks of these frames.
     // It does not wait for other work on the device.

@@ -30,14 +30,15 @@ class Buffer {
 
     [[nodiscard]] VkBuffer handle() const { return buffer_; }
     [[nodiscard]] uint64_t size_bytes() const { return size_bytes_; }
-    [[nodiscard]] std::span<std::byte> mapped() const { return {mapped_, mapped_ ? size_bytes_ : 0}; }
+    [[nodiscard]] std::span<std::byte> mapped() const {
+        return {memory_.mapped, memory_.mapped != nullptr ? size_bytes_ : 0};
+    }
 
  private:
     Device* device_ = nullptr;
     VkBuffer buffer_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    MemoryBlock memory_;
     uint64_t size_bytes_ = 0;
-    std::byte* mapped_ = nullptr;
 };
 
 // An image that may be used on all queues of the device. Exception: an import that is not declared concurrent
@@ -64,7 +65,7 @@ class Image {
 
     Device* device_ = nullptr;
     VkImage image_ = VK_NULL_HANDLE;
-    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    MemoryBlock memory_;
     VkImageView view_ = VK_NULL_HANDLE;
     ResourceDecl decl_;
     bool adopted_ = false;  // True: image_ belongs to an embedder, and memory_ is null.

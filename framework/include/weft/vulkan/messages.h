@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace weft::vk {
@@ -28,6 +30,8 @@ struct Message {
 class MessageCollector {
  public:
     void add(Message message);
+    // Sends all later messages to `log` instead of storing them. Call this before the first message.
+    void send_to(std::function<void(const Message&)> log) { log_ = std::move(log); }
     // Sets the current pass of the calling thread: later messages without a label belong to it; empty: none.
     // Each thread has its own pass, because one thread may render frames while another creates pipelines.
     void set_current_pass(std::string pass);
@@ -36,6 +40,7 @@ class MessageCollector {
     [[nodiscard]] size_t count() const;
 
  private:
+    std::function<void(const Message&)> log_;
     mutable std::mutex mutex_;
     std::map<std::thread::id, std::string> current_pass_;
     std::vector<Message> messages_;
