@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

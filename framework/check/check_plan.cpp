@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "check/check_structure.h"
 #include "check/replay.h"
+#include "check/structure/check_structure.h"
 
 namespace weft {
 

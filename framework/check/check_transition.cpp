@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/format.h"
 
 namespace weft {

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "check/barrier_log.h"
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

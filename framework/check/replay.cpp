@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "check/check_scopes.h"
+#include "check/structure/check_scopes.h"
 
 namespace weft::check {
 namespace {
@@ -36,23 +36,6 @@ std::vector<std::vector<SubresourceRange>> written_parts(const FramePlan& plan) 
 }
 
 }  // namespace
-
-const AttachmentOps* ops_of(const PassStep& step, uint32_t use) {
-    const auto it = std::find_if(step.attachments.begin(), step.attachments.end(),
-                                 [use](const AttachmentOps& ops) { return ops.use == use; });
-    return it == step.attachments.end() ? nullptr : &*it;
-}
-
-AccessState effective_state(const UseDecl& use, const AttachmentOps* ops) {
-    AccessState state = use.state;
-    if (!ops) return state;
-    const bool color = (state.stages & stage::kColorOutput) != 0;
-    const bool clears = ops->load == LoadOp::clear || ops->load == LoadOp::dont_care;
-    if (ops->load == LoadOp::load) state.access |= color ? access::kColorRead : access::kDepthStencilRead;
-    if (clears || ops->store != StoreOp::none)
-        state.access |= color ? access::kColorWrite : access::kDepthStencilWrite;
-    return state;
-}
 
 Replay::Replay(const FramePlan& plan, FaultList& faults, Combination combination)
     : plan_(plan),

@@ -8,9 +8,10 @@
 
 #include "check/batch_clock.h"
 #include "check/cells.h"
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "check/memory_holders.h"
 #include "check/ordering.h"
+#include "check/structure/effective_state.h"
 #include "weft/plan.h"
 
 namespace weft::check {
@@ -123,9 +124,5 @@ class Replay {
     // Index: the ring's resource of age 0. All resources of the ring (ResourceDecl::ring), ordered by age.
     std::vector<std::vector<ResourceId>> rings_;
 };
-
-// Returns the stages and accesses of a use, including those of the attachment's load and store operations.
-[[nodiscard]] AccessState effective_state(const UseDecl& use, const AttachmentOps* ops);
-[[nodiscard]] const AttachmentOps* ops_of(const PassStep& step, uint32_t use);
 
 }  // namespace weft::check

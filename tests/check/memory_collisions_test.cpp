@@ -1,6 +1,6 @@
 // Compares memory_collisions() with a simple search over all pairs. Two resources collide if they share bytes
 // while both are alive.
-#include "check/memory_collisions.h"
+#include "check/structure/memory_collisions.h"
 
 #include <gtest/gtest.h>
 

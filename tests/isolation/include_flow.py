@@ -16,7 +16,7 @@ FLOW = [
     "framework/graph/diagnostics", "framework/graph/model", "framework/graph/live", "framework/graph/syntax", "framework/graph/parse",
     "framework/graph/resolve", "framework/graph/plan", "framework/graph/cook", "framework/graph/rest", "framework/graph/schedule", "framework/graph/sync",
     "framework/graph/memory", "framework/graph/compile", "framework/graph/report", "framework/graph/report/html",
-    "framework/check", "framework/null", "framework/file",
+    "framework/check/faults", "framework/check/structure", "framework/check", "framework/null", "framework/file",
     "framework/shader/faults", "framework/shader/gate", "framework/shader/reflect", "framework/shader/worker",
     "framework/shader/compile", "framework/shader",
     "framework/scene/model", "framework/scene/loading", "framework/scene/pictures", "framework/scene/procedural",

@@ -11,57 +11,15 @@
 #include <vector>
 
 #include "weft/declaration.h"
-#include "weft/expr_op.h"
+#include "weft/expression_desc.h"
 #include "weft/module_desc.h"
 #include "weft/source.h"
 
 namespace weft {
 
-// The value of an expression is a number or a size (width and height). An expression is stored in postfix
-// form: "half.x + 1" becomes half, .x, 1, +. Names are parameters, constants, sizes or indices of repeats;
-// `.x`, `.y` and mips(res) are operations. evaluate() in framework/graph/parse/expression.h computes the
-// value.
-struct ExprNode {
-    ExprOp op = ExprOp::number;
-    double number = 0;
-    // For the operation `name`: the name to look up. For `mips_of`: the name of the image. Else empty.
-    std::string name;
-    SourceLoc loc;  // Place of this token in the file.
-};
-
-struct Expr {
-    // The operations in postfix order; empty if the graph does not give the expression.
-    std::vector<ExprNode> postfix;
-    std::string text;
-    SourceLoc loc;
-
-    [[nodiscard]] bool empty() const { return postfix.empty(); }
-};
-
-// A colour: one expression for each channel, in the order r, g, b, a.
-struct ColorDesc {
-    std::array<Expr, 4> channels;
-};
-
 // The key "scale" of a size: in each frame, passes use only a part of the images with this size.
 struct SizeScaleDesc {
     std::string param;  // The parameter with the scale, from above 0 to 1.
-    SourceLoc loc;
-};
-
-// A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth, or .range(a..b)
-// for a buffer. Only the name is required. The brackets of [-N] are written, as in "hdr[-1]".
-struct RefDesc {
-    std::string name;
-    // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
-    std::string pass;
-    uint32_t history = 0;  // N of [-N]: the content at the end of N frames ago; 0: the content of this frame.
-    // The range of mips, as in ".mip(a..b)". If mip_last is absent, the range is the single mip mip_first.
-    std::optional<Expr> mip_first, mip_last;
-    std::optional<Expr> layer_first, layer_last;      // The range of layers; absent like the range of mips.
-    std::optional<Expr> element_first, element_last;  // The range of elements of a buffer, also absent so.
-    AspectMask aspects = 0;  // The selected aspects, as in ".depth" or ".stencil"; 0: all aspects.
-    std::string text;
     SourceLoc loc;
 };
 

@@ -7,7 +7,7 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kPictureSize_px{40, 30, 1};
-constexpr uint32_t kOwnViews = 3;
+constexpr uint32_t kPortalViews = 3;
 
 using Readbacks = std::map<std::string, vk::ReadbackData>;
 
@@ -37,7 +37,7 @@ class BufferViews : public SessionTest {
         input.passes = &passes_;
         input.check_plan = true;
         input.queues = queues;
-        input.views = {{"mine", kOwnViews}};
+        input.views = {{"mine", kPortalViews}};
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene_, input, warnings_);
         EXPECT_TRUE(session) << to_text(session.errors());
@@ -47,7 +47,7 @@ class BufferViews : public SessionTest {
     void draw(render::Session& session, int step) {
         render::FrameInput frame{.camera = scene_.cameras.at(0)};
         frame.camera.transform[3].x += 0.1f * static_cast<float>(step);
-        for (uint32_t i = 0; i < kOwnViews; ++i) {
+        for (uint32_t i = 0; i < kPortalViews; ++i) {
             frame.views["mine"].push_back(render::cube_face({0.1 * step, 1.5, 4.0 - i}, 4 + i % 2, 0.02));
             // Without this factor, the view would be a mirror image, and a view in a buffer never is.
             for (int column = 0; column < 4; ++column) frame.views["mine"].back().projection[column].x *= -1;

@@ -2,7 +2,7 @@
 // So the pieces of each use must contain exactly the bytes that its port names.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

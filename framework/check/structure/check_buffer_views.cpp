@@ -1,4 +1,4 @@
-#include "check/check_buffer_views.h"
+#include "check/structure/check_buffer_views.h"
 
 #include <algorithm>
 

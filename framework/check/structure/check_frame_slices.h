@@ -7,7 +7,7 @@
 // content is lost between frames.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

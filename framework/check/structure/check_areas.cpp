@@ -1,4 +1,4 @@
-#include "check/check_areas.h"
+#include "check/structure/check_areas.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "check/check_views.h"
+#include "check/structure/check_views.h"
 
 #include <algorithm>
 #include <charconv>
 #include <string>
 #include <vector>
 
-#include "check/check_scopes.h"
+#include "check/structure/check_scopes.h"
 
 namespace weft::check {
 namespace {

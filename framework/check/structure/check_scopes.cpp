@@ -1,4 +1,4 @@
-#include "check/check_scopes.h"
+#include "check/structure/check_scopes.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "check/check_tables.h"
+#include "check/structure/check_tables.h"
 
 #include <string>
 

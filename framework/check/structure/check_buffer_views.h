@@ -1,7 +1,7 @@
 // Purpose: checks that passes whose view is in a buffer read the right element of this buffer. Errors: C347.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 
 namespace weft::check {
 

@@ -1,11 +1,11 @@
-#include "check/check_groups.h"
+#include "check/structure/check_groups.h"
 
 #include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "check/replay.h"
+#include "check/structure/effective_state.h"
 
 namespace weft::check {
 namespace {

@@ -1,4 +1,4 @@
-#include "check/check_rest_units.h"
+#include "check/structure/check_rest_units.h"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "check/memory_collisions.h"
+#include "check/structure/memory_collisions.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "check/check_structure.h"
+#include "check/structure/check_structure.h"
 
 #include <algorithm>
 #include <array>
@@ -8,18 +8,18 @@
 #include <utility>
 #include <vector>
 
-#include "check/check_areas.h"
-#include "check/check_buffer_views.h"
-#include "check/check_frame_slices.h"
-#include "check/check_groups.h"
-#include "check/check_indirect.h"
-#include "check/check_pieces.h"
-#include "check/check_rest_units.h"
-#include "check/check_scopes.h"
-#include "check/check_switches.h"
-#include "check/check_tables.h"
-#include "check/check_views.h"
-#include "check/memory_collisions.h"
+#include "check/structure/check_areas.h"
+#include "check/structure/check_buffer_views.h"
+#include "check/structure/check_frame_slices.h"
+#include "check/structure/check_groups.h"
+#include "check/structure/check_indirect.h"
+#include "check/structure/check_pieces.h"
+#include "check/structure/check_rest_units.h"
+#include "check/structure/check_scopes.h"
+#include "check/structure/check_switches.h"
+#include "check/structure/check_tables.h"
+#include "check/structure/check_views.h"
+#include "check/structure/memory_collisions.h"
 
 namespace weft::check {
 namespace {

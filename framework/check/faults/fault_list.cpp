@@ -1,4 +1,4 @@
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 
 #include <algorithm>
 

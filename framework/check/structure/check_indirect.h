@@ -2,7 +2,7 @@
 // draws: the GPU must not read beyond the bytes for which the plan has barriers.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

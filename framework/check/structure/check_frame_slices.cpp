@@ -1,4 +1,4 @@
-#include "check/check_frame_slices.h"
+#include "check/structure/check_frame_slices.h"
 
 #include <algorithm>
 #include <map>

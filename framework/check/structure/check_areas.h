@@ -3,7 +3,7 @@
 // attachments of a pass have the same area, and so do source and target of a copy. Fault: C351.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 
 namespace weft::check {
 

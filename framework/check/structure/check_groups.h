@@ -4,7 +4,7 @@
 // checks that each round begins and ends in the same states.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

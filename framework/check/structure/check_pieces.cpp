@@ -1,4 +1,4 @@
-#include "check/check_pieces.h"
+#include "check/structure/check_pieces.h"
 
 #include <algorithm>
 

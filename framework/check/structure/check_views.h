@@ -2,7 +2,7 @@
 // Errors: C346.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 
 namespace weft::check {
 

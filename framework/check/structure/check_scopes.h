@@ -3,7 +3,7 @@
 // between the two passes. Errors: C306.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

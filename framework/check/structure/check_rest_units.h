@@ -6,7 +6,7 @@
 // the home state.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

@@ -1,4 +1,4 @@
-#include "check/check_switches.h"
+#include "check/structure/check_switches.h"
 
 #include <algorithm>
 

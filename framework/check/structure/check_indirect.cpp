@@ -1,4 +1,4 @@
-#include "check/check_indirect.h"
+#include "check/structure/check_indirect.h"
 
 namespace weft::check {
 namespace {

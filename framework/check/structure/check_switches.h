@@ -2,7 +2,7 @@
 // the combinations of its switch, and each port has one resource, or none, in each combination. Errors: C349.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {

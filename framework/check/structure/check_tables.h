@@ -2,7 +2,7 @@
 // because their textures are always in the layout in which shaders sample them.
 #pragma once
 
-#include "check/fault_list.h"
+#include "check/faults/fault_list.h"
 #include "weft/plan.h"
 
 namespace weft::check {
