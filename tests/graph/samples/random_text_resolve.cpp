@@ -167,7 +167,8 @@ Result<ResolvedGraph> resolve_as_module(const std::string& text, const std::map<
     };
     std::map<std::string, double> full;
     for (const auto& [name, value] : params) full["m::" + name] = value;
-    return resolve_document(read_graph("random.json", reader), full, profile);
+    constexpr uint32_t kOutput_px = 64;
+    return resolve_document(read_graph("random.json", reader), full, profile, kOutput_px);
 }
 
 }  // namespace weft::test
