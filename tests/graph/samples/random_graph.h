@@ -48,6 +48,10 @@ struct RandomGraphOptions {
     bool depth_input = false;
     // Adds groups of passes that draw on the same image and can share one rendering scope.
     bool layers = false;
+    // Adds dispatches whose numbers of workgroups are in ranges of a buffer.
+    bool indirect = false;
+    // Adds passes that read the layers of an image as an array.
+    bool layer_arrays = false;
 };
 
 // Returns options with all optional features enabled.

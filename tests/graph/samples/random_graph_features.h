@@ -1,6 +1,6 @@
 // Purpose: adds the optional features to random frames: resources with history, resources that keep their
-// content, mip chains, clears and copies of several mips, depth images as inputs, and several draws on one
-// image.
+// content, mip chains, clears and copies of several mips, depth images as inputs, several draws on one image,
+// indirect dispatches and arrays of layers.
 #pragma once
 
 #include "tests/graph/samples/random_graph_passes.h"
@@ -31,6 +31,8 @@ class RandomFeatures : public RandomPasses {
     void test_against_input();
     void draw_layers();
     void draw_depth_layers();
+    void dispatch_indirectly();
+    void gather_layers();
     void draw_builtin_seed(PassDecl& pass, ResourceId role);
 };
 
