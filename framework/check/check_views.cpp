@@ -1,6 +1,6 @@
 #include "check/check_views.h"
 
-#include <algorithm>
+#include <string>
 
 namespace weft::check {
 namespace {
