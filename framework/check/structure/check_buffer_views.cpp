@@ -1,6 +1,6 @@
 #include "check/structure/check_buffer_views.h"
 
-#include <algorithm>
+#include <string>
 
 namespace weft::check {
 namespace {

@@ -137,6 +137,7 @@ RandomGraphOptions all_features() {
     RandomGraphOptions options;
     options.history = options.keep = options.queues = options.after = true;
     options.chains = options.ranges = options.depth_input = options.layers = true;
+    options.indirect = options.layer_arrays = true;
     return options;
 }
 

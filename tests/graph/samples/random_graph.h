@@ -51,6 +51,10 @@ struct RandomGraphOptions {
     // Lets some compute passes also sample a table of textures. The other content of the graph stays the
     // same. The shaders of tests/graph/shaders/ have no tables, so such graphs cannot run on a device.
     bool tables = false;
+    // Adds dispatches whose numbers of workgroups are in ranges of a buffer.
+    bool indirect = false;
+    // Adds passes that read the layers of an image as an array.
+    bool layer_arrays = false;
 };
 
 // Returns options with all optional features enabled that can run on a device.

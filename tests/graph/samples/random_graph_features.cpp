@@ -6,7 +6,8 @@ bool RandomFeatures::add_feature() {
     using Feature = void (RandomFeatures::*)();
     std::vector<Feature> features;
     if (options_.history)
-        features.insert(features.end(), {&RandomFeatures::remember_image, &RandomFeatures::remember_buffer});
+        features.insert(features.end(), {&RandomFeatures::remember_image, &RandomFeatures::remember_image,
+                                         &RandomFeatures::remember_buffer});
     if (options_.keep)
         features.insert(features.end(), {&RandomFeatures::keep_image, &RandomFeatures::keep_buffer});
     if (options_.chains)
@@ -19,6 +20,9 @@ bool RandomFeatures::add_feature() {
     if (options_.layers)
         features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers,
                                          &RandomFeatures::draw_views});
+        features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers});
+    if (options_.indirect) features.push_back(&RandomFeatures::dispatch_indirectly);
+    if (options_.layer_arrays) features.push_back(&RandomFeatures::gather_layers);
     if (features.empty() || !chance(24)) return false;
     (this->*features[below(static_cast<uint32_t>(features.size()))])();
     return true;
@@ -284,6 +288,51 @@ void RandomFeatures::draw_views() {
         if (i > 0) pass.state.scissor = RectPx{0, 0, std::max(1u, side / 2), side};
     }
     for (uint32_t layer = 0; layer < views; ++layer) images_.push_back({id, one_cell(0, layer), layer > 0});
+}
+
+// Adds passes that write numbers of workgroups to the pieces of a buffer, and a dispatch for each piece.
+void RandomFeatures::dispatch_indirectly() {
+    constexpr uint32_t kPieceBytes = 256;
+    const uint32_t pieces = between(1, 3);
+    const ResourceId sizes = builder_.buffer(fresh_name("sizes"), uint64_t{kPieceBytes} * pieces);
+    std::vector<uint64_t> cuts;
+    for (uint32_t piece = 1; piece < pieces; ++piece) cuts.push_back(uint64_t{kPieceBytes} * piece);
+    builder_.cut(sizes, cuts);
+    for (uint32_t piece = 0; piece < pieces; ++piece) {
+        const RandomCell cell = target_for_first();
+        const SubresourceRange range = one_cell(0, piece);
+        // All words of the piece get the same number, so there are also several workgroups along z. They
+        // write the same values.
+        const float groups = static_cast<float>((side_px(cell) + 7) / 8);
+        add("size", PassKind::clear, nullptr, {{"dst", sizes, Access::clear_write, range, kNoId}}).clear = {
+            groups, 0, 0, 0};
+        PassDecl& pass = add("sized", PassKind::compute, "fill_image.comp",
+                             {{"indirect", sizes, Access::indirect_read, range, kNoId},
+                              destination(cell, Access::storage_write)});
+        pass.uses.back().binding = 0;
+        pass.indirect_use = 0;
+        images_.push_back(cell);
+    }
+}
+
+// Adds an image with two or three layers, and a pass that reads them as an array.
+void RandomFeatures::gather_layers() {
+    const uint32_t layers = between(2, 3);
+    const ResourceId stack = builder_.image(fresh_name("stack"), Format::r32u, 32, 1, layers);
+    for (uint32_t layer = 0; layer < layers; ++layer) {
+        const RandomCell cell{stack, one_cell(0, layer), true};
+        set_image_groups(add("layer", PassKind::compute, "mix_image_1.comp",
+                             {inputs_of(take(images_, 1), Access::sampled_read).front(),
+                              destination(cell, Access::storage_write)}),
+                         cell);
+    }
+    const RandomCell all{stack, {0, 1, 0, layers, aspect::kColor}, true}, cell = target({all});
+    PassDecl& pass =
+        add("gather", PassKind::compute, "mix_mips.comp",
+            {inputs_of({all}, Access::sampled_read).front(), destination(cell, Access::storage_write)});
+    pass.uses.front().each = EachPart::layer;
+    set_image_groups(pass, cell);
+    images_.push_back(cell);
 }
 
 void RandomFeatures::add_after_edges() {

@@ -1,6 +1,6 @@
 // Purpose: adds the optional features to random frames: resources with history, resources that keep their
-// content, mip chains, clears and copies of several mips, depth images as inputs, and several draws on one
-// image.
+// content, mip chains, clears and copies of several mips, depth images as inputs, several draws on one image,
+// indirect dispatches and arrays of layers.
 #pragma once
 
 #include "tests/graph/samples/random_graph_passes.h"
@@ -32,6 +32,8 @@ class RandomFeatures : public RandomPasses {
     void draw_layers();
     void draw_depth_layers();
     void draw_views();
+    void dispatch_indirectly();
+    void gather_layers();
     void draw_builtin_seed(PassDecl& pass, ResourceId role);
 
     bool has_views_ = false;  // True if the graph has the list of views that draw_views() uses.

@@ -1,4 +1,4 @@
-// Mixes the first and the last mip of image a, which is an array of mips, and writes the results to image dst.
+// Mixes the first and the last element of image a, which is an array of mips or layers, and writes the results to image dst.
 #version 460
 #include "mixing.glsl"
 
@@ -11,7 +11,7 @@ void main() {
     const uvec2 at = gl_GlobalInvocationID.xy;
     if (any(greaterThanEqual(at, uvec2(imageSize(dst))))) return;
     uint value = scramble(params.seed + at.x * 65536u + at.y);
-    // Images have at most three mips here, so that the last element shows the last mip.
+    // Images have at most three mips or layers here, so that the last element shows the last of them.
     value = scramble(value ^ scramble(fetch(a[0], at)) + fetch(a[3], at));
     imageStore(dst, ivec2(at), uvec4(value));
 }

@@ -14,7 +14,8 @@
 namespace weft::test {
 namespace {
 
-constexpr uint32_t kSeeds = 24;
+// Two plans of these seeds have a barrier at the end of the frame, which is rare.
+constexpr uint32_t kFirstSeed = 40, kSeeds = 24;
 
 FramePlan bench_plan(BenchShape shape, uint32_t passes) {
     const ResolvedGraph graph = make_bench_graph({passes, shape, 1});
@@ -98,7 +99,7 @@ void expect_self_contained(const std::string& text, const ReadPage& page) {
 
 TEST(PlanHtml, HoldsAllOfRandomPlansAndIsWellFormed) {
     size_t waits = 0, culled = 0, histories = 0, epilogues = 0;
-    for (uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    for (uint32_t seed = kFirstSeed; seed < kFirstSeed + kSeeds; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const FramePlan plan = random_plan(seed, 40);
         const std::string text = plan_to_html(plan, {"random.json", "", "lavapipe"});
