@@ -117,6 +117,9 @@ void read_textures(ParseContext& context, const JsonNode& node, ResourceDesc& re
     if (node.items.empty())
         return context.error(node.loc, "W109", "the list of textures is empty",
                              "write the names of the files: [\"bark.png\", \"leaf.png\"]");
+    if (!context.within(node.items.size(), context.limits().layers, node.loc, "textures in a table",
+                        "graph.layers", "use fewer textures"))
+        return;
     for (size_t i = 0; i < node.items.size(); ++i) {
         const PointerScope scope(context, std::to_string(i));
         read_file(context, node.items[i], resource.textures.emplace_back());

@@ -253,8 +253,8 @@ void count_textures(const ResolveInput& input, Values& values) {
     for (const auto& [name, import] : input.graph.imports) {
         if (import.kind != import_kind_name(ImportKind::textures)) continue;
         const auto offered = input.imports.imports.find(name);
-        if (offered == input.imports.imports.end())
-            // The missing import itself is reported later, by shape_resources().
+        if (offered == input.imports.imports.end() || offered->second.kind != ImportKind::textures)
+            // A missing import and another kind are reported later, by shape_resources().
             values.faulty.insert(name + "Count");
         else
             add(name, offered->second.resource.textures);

@@ -107,6 +107,16 @@ INSTANTIATE_TEST_SUITE_P(
                   resource(R"({"textures": $$[], "format": "rgba8"})"),
                   {"W109"},
                   "list of textures is empty"},
+        FaultCase{"TableTooLong",
+                  resource("{\"format\": \"rgba8\", \"textures\": $$[" +
+                           [] {
+                               std::string files = "\"a.png\"";
+                               for (int i = 0; i < 2048; ++i) files += ", \"a.png\"";
+                               return files;
+                           }() +
+                           "]}"),
+                  {"W125"},
+                  "more than 2048 textures"},
         FaultCase{"TableText",
                   resource(R"({"textures": $$"a.png", "format": "rgba8"})"),
                   {"W102"},

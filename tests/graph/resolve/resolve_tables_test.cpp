@@ -211,5 +211,18 @@ TEST_F(ResolveTables, TheKindMustBeNamed) {
     expect_help(error, "\"textures\"");
 }
 
+TEST_F(ResolveTables, AnErrorOfTheImportIsTheOnlyOne) {
+    for (const char* name : {"pictures", "nothing"}) {
+        const std::string text = std::string(R"j("imports": {")j") + name +
+                                 R"j(": "textures"}, "resources": {"x": {"format": "rgba16f", "size": [")j" +
+                                 name +
+                                 R"j(Count", 8]}}, "passes": {
+"w": {"type": "compute", "shader": "index.comp", "out": {"dst": "x"}, "in": {"pictures": ")j" +
+                                 name + R"j("}}, "r": {"type": "readback", "in": ["x"]}})j";
+        imports.imports["pictures"].kind = ImportKind::image;
+        EXPECT_EQ(bad(text).code, "W118") << name;
+    }
+}
+
 }  // namespace
 }  // namespace weft::test

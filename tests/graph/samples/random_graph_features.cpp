@@ -20,7 +20,6 @@ bool RandomFeatures::add_feature() {
     if (options_.layers)
         features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers,
                                          &RandomFeatures::draw_views});
-        features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers});
     if (options_.indirect) features.push_back(&RandomFeatures::dispatch_indirectly);
     if (options_.layer_arrays) features.push_back(&RandomFeatures::gather_layers);
     if (features.empty() || !chance(24)) return false;

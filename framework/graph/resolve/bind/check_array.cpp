@@ -51,6 +51,11 @@ bool check_array(PassBinding& pass, const UseDecl& use, const PortDraft& port, c
         return false;
     }
     if (binding.is_runtime_array) {
+        // It is unknown whether a resource with an error would be a table.
+        if (pass.declared.shapes.suspects.shapes[use.resource]) {
+            pass.suspects.passes[pass.id] = 1;
+            return false;
+        }
         Diagnostic& d = pass.error(use.loc, "W232",
                                    each_port_text(pass, use) + " is an array without a size in shader " +
                                        shader + ", but " + quote(pass.declared.resource_name(use.resource)) +

@@ -146,6 +146,7 @@ class ResourceShaper {
         decl_.lifetime = ResourceLifetime::imported;
         decl_.import = ImportState{texture_table_state(), texture_table_state(), 0, true};
         decl_.usage = usage::kTransferDst | usage::kSampled;
+        decl_.textures = static_cast<uint32_t>(desc_.textures.size());
         const std::optional<double> mips = number(desc_.mips, 1, "the mip count");
         if (!mips) return;
         for (const FileDesc& file : desc_.textures) {
@@ -154,7 +155,6 @@ class ResourceShaper {
                                            desc_.full_mips ? full : std::min(full, at_least_one(*mips))});
             check_texture(file);
         }
-        decl_.textures = static_cast<uint32_t>(decl_.texture_files.size());
     }
 
     void check_texture(const FileDesc& file) {
