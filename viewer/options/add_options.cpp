@@ -173,13 +173,14 @@ void add_schema(CLI::App& command, SchemaOptions& o, RawTexts& raw) {
 void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     command
-        .add_option("QUESTION", o.question, "the question: culled, barrier, alias, wait, rest or resource")
-        ->check(choice_validator({"culled", "barrier", "alias", "wait", "rest", "resource"}))
+        .add_option("QUESTION", o.question,
+                    "the question: culled, barrier, alias, wait, rest, switch or resource")
+        ->check(choice_validator({"culled", "barrier", "alias", "wait", "rest", "switch", "resource"}))
         ->required();
     command
         .add_option("NAME", o.names,
                     "names for the question: culled PASS, barrier PASS PASS, alias RESOURCE RESOURCE, wait "
-                    "PASS, rest PASS, resource RESOURCE")
+                    "PASS, rest PASS, switch PASS, resource RESOURCE")
         ->required()
         ->expected(1, 2);
     add_tier(command, o.offline, "none");
