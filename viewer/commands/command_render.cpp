@@ -95,8 +95,10 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     if (!is_output && !outcome.last_readback) {
         Diagnostic d;
         d.code = "W103";
-        d.message = "no pass wrote \"" + options.resource + "\" in the last frame";
-        d.help = {"name a resource that a pass of this graph writes"};
+        const std::string& wanted = options.resource.empty() ? options.request.debug : options.resource;
+        d.message = "no pass wrote \"" + wanted + "\" in the last frame";
+        d.help = {"name a resource that a pass of this graph writes",
+                  "or turn on the pass that writes it, if the pass has a \"switch\": --param NAME=1"};
         return d;
     }
     const vk::ReadbackData& data = is_output ? outcome.output : *outcome.last_readback;

@@ -188,13 +188,14 @@ void add_explain(CLI::App& command, ExplainOptions& o, RawTexts& raw) {
     command.add_option("FILE", o.file, "a graph file")->required();
     command
         .add_option("QUESTION", o.question,
-                    "the question: culled, barrier, alias, wait, rest, views or resource")
-        ->check(choice_validator({"culled", "barrier", "alias", "wait", "rest", "views", "resource"}))
+                    "the question: culled, barrier, alias, wait, rest, switch, views or resource")
+        ->check(
+            choice_validator({"culled", "barrier", "alias", "wait", "rest", "switch", "views", "resource"}))
         ->required();
     command
         .add_option("NAME", o.names,
                     "names for the question: culled PASS, barrier PASS PASS, alias RESOURCE RESOURCE, wait "
-                    "PASS, rest PASS, views PASS, resource RESOURCE")
+                    "PASS, rest PASS, switch PASS, views PASS, resource RESOURCE")
         ->required()
         ->expected(1, 2);
     add_tier(command, o.offline, "none");

@@ -9,6 +9,7 @@
 #include "graph/schedule/fully_written.h"
 #include "graph/sync/barriers.h"
 #include "graph/sync/group_blocks.h"
+#include "graph/sync/skipped_reads.h"
 
 namespace weft {
 namespace {
@@ -232,6 +233,7 @@ BarrierResult barriers(const ResolvedGraph& graph, const Schedule& order, const 
         if (!history.entry.empty()) add_to_prologue(graph, id, history.entry, plan.prologue);
     }
     if (graph.rest_unit_count > 0) mark_rest_units(graph, plan);
+    name_skipped_reads(graph, plan);
     if (!graph.groups.empty()) move_shared_barriers(group_blocks(graph, order), plan);
     return result;
 }

@@ -1,6 +1,7 @@
 #include "tests/graph/samples/random_switches.h"
 
 #include <random>
+#include <set>
 #include <vector>
 
 #include "tests/graph/samples/fake_shaders.h"
@@ -17,7 +18,7 @@ class SwitchGenerator {
         const uint32_t steps = 4 + below(8);
         for (uint32_t i = 0; i < steps; ++i) add_step(i < made_.switches ? i : below(made_.switches));
         for (size_t i = 0; i < images_.size(); ++i)
-            if (chance(50) || i + 1 == images_.size())
+            if (chance(50) || i + 1 == images_.size() || watched_.contains(i))
                 pass("see" + std::to_string(i), R"("type": "readback", "in": [")" + images_[i] + "\"]");
         std::string params;
         for (uint32_t s = 0; s < made_.switches; ++s)
@@ -140,6 +141,7 @@ class SwitchGenerator {
                                   R"(", "b": ")" + image + R"("}, "out": {"dst": ")" + target + "\"}" +
                                   queue());
         images_.push_back(target);
+        watched_.insert(images_.size() - 1);
     }
 
     // Two passes with one switch: the second reads a new image of the first and modifies an older image.
@@ -163,6 +165,9 @@ class SwitchGenerator {
     RandomSwitches made_;
     std::vector<std::string> resources_, passes_;
     std::vector<std::string> images_;  // Images that have content in every frame.
+    // Indices of images that are always read back. So the passes that keep content are never culled, also not
+    // in a graph that has "if" instead of "switch".
+    std::set<size_t> watched_;
     uint32_t names_ = 0;
     bool inverted_ = false;
 };

@@ -2,8 +2,10 @@
 // must have the same bytes as that of a graph in which "if" has the same values, so that each change makes a
 // new plan.
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 
+#include "tests/graph/samples/random_switches.h"
 #include "tests/render/session/object_counter.h"
 #include "tests/render/session_fixture.h"
 #include "tests/render/switches/count_allocations.h"
@@ -28,13 +30,27 @@ std::optional<std::string> read_with_if(const std::string& path) {
     return text;
 }
 
+// Returns a graph with "if" instead of "switch".
+std::string with_if(std::string text) {
+    const auto replace = [&](const std::string& old, const std::string& now, size_t name_bytes) {
+        for (size_t at = 0; (at = text.find(old, at)) != std::string::npos;) {
+            const std::string name = text.substr(at + old.size(), name_bytes);
+            text.replace(at, old.size() + name_bytes, now + name);
+        }
+    };
+    replace("\"switch\": \"!", "\"if\": \"1 - ", 2);
+    replace("\"switch\": \"", "\"if\": \"", 2);
+    return text;
+}
+
 class Switched : public SessionTest {
  protected:
-    std::unique_ptr<render::Session> begin(const FileReader& reader) {
+    std::unique_ptr<render::Session> begin(const FileReader& reader,
+                                           const std::string& path = kSwitchesGraph) {
         const Result<scene::Scene> scene = scene::make_builtin("spheres");
         passes_ = registered_passes();
         render::SessionInput input;
-        input.request.path = kSwitchesGraph;
+        input.request.path = path;
         input.request.size = {32, 32, 1};
         input.load.reader = reader;
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
@@ -57,10 +73,9 @@ class Switched : public SessionTest {
         return output ? std::move(output->bytes) : std::vector<std::byte>{};
     }
 
-    static void set_params(render::Session& session, uint32_t on) {
+    static void set_params(render::Session& session, const std::vector<std::string>& names, uint32_t on) {
         render::Selection selection = session.selection();
-        for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
-            selection.request.params[kSwitchNames[s]] = on >> s & 1u;
+        for (uint32_t s = 0; s < names.size(); ++s) selection.request.params[names[s]] = on >> s & 1u;
         render::PrepareResult made = session.prepare(selection);
         ASSERT_TRUE(made.result) << to_text(made.result.errors());
         const Result<bool> swapped = session.swap_in(std::move(*made.result));
@@ -84,7 +99,7 @@ class Switched : public SessionTest {
         for (const uint32_t on : combinations(queues_)) {
             for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
                 frame_of(*live).switches[kSwitchNames[s]] = (on >> s & 1u) != 0;
-            set_params(*planned, on);
+            set_params(*planned, kSwitchNames, on);
             if (HasFatalFailure()) return;
             for (int frame = 0; frame < 2; ++frame) {
                 std::vector<std::byte> found = picture(*live);
@@ -95,6 +110,49 @@ class Switched : public SessionTest {
         EXPECT_GE(different.size(), 16u);
         EXPECT_EQ(plan_hash(live->plan()), hash);
         EXPECT_EQ(live->pipelines_made_between_frames(), 0u);
+    }
+
+    // Renders a random graph and the same graph with "if", with the same changes of the switches, and
+    // compares what they read back. Adds the number of compared images to `compared`.
+    void compare_random_graph(uint32_t seed, uint64_t& compared) {
+        const std::string path = WEFT_SOURCE_DIR "/tests/render/switches/random/graph.json";
+        const RandomSwitches made = random_switches(seed);
+        SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + made.text);
+        const auto reader = [&](const std::string& body) -> FileReader {
+            return
+                [&path, text = R"({"version": 1, "name": "random", )" + body + "}"](const std::string& file) {
+                    return file == path ? std::optional(text) : read_text(file);
+                };
+        };
+        const std::unique_ptr<render::Session> live = begin(reader(made.text), path),
+                                               planned = begin(reader(with_if(made.text)), path);
+        ASSERT_TRUE(live && planned);
+        std::vector<std::string> names;
+        for (uint32_t s = 0; s < made.switches; ++s) names.push_back("s" + std::to_string(s));
+        std::mt19937 random(seed);
+        for (int change = 0; change < 5; ++change) {
+            const auto on = static_cast<uint32_t>(random() % 16);
+            for (uint32_t s = 0; s < names.size(); ++s)
+                frame_of(*live).switches[names[s]] = (on >> s & 1u) != 0;
+            set_params(*planned, names, on);
+            if (HasFatalFailure()) return;
+            for (render::Session* session : {live.get(), planned.get()}) {
+                ASSERT_TRUE(draw_frame(*session));
+                ASSERT_TRUE(session->finish());
+            }
+            compare_readbacks(*live, *planned, compared);
+            if (HasFatalFailure()) return;
+        }
+        EXPECT_EQ(live->pipelines_made_between_frames(), 0u);
+    }
+
+    static void compare_readbacks(render::Session& live, render::Session& planned, uint64_t& compared) {
+        std::map<std::string, std::vector<std::byte>> wanted;
+        for (vk::ReadbackData& data : planned.take_readbacks()) wanted[data.pass] = std::move(data.bytes);
+        for (const vk::ReadbackData& data : live.take_readbacks()) {
+            ASSERT_TRUE(data.bytes == wanted[data.pass]) << data.pass;
+            ++compared;
+        }
     }
 };
 
@@ -108,6 +166,22 @@ TEST_F(Switched, PicturesOnSeveralQueuesAreThoseOfTheGraphWithIf) {
     compare_with_if();
 }
 
+// Random graphs with random changes of their switches give the same bytes as the graphs with "if", which keep
+// the contents of resources through their changes of the plan.
+TEST_F(Switched, RandomGraphsGiveWhatTheGraphsWithIfGive) {
+    const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 200 : 6;
+    uint64_t compared = 0;
+    for (const uint32_t queues : {1u, 3u}) {
+        for (const vk::Message& m : device_->messages().messages()) ADD_FAILURE() << m.id << ": " << m.text;
+        queues_ = queues;
+        make_device(true);
+        for (uint32_t seed = 1; seed <= seeds && !HasFatalFailure(); ++seed)
+            compare_random_graph(seed * 2 + queues, compared);
+    }
+    std::printf("%llu images compared\n", static_cast<unsigned long long>(compared));
+    EXPECT_GE(compared, 40u);
+}
+
 TEST_F(Switched, ALiveParameterChangesNothingButTheSwitch) {
     const std::unique_ptr<render::Session> session = begin(read_text);
     ASSERT_TRUE(session);
@@ -115,7 +189,7 @@ TEST_F(Switched, ALiveParameterChangesNothingButTheSwitch) {
     const FramePlan* plan = &session->plan();
     const std::vector<std::byte> all_on = picture(*session);
     const ObjectCounter objects(*device_);
-    set_params(*session, 0);
+    set_params(*session, kSwitchNames, 0);
     const std::vector<std::byte> all_off = picture(*session);
     EXPECT_NE(all_on, all_off);
     EXPECT_EQ(&session->plan(), plan);

@@ -2,6 +2,8 @@
 // numbers of barriers and pipelines.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/viewer/commands/render_stats.h"
 
 namespace weft::test {
@@ -46,6 +48,18 @@ TEST(Stats, TellWhichPassesRestedAndWhyTheOthersRan) {
         EXPECT_EQ(pass.at("woken_by").size(), 1u) << pass.at("woken_by");
     }
     EXPECT_EQ(with_rest, 6u);
+}
+
+TEST(Stats, TellInHowManyFramesAPassWasSwitchedOff) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const Json stats =
+        render_stats({"builtin:spheres", "--graph", WEFT_SOURCE_DIR "/tests/render/switches/switches.json",
+                      "--size", "16x16", "--frames", "5", "--param", "mistOn=0"});
+    std::map<std::string, uint32_t> off;
+    for (const Json& pass : stats.at("passes"))
+        if (pass.contains("switched_off_frames")) off[pass.at("name")] = pass.at("switched_off_frames");
+    EXPECT_EQ(off, (std::map<std::string, uint32_t>{
+                       {"draw", 0}, {"mist", 5}, {"more", 0}, {"shine", 0}, {"veil", 5}}));
 }
 
 TEST(Stats, TellHowManyDrawsOfAPassAreOutsideOfItsView) {

@@ -1,0 +1,9 @@
+#version 460
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(rgba16f) readonly uniform image2D a;
+layout(rgba16f) writeonly uniform image2D dst;
+
+void main() {
+    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    imageStore(dst, at, 0.03125 + 0.875 * imageLoad(a, at));
+}
