@@ -1,10 +1,13 @@
-// Each test breaks the areas of a correct plan in one way. The checker must report C351.
+// Most tests break the areas of a correct plan in one way; the checker must report C351. The others are about
+// transitions between plans with and without live sizes.
 #include <algorithm>
 
 #include "graph/schedule/queue_assign.h"
 #include "tests/graph/resolve/live/live_fixture.h"
 #include "weft/check/check_plan.h"
+#include "weft/check/check_transition.h"
 #include "weft/compile.h"
+#include "weft/transition.h"
 
 namespace weft::test {
 namespace {
@@ -114,6 +117,53 @@ TEST_F(AreaFault, AScaleAboveOne) {
     ASSERT_FALSE(first.most == 0) << "the scale";
     first.most = 2;
     EXPECT_TRUE(has_fault());
+}
+
+// After an edit that makes the size fixed, only the area of the old image has content.
+class AreaTransition : public LiveTest {
+ protected:
+    // Returns the plan with a live or a fixed size.
+    FramePlan plan_of(bool live, const std::string& on_resize) {
+        std::string text = body();
+        const auto replace = [&](const std::string& from, const std::string& to) {
+            text.replace(text.find(from), from.size(), to);
+        };
+        replace("\"history\": 2", "\"history\": 2, \"onResize\": \"" + on_resize + "\"");
+        if (!live) replace(R"j({"size": "output", "scale": "renderScale"})j", R"j("output")j");
+        const ResolvedGraph graph = good(text);
+        return compile(graph, content_needs(graph), {});
+    }
+    // Returns how the content of "past[-1]" gets into the new plan; null: it does not.
+    static const ContentCopy* carried(const FramePlan& to, const TransitionPlan& transition) {
+        const auto found =
+            std::ranges::find(transition.carried, find_resource(to.graph, "past[-1]"), &ContentCopy::to);
+        return found == transition.carried.end() ? nullptr : &*found;
+    }
+};
+
+TEST_F(AreaTransition, ToAFixedSizeIsNoCopy) {
+    const FramePlan live = plan_of(true, "clear"), fixed = plan_of(false, "clear");
+    EXPECT_EQ(carried(fixed, transition(live, fixed)), nullptr);
+    EXPECT_NE(content_text(live, fixed, transition(live, fixed), find_resource(fixed.graph, "past[-1]"))
+                  .find("from a live size to a fixed size"),
+              std::string::npos);
+    const TransitionPlan back = transition(fixed, live);
+    ASSERT_NE(carried(live, back), nullptr);
+    EXPECT_FALSE(carried(live, back)->resample) << "the whole old image has content";
+    EXPECT_TRUE(check_transition(fixed, live, back).empty());
+}
+
+TEST_F(AreaTransition, ToAFixedSizeIsScaled) {
+    const FramePlan live = plan_of(true, "resample"), fixed = plan_of(false, "resample");
+    TransitionPlan between = transition(live, fixed);
+    ASSERT_NE(carried(fixed, between), nullptr);
+    EXPECT_TRUE(carried(fixed, between)->resample);
+    EXPECT_TRUE(check_transition(live, fixed, between).empty());
+    for (ContentCopy& copy : between.carried) copy.resample = false;
+    const Diagnostics faults = check_transition(live, fixed, between);
+    EXPECT_TRUE(std::ranges::any_of(faults, [](const Diagnostic& d) {
+        return d.code == "C370" && d.message.find("only the area has content") != std::string::npos;
+    }));
 }
 
 }  // namespace

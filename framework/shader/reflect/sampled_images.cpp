@@ -30,7 +30,7 @@ std::set<std::string> sampled_images(std::span<const uint32_t> spirv) {
     std::map<uint32_t, std::string> names;
     // For each id that stands for an image: the variable of the image.
     std::map<uint32_t, uint32_t> variables;
-    std::set<uint32_t> sampled, excluded;
+    std::set<uint32_t> declared, sampled, excluded;
     const auto variable_of = [&](uint32_t id) {
         const auto found = variables.find(id);
         return found != variables.end() ? found->second : id;
@@ -39,6 +39,7 @@ std::set<std::string> sampled_images(std::span<const uint32_t> spirv) {
     for (SpirvInstruction i; reader.next(i);) {
         if (i.opcode == SpvOpName && i.operands.size() > 1)
             names[i.operand(0)] = spirv_string(i.operands.subspan(1));
+        if (i.opcode == SpvOpVariable) declared.insert(i.operand(1));
         if (passes_on(i.opcode)) variables[i.operand(1)] = variable_of(i.operand(2));
         if (samples(i.opcode)) sampled.insert(variable_of(i.operand(2)));
         if (asks_for_size(i.opcode)) excluded.insert(variable_of(i.operand(2)));
@@ -48,7 +49,8 @@ std::set<std::string> sampled_images(std::span<const uint32_t> spirv) {
     }
     std::set<std::string> found;
     for (const uint32_t variable : sampled)
-        if (!excluded.contains(variable) && names.contains(variable)) found.insert(names.at(variable));
+        // Parameters of functions are not declared as variables.
+        if (declared.contains(variable) && !excluded.contains(variable)) found.insert(names[variable]);
     return found;
 }
 

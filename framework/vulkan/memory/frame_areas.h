@@ -15,8 +15,7 @@ class FrameAreas {
     FrameAreas() = default;
     explicit FrameAreas(const FramePlan& plan);
 
-    // Computes the areas of a frame. Allocates no memory, except in the first frame. Call it once for each
-    // frame before commands are recorded.
+    // Computes the areas of a frame. Call it once for each frame, before its commands are recorded.
     void begin_frame(const ResolvedGraph& graph, const Scales& scales, const Rings& rings, uint64_t frame);
     // Sets the area of the content that a copy in memory has got from the executor that this one replaces.
     void inherit(ResourceId copy, const Extent3D& area) { written_[copy] = area; }
