@@ -152,8 +152,10 @@ DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physica
     profile.integer_samples = v12.framebufferIntegerColorSampleCounts &
                               properties.properties.limits.sampledImageIntegerSampleCounts;
     profile.shader_capabilities = subgroup_capabilities(v11);
-    // A mask of views has 32 bits.
-    profile.max_multiview_views = std::min(v11.maxMultiviewViewCount, 32u);
+    // A mask of views has 32 bits. llvmpipe (Mesa 22.3) draws the clipped triangles of all views into the
+    // first of these views, so it counts as a device without multiview.
+    const bool clips_wrong = v12.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
+    profile.max_multiview_views = clips_wrong ? 1 : std::min(v11.maxMultiviewViewCount, 32u);
     FeatureChain all;
     add_optional_features(enable_optional_features(supported, all), profile);
     profile.descriptor_indexing = supported.v12().descriptorIndexing == VK_TRUE;

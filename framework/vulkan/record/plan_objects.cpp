@@ -43,11 +43,15 @@ bool is_resolved_elsewhere(const Device& device, const PassDecl& pass) {
 Diagnostics check_lowering(const Device& device, const FramePlan& plan, const ExecutorInput& input,
                            const PassDecl& pass, const ShaderProgram& program) {
     Diagnostics errors;
+    // Each device with the feature multiview draws at least six views at once.
+    constexpr uint32_t kLeastMultiviews = 6;
     const DeviceProfile& profile = device.profile();
     const bool multiview = pass.lowering == ViewLowering::multiview;
-    const uint32_t most = pass.lowering == ViewLowering::none ? UINT32_MAX
-                          : multiview                         ? profile.max_multiview_views
-                                                              : profile.max_output_layers;
+    uint32_t most = UINT32_MAX;
+    if (multiview)
+        most = device.optional().multiview ? std::max(kLeastMultiviews, profile.max_multiview_views) : 1;
+    else if (pass.lowering == ViewLowering::layer_output)
+        most = profile.max_output_layers;
     if (pass.views.size() > most)
         errors.push_back(pass_error(plan, pass, "V417",
                                     "the pass draws " + std::to_string(pass.views.size()) +

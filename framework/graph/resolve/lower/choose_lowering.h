@@ -15,6 +15,7 @@ struct ChosenLowering {
 
 // Returns the lowering of a pass whose views are drawn to layers. By default it is layer output if the pass
 // leaves out draws, else multiview, else one pass for each view; a choice that is not possible is skipped.
+// This function is the only place that decides.
 // Errors: W199 (the author's choice is not possible). Reports nothing else: after any other fault it chooses
 // one pass for each view, and a later stage reports the fault.
 [[nodiscard]] ChosenLowering choose_lowering(const ResolveInput& input, const Values& values,
