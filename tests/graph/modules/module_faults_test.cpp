@@ -20,7 +20,7 @@ ModuleFiles including(const std::string& items, const std::string& rest = R"("pa
 TEST(ModuleFaults, OnlyPortsMayBeReplaced) {
     expect_module_fault(
         including(R"({"file": "blur.json", "as": "a", "with": {"source": "hdr", $$"bais": "hdr"}})"), "W238",
-        "\"blur.json\" has no port \"bais\"", "the ports are \"source\", \"taps\"");
+        "\"blur.json\" has no port \"bais\"", "the ports are \"source\" and \"taps\"");
     expect_module_fault(
         including(R"({"file": "blur.json", "as": "a", "with": {"source": "hdr", $$"bias": "hdr"}})"), "W238",
         "no port \"bias\"", "the ports are");
