@@ -77,8 +77,7 @@ TEST(Module, WithReplacesPorts) {
 }
 
 TEST(Module, IsPatchedFromOutside) {
-    const Result<GraphDesc> graph = load_modules(
-        {{"main.json", R"({"version": 1,
+    const Result<GraphDesc> graph = load_modules({{"main.json", R"({"version": 1,
         "include": [{"file": "tiles.json", "as": "glass", "with": {"depth": "z"}}],
         "consts": {"side": 3, "k": "glass::side + side"},
         "params": {"glass::bias": {"default": 5, "range": [0, 9]}},
@@ -86,7 +85,7 @@ TEST(Module, IsPatchedFromOutside) {
         "passes": {"glass::cull": {"params": {"bias": "k * glass::bias", "more": "side"}, "after": null},
                    "glass::draw": null,
                    "copy": {"type": "copy", "in": ["glass::facts"], "out": ["copied"], "after": ["glass::cull"]}}})"},
-         {"tiles.json", kTiles}});
+                                                  {"tiles.json", kTiles}});
     ASSERT_TRUE(graph.ok()) << to_text(graph.errors());
     EXPECT_EQ(graph->params.at("glass::bias").default_value, 5);
     EXPECT_EQ(graph->resources.at("glass::facts").formats, std::vector<std::string>{"r16f"});
@@ -207,7 +206,8 @@ const char* const kFaces = R"json({
 
 TEST(Module, HasListsOfViews) {
     const Result<GraphDesc> graph = load_modules(
-        {{"main.json", R"({"version": 1, "include": [{"file": "faces.json", "as": "a", "with": {"seen": "lamps"}}],
+        {{"main.json",
+          R"({"version": 1, "include": [{"file": "faces.json", "as": "a", "with": {"seen": "lamps"}}],
              "views": {"lamps": {"of": "camera"}}, "passes": {}})"},
          {"faces.json", kFaces}});
     ASSERT_TRUE(graph.ok()) << to_text(graph.errors());

@@ -23,7 +23,7 @@ constexpr const char* kFogbank = R"({
   },
   "debug": { "Fog": "fog" }
 })";
-constexpr const char* kShader = R"(#version 460
+constexpr const char* kFogShader = R"(#version 460
 #include "amount.glsl"
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D sky;
@@ -39,7 +39,7 @@ class GraphPath : public testing::Test {
  protected:
     GraphPath() {
         scratch_.write("lib/fogbank/fog.json", kFogbank);
-        scratch_.write("lib/fogbank/fog.comp", kShader);
+        scratch_.write("lib/fogbank/fog.comp", kFogShader);
         scratch_.write("lib/fogbank/amount.glsl", "const float amount = 0.5;\n");
         scratch_.write("graph/g.json", R"({ "version": 1, "include": [
             { "file": "fogbank/fog.json", "as": "near" },
