@@ -134,6 +134,14 @@ TEST(ModuleFaults, AnErrorNamesThePlaceOfTheInclude) {
     EXPECT_EQ(fault.notes[0].message, "included here");
 }
 
+TEST(ModuleFaults, APlaceHasOnePointer) {
+    ModuleFiles files = including(R"({"file": "other.json", "as": "a"}, {"file": "other.json", "as": "b"})");
+    files["other.json"] = R"({"consts": {"x": 1}})";
+    const Result<JsonDoc> document = read_modules(files);
+    ASSERT_TRUE(document.ok()) << to_text(document.errors());
+    EXPECT_EQ(pointer_at(*document, "other.json", 1, 13), "/consts/x");
+}
+
 TEST(ModuleFaults, AnIndexHasNoNameOfAValue) {
     ModuleFiles files =
         including(R"({"file": "other.json", "as": "a"})", R"("consts": {"i": 3}, "passes": {})");
