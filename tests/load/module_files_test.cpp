@@ -225,7 +225,7 @@ TEST_F(ModuleFiles, ShadersGetTheValuesOfTheirInstance) {
         "resources": { "sum": "r32f" },
         "passes": { "a::show": null, "b::show": null, "c::show": null,
             "show": { "type": "copy", "in": ["a::made"], "out": ["sum"] },
-            "keep": { "type": "readback", "in": ["a::made", "b::made", "c::made"] } } })");
+            "keep": { "type": "readback", "in": { "a": "a::made", "b": "b::made", "c": "c::made" } } } })");
     const Result<LoadedGraph> loaded = load("graph/g.json");
     ASSERT_TRUE(loaded) << to_text(loaded.errors());
     EXPECT_EQ(param_of(*loaded, "a::make"), 3);

@@ -38,8 +38,10 @@ std::string pointer_at(const JsonDoc& document, const std::string& file, uint32_
     std::string pointer;
     const std::vector<SourceFile>& files = document.sources.files;
     if (!files.empty() && files.front().path == file) find_at(document.root, line, column, pointer);
+    // If a file belongs to several modules, all its copies have the same values.
     for (const IncludedJson& included : document.included)
-        if (files[included.file].path == file) find_at(included.root, line, column, pointer);
+        if (pointer.empty() && files[included.file].path == file)
+            find_at(included.root, line, column, pointer);
     return pointer;
 }
 

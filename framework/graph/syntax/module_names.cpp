@@ -41,10 +41,13 @@ void remove_ports(JsonNode* section, const ModuleInstance& module) {
                   [&](const JsonMember& member) { return module.with.contains(member.key); });
 }
 
+// The number of frames belongs to a run of the file itself.
+bool is_number_of_frames(const JsonMember& member) {
+    return member.key == "frames";
+}
+
 void qualify_sections(JsonNode& owner, const ModuleInstance& module) {
-    std::erase_if(owner.members, [](const JsonMember& member) {
-        return member.key == "tests" || member.key == "frames" || member.key == "ports";
-    });
+    std::erase_if(owner.members, is_number_of_frames);
     remove_ports(find_member(owner, "imports"), module);
     for (const NamedSection& section : kNamedSections) {
         JsonNode* node = find_member(owner, section.key);
@@ -59,6 +62,7 @@ void qualify_sections(JsonNode& owner, const ModuleInstance& module) {
 
 void qualify_names(JsonNode& root, const ModuleInstance& module) {
     if (module.name.empty()) return;
+    std::erase_if(root.members, [](const JsonMember& member) { return member.key == "tests"; });
     qualify_sections(root, module);
     JsonNode* tiers = find_member(root, "tiers");
     if (tiers == nullptr) return;

@@ -20,7 +20,7 @@ ModuleFiles including(const std::string& items, const std::string& rest = R"("pa
 TEST(ModuleFaults, OnlyPortsMayBeReplaced) {
     expect_module_fault(
         including(R"({"file": "blur.json", "as": "a", "with": {"source": "hdr", $$"bais": "hdr"}})"), "W238",
-        "\"blur.json\" has no port \"bais\"", "the ports are \"source\", \"taps\"");
+        "\"blur.json\" has no port \"bais\"", "the ports are \"source\" and \"taps\"");
     expect_module_fault(
         including(R"({"file": "blur.json", "as": "a", "with": {"source": "hdr", $$"bias": "hdr"}})"), "W238",
         "no port \"bias\"", "the ports are");
@@ -132,6 +132,14 @@ TEST(ModuleFaults, AnErrorNamesThePlaceOfTheInclude) {
     ASSERT_EQ(fault.notes.size(), 1u);
     EXPECT_EQ(fault.notes[0].file + ":" + std::to_string(fault.notes[0].line), "main.json:2");
     EXPECT_EQ(fault.notes[0].message, "included here");
+}
+
+TEST(ModuleFaults, APlaceHasOnePointer) {
+    ModuleFiles files = including(R"({"file": "other.json", "as": "a"}, {"file": "other.json", "as": "b"})");
+    files["other.json"] = R"({"consts": {"x": 1}})";
+    const Result<JsonDoc> document = read_modules(files);
+    ASSERT_TRUE(document.ok()) << to_text(document.errors());
+    EXPECT_EQ(pointer_at(*document, "other.json", 1, 13), "/consts/x");
 }
 
 TEST(ModuleFaults, AnIndexHasNoNameOfAValue) {

@@ -15,13 +15,18 @@ namespace weft::test {
 // The texts of graph files by path. "main.json" is the graph.
 using ModuleFiles = std::map<std::string, std::string>;
 
-inline Result<GraphDesc> load_modules(const ModuleFiles& files, const std::string& tier = "",
-                                      const std::vector<std::string>& graph_path = {}) {
+inline Result<JsonDoc> read_modules(const ModuleFiles& files,
+                                    const std::vector<std::string>& graph_path = {}) {
     const FileReader reader = [&](const std::string& path) {
         const auto it = files.find(path);
         return it == files.end() ? std::nullopt : std::optional<std::string>(it->second);
     };
-    Result<JsonDoc> document = read_graph("main.json", reader, {"shipped", {}, graph_path});
+    return read_graph("main.json", reader, {"shipped", {}, graph_path});
+}
+
+inline Result<GraphDesc> load_modules(const ModuleFiles& files, const std::string& tier = "",
+                                      const std::vector<std::string>& graph_path = {}) {
+    Result<JsonDoc> document = read_modules(files, graph_path);
     if (!document) return document.take_errors();
     Result<JsonDoc> merged = merge(std::move(*document), tier);
     if (!merged) return merged.take_errors();

@@ -5,37 +5,21 @@
 namespace weft::test {
 namespace {
 
-const char* const kTiles = R"({
+const char* const kTiles = R"json({
   "ports": ["depth", "most"],
   "imports": {"opaque": "drawlist"},
-  "sizes": {"tiles": "ceil(output / side)"
-}
-, "consts" : {"side" : 16},
-             "params" : {"bias" : 1, "most" : 8},
-                        "resources"
-    : {"lists" : {"buffer" : "u32", "count" : "tiles.x * most"}, "facts" : "r32f"},
-      "passes" : {
-          "cull" : {
-              "type" : "compute",
-              "shader" : "cull.comp",
-              "in" : ["depth"],
-              "out" : ["lists"],
-              "params" : {"bias" : "bias * 2"},
-              "threads" : "tiles",
-              "after" : ["draw"]
-          },
-          "draw" : {
-              "type" : "raster",
-              "shader" : "draw",
-              "draws" : ["opaque"],
-              "out" : ["facts"],
-              "in" : ["lists@cull.range(0..side - 1)"]
-          }
-      },
-                 "debug" : {
-    "Facts" : "facts"
-}
-})";
+  "sizes": {"tiles": "ceil(output / side)"},
+  "consts": {"side": 16},
+  "params": {"bias": 1, "most": 8},
+  "resources": {"lists": {"buffer": "u32", "count": "tiles.x * most"}, "facts": "r32f"},
+  "passes": {
+    "cull": {"type": "compute", "shader": "cull.comp", "in": ["depth"], "out": ["lists"],
+             "params": {"bias": "bias * 2"}, "threads": "tiles", "after": ["draw"]},
+    "draw": {"type": "raster", "shader": "draw", "draws": ["opaque"], "out": ["facts"],
+             "in": ["lists@cull.range(0..side - 1)"]}
+  },
+  "debug": {"Facts": "facts"}
+})json";
 
 ModuleFiles with_tiles(const std::string& rest, const std::string& with = R"({"depth": "z"})") {
     return {{"main.json", R"({"version": 1, "include": [{"file": "tiles.json", "as": "glass", "with": )" +
@@ -93,13 +77,15 @@ TEST(Module, WithReplacesPorts) {
 }
 
 TEST(Module, IsPatchedFromOutside) {
-    const Result<GraphDesc> graph = load_modules(with_tiles(R"(
+    const Result<GraphDesc> graph = load_modules({{"main.json", R"({"version": 1,
+        "include": [{"file": "tiles.json", "as": "glass", "with": {"depth": "z"}}],
         "consts": {"side": 3, "k": "glass::side + side"},
         "params": {"glass::bias": {"default": 5, "range": [0, 9]}},
-        "resources": {"glass::facts": "r16f", "copied": "r32f"},
+        "resources": {"z": "d32f", "glass::facts": "r16f", "copied": "r32f"},
         "passes": {"glass::cull": {"params": {"bias": "k * glass::bias", "more": "side"}, "after": null},
                    "glass::draw": null,
-                   "copy": {"type": "copy", "in": ["glass::facts"], "out": ["copied"], "after": ["glass::cull"]}})"));
+                   "copy": {"type": "copy", "in": ["glass::facts"], "out": ["copied"], "after": ["glass::cull"]}}})"},
+                                                  {"tiles.json", kTiles}});
     ASSERT_TRUE(graph.ok()) << to_text(graph.errors());
     EXPECT_EQ(graph->params.at("glass::bias").default_value, 5);
     EXPECT_EQ(graph->resources.at("glass::facts").formats, std::vector<std::string>{"r16f"});
@@ -170,64 +156,67 @@ TEST(Module, IncludesModulesAndFilesOfItsOwn) {
     EXPECT_EQ(graph->passes.at("q").out.at(0).port, "r");
 }
 
+const char* const kBake = R"json({
+  "imports": {"order": "turns"}, "consts": {"n": 7},
+  "resources": {"layers": {"format": "r32f", "layers": 8, "keep": true}},
+  "passes": {"seed": {"type": "clear", "out": ["layers"], "after": ["bake::light"]}},
+  "groups": {
+    "bake": {
+      "repeat": {"m": "0..n"}, "turns": "order",
+      "resources": {"raw": "r32f"},
+      "passes": {"light": {"type": "compute", "shader": "l.comp", "out": ["raw"], "params": {"a": "m + n"}},
+                 "smooth": {"type": "compute", "shader": "s.comp", "in": ["raw@light"],
+                            "out": {"dst": "layers.layer(m)"}, "threads": "mips(raw)"}}
+    }
+  }
+})json";
+
 TEST(Module, HasGroups) {
     const Result<GraphDesc> graph = load_modules(
-        {
-        {"main.json", R"({"version": 1, "include": [{"file": "bake.json", "as": "near"}], "passes": {},
+        {{"main.json", R"({"version": 1, "include": [{"file": "bake.json", "as": "near"}], "passes": {},
              "groups": {"near::bake": {"perFrame": 2, "passes": {"light": {"after": ["near::seed"]}}}},
              "debug": {"Raw": "near::bake::raw"}})"},
-            {"bake.json", R"({"imports": {"order": "turns"}, "consts": {"n": 7},
-             "resources": {"layers": {"format": "r32f", "layers": 8, "keep": true}},
-             "passes": {"seed": {"type": "clear", "out": ["layers"], "after": ["bake::light"]}},
-             "groups": {"bake": {"repeat": {"m": "0..n"}, "turns": "order",
-               "resources": {"raw": "r32f"},
-               "passes": {"light": {"type": "compute", "shader": "l.comp", "out": ["raw"], "params": {"a": "m + n"}},
-                          "smooth": {"type": "compute", "shader": "s.comp", "in": ["raw@light"],
-                                     "out": {"dst": "layers.layer(m)"},
-            "threads" : "mips(raw)"}
-}
-}
-}
-})"}});
+         {"bake.json", kBake}});
     ASSERT_TRUE(graph.ok()) << to_text(graph.errors());
-EXPECT_EQ(keys_text(graph->groups), "near::bake");
-EXPECT_EQ(keys_text(graph->passes), "near::bake::light near::bake::smooth near::seed");
-EXPECT_EQ(keys_text(graph->resources), "near::bake::raw near::layers");
-const PassDesc& light = graph->passes.at("near::bake::light");
-EXPECT_EQ(light.group, "near::bake");
-EXPECT_EQ(light.module, "near");
-EXPECT_EQ(light.after, std::vector<std::string>{"near::seed"});
-EXPECT_EQ(names_in(light.params.at(0).components.at(0)), "m near::n") << "m is an index";
-const PassDesc& smooth = graph->passes.at("near::bake::smooth");
-EXPECT_EQ(smooth.in.at(0).ref.name, "near::bake::raw");
-EXPECT_EQ(smooth.in.at(0).ref.pass, "near::bake::light");
-EXPECT_EQ(smooth.out.at(0).ref.name, "near::layers");
-EXPECT_EQ(names_in(smooth.threads.at(0)), "near::bake::raw");
-EXPECT_EQ(graph->passes.at("near::seed").after, std::vector<std::string>{"near::bake::light"});
-EXPECT_EQ(graph->debug.at("Raw").show.name, "near::bake::raw");
-EXPECT_EQ(graph->groups.at("near::bake").turns, "order");
+    EXPECT_EQ(keys_text(graph->groups), "near::bake");
+    EXPECT_EQ(keys_text(graph->passes), "near::bake::light near::bake::smooth near::seed");
+    EXPECT_EQ(keys_text(graph->resources), "near::bake::raw near::layers");
+    const PassDesc& light = graph->passes.at("near::bake::light");
+    EXPECT_EQ(light.group, "near::bake");
+    EXPECT_EQ(light.module, "near");
+    EXPECT_EQ(light.after, std::vector<std::string>{"near::seed"});
+    EXPECT_EQ(names_in(light.params.at(0).components.at(0)), "m near::n") << "m is an index";
+    const PassDesc& smooth = graph->passes.at("near::bake::smooth");
+    EXPECT_EQ(smooth.in.at(0).ref.name, "near::bake::raw");
+    EXPECT_EQ(smooth.in.at(0).ref.pass, "near::bake::light");
+    EXPECT_EQ(smooth.out.at(0).ref.name, "near::layers");
+    EXPECT_EQ(names_in(smooth.threads.at(0)), "near::bake::raw");
+    EXPECT_EQ(graph->passes.at("near::seed").after, std::vector<std::string>{"near::bake::light"});
+    EXPECT_EQ(graph->debug.at("Raw").show.name, "near::bake::raw");
+    EXPECT_EQ(graph->groups.at("near::bake").turns, "order");
 }
+
+const char* const kFaces = R"json({
+  "ports": ["seen"], "views": {"faces": {"cube": {"at": [0, 0, 0]}}, "half": {"of": "seen"}},
+  "resources": {"map": {"format": "d32f", "layers": "facesViews"}},
+  "passes": {"a": {"type": "raster", "shader": "d", "draws": ["opaque"], "depth": "map", "views": "faces"},
+             "b": {"type": "raster", "shader": "d", "draws": ["opaque"], "depth": "map", "view": "half(1)"},
+             "c": {"type": "raster", "shader": "d", "draws": ["opaque"], "depth": "map", "view": "camera"}}
+})json";
 
 TEST(Module, HasListsOfViews) {
     const Result<GraphDesc> graph = load_modules(
-        {
-    {"main.json", R"({"version": 1, "include": [{"file": "faces.json", "as": "a", "with": {"seen": "lamps"}}],
+        {{"main.json",
+          R"({"version": 1, "include": [{"file": "faces.json", "as": "a", "with": {"seen": "lamps"}}],
              "views": {"lamps": {"of": "camera"}}, "passes": {}})"},
-        {"faces.json",
-         R"({"ports": ["seen"], "views": {"faces": {"cube": {"at": [0, 0, 0]}}, "half": {"of": "seen"}},
-             "resources": {"map": {"format": "d32f", "layers": "facesViews"}},
-             "passes": {"a": {"type": "raster", "shader": "d", "draws": ["opaque"], "depth": "map", "views": "faces"},
-                        "b": {"type": "raster", "shader": "d", "draws": ["opaque"], "depth": "map", "view": "half(view)"},
-        "c" : {
-        "type" : "raster", "shader" : "d", "draws" : ["opaque"], "depth" : "map", "view" : "camera"
-    }}})"}});
+         {"faces.json", kFaces}});
     ASSERT_TRUE(graph.ok()) << to_text(graph.errors());
-EXPECT_EQ(keys_text(graph->views), "a::faces a::half lamps");
-EXPECT_EQ(graph->views.at("a::half").of, "lamps");
-EXPECT_EQ(names_in(graph->resources.at("a::map").layers), "a::facesViews");
-EXPECT_EQ(graph->passes.at("a::a").view, "a::faces");
-EXPECT_EQ(graph->passes.at("a::b").view, "a::half");
-EXPECT_EQ(graph->passes.at("a::c").view, "camera");
+    EXPECT_EQ(keys_text(graph->views), "a::faces a::half lamps");
+    EXPECT_EQ(graph->views.at("a::half").of, "lamps");
+    EXPECT_EQ(names_in(graph->resources.at("a::map").layers), "a::facesViews");
+    EXPECT_EQ(graph->passes.at("a::a").view, "a::faces");
+    EXPECT_EQ(graph->passes.at("a::b").view, "a::half");
+    EXPECT_EQ(graph->passes.at("a::c").view, "camera");
 }
 
 TEST(Module, SeesNoOtherNamesOfTheGraph) {

@@ -322,10 +322,6 @@ INSTANTIATE_TEST_SUITE_P(
                   with_passes("\"p\": {\"type\": \"clear\", \"out\": [\"g::$$\"]}"),
                   {"W106"},
                   "the reference ends where the name of a resource"},
-        FaultCase{"TwoGroups",
-                  with_passes("\"p\": {\"type\": \"clear\", \"out\": [\"g::h$$::x\"]}"),
-                  {"W106"},
-                  "found ':'"},
         FaultCase{"NoPassType", with_passes("$$\"p\": {}"), {"W108"}, "\"type\""}),
     case_name);
 

@@ -1,10 +1,12 @@
 // Tests instances of a module on a device: each instance has its own values, resources and group, and an edit
 // of the files of the module is noticed.
+#include <stdlib.h>  // mkdtemp
+
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "tests/render/session_fixture.h"
-#include "tests/viewer/gltf_file.h"
 
 namespace weft::test {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 constexpr Extent3D kSize_px{16, 16, 1};
 
 // Adds `step` to the source, and then multiplies the sum by the number of the round in a group.
-constexpr const char* kModule = R"({
+constexpr const char* kModule = R"json({
   "version": 1,
   "ports": { "source": "an image of one channel", "factor": "" },
   "params": { "step": 1, "factor": 1 },
@@ -28,13 +30,11 @@ constexpr const char* kModule = R"({
       "resources": { "raw": "r32f" },
       "passes": {
         "multiply": { "type": "compute", "shader": "multiply.comp", "in": ["sum"], "out": ["raw"] },
-        "put": { "type": "copy", "in": ["raw@multiply"], "out": { "dst": "rounds.layer(m)"
-}
-}
-}
-}
-}
-})";
+        "put": { "type": "copy", "in": ["raw@multiply"], "out": { "dst": "rounds.layer(m)" } }
+      }
+    }
+  }
+})json";
 constexpr const char* kAdd = R"(#version 460
 #include "shape.glsl"
 uniform sampler2D source;
@@ -67,6 +67,36 @@ constexpr const char* kGraph = R"({
     "end": { "type": "clear", "out": ["backbuffer"], "clear": 0, "after": ["b::scale::put"] }
   }
 })";
+
+std::string with_replaced(std::string text, const std::string& from, const std::string& to) {
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+// A temporary folder.
+class EditedFolder {
+ public:
+    EditedFolder() {
+        std::string pattern = (std::filesystem::temp_directory_path() / "weft_modules_XXXXXX").string();
+        path_ = ::mkdtemp(pattern.data());
+    }
+    ~EditedFolder() {
+        std::error_code failed;
+        std::filesystem::remove_all(path_, failed);
+    }
+    EditedFolder(const EditedFolder&) = delete;
+    EditedFolder& operator=(const EditedFolder&) = delete;
+
+    void write(const std::string& name, const std::string& text) const {
+        std::filesystem::create_directories((path_ / name).parent_path());
+        std::ofstream(path_ / name, std::ios::binary) << text;
+    }
+    [[nodiscard]] std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+    std::filesystem::path path_;
+};
 
 class Modules : public SessionTest {
  protected:
@@ -121,7 +151,7 @@ class Modules : public SessionTest {
         ASSERT_TRUE(session.swap_in(std::move(*made.result)));
     }
 
-    ScratchFolder folder_;
+    EditedFolder folder_;
 };
 
 using Texels = std::vector<float>;
@@ -146,13 +176,13 @@ TEST_F(Modules, AnEditOfAModuleIsNoticed) {
     const std::unique_ptr<render::Session> session = begin();
     ASSERT_TRUE(session);
     EXPECT_EQ(frame(*session)["b::sum"], Texels{8});
-    folder_.write("lib/steps/steps.json", replaced(kModule, "\"step\": 1", "\"step\": 2"));
+    folder_.write("lib/steps/steps.json", with_replaced(kModule, "\"step\": 1", "\"step\": 2"));
     reload(*session);
     EXPECT_EQ(frame(*session)["b::sum"], Texels{9}) << "the graph gives b::step another value";
-    folder_.write("lib/steps/add.comp", replaced(kAdd, "+ params.step", "- params.step"));
+    folder_.write("lib/steps/add.comp", with_replaced(kAdd, "+ params.step", "- params.step"));
     reload(*session);
     EXPECT_EQ(frame(*session)["b::sum"], Texels{-5});
-    folder_.write("graph/steps/steps.json", replaced(kModule, "\"step\": 1", "\"step\": 3"));
+    folder_.write("graph/steps/steps.json", with_replaced(kModule, "\"step\": 1", "\"step\": 3"));
     for (const auto& [name, text] :
          {std::pair{"add.comp", kAdd}, {"multiply.comp", kMultiply}, {"shape.glsl", kShape}})
         folder_.write(std::string("graph/steps/") + name, text);
