@@ -24,6 +24,25 @@ VKAPI_ATTR VkResult VKAPI_CALL counted_submit(VkQueue queue, uint32_t count, con
     return submit_of_vulkan(queue, count, infos, fence);
 }
 
+struct SeenSubmission {
+    std::vector<VkSemaphore> waits, signals;
+    uint32_t commands = 0;
+
+    [[nodiscard]] bool waits_for(VkSemaphore semaphore) const {
+        return std::ranges::find(waits, semaphore) != waits.end();
+    }
+};
+std::vector<SeenSubmission> seen_submissions;
+
+VKAPI_ATTR VkResult VKAPI_CALL seen_submit(VkQueue queue, uint32_t count, const VkSubmitInfo* infos,
+                                           VkFence fence) {
+    seen_submissions.push_back(
+        {{infos->pWaitSemaphores, infos->pWaitSemaphores + infos->waitSemaphoreCount},
+         {infos->pSignalSemaphores, infos->pSignalSemaphores + infos->signalSemaphoreCount},
+         infos->commandBufferCount});
+    return submit_of_vulkan(queue, count, infos, fence);
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL overdue(VkDevice, const VkSemaphoreWaitInfo*, uint64_t) {
     return VK_TIMEOUT;
 }
@@ -161,6 +180,16 @@ class ProgramSubmitVk : public ExecutorTest {
         submit_of_vulkan = nullptr;
     }
 
+    // Gives the timeline semaphore a value from the CPU.
+    void signal_timeline(uint64_t value) {
+        VkSemaphoreSignalInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SIGNAL_INFO};
+        signal.semaphore = timeline_.get();
+        signal.value = value;
+        const auto signal_semaphore = reinterpret_cast<PFN_vkSignalSemaphore>(
+            device().instance_fn().vkGetDeviceProcAddr(device().handle(), "vkSignalSemaphore"));
+        ASSERT_EQ(signal_semaphore(device().handle(), &signal), VK_SUCCESS);
+    }
+
     uint64_t value_of(const SemaphoreHandle& semaphore) {
         uint64_t value = 0;
         EXPECT_EQ(device().fn().vkGetSemaphoreCounterValue(device().handle(), semaphore.get(), &value),
@@ -282,13 +311,7 @@ TEST_P(SemaphoresVk, a_frame_waits_for_a_value_and_signals_another) {
         ASSERT_TRUE(executor->run(frame).ok());
         // The frame cannot have finished, because nothing has signalled the value yet.
         EXPECT_EQ(value_of(done), i);
-        VkSemaphoreSignalInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SIGNAL_INFO};
-        signal.semaphore = timeline_.get();
-        signal.value = i + 1;
-        PFN_vkSignalSemaphore signal_semaphore = nullptr;
-        signal_semaphore = reinterpret_cast<PFN_vkSignalSemaphore>(
-            device().instance_fn().vkGetDeviceProcAddr(device().handle(), "vkSignalSemaphore"));
-        ASSERT_EQ(signal_semaphore(device().handle(), &signal), VK_SUCCESS);
+        signal_timeline(i + 1);
         const VkSemaphore semaphore = done.get();
         const uint64_t value = i + 1;
         VkSemaphoreWaitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
@@ -324,6 +347,35 @@ TEST_P(SemaphoresVk, binary_semaphores_order_the_frame_and_the_program) {
 
 INSTANTIATE_TEST_SUITE_P(OneAndSeveralBatches, SemaphoresVk, testing::Values(1u, 2u),
                          [](const auto& queues) { return queues.param == 1 ? "one" : "several"; });
+
+// The queues of a CPU driver run one after another, so only the submissions show what each queue waits for.
+TEST_F(ProgramSubmitVk, the_first_batch_of_each_queue_waits_and_the_end_of_all_signals) {
+    const auto executor = start(make_plan(2));
+    ASSERT_NE(executor, nullptr);
+    const SemaphoreHandle done = make_semaphore(VK_SEMAPHORE_TYPE_TIMELINE);
+    (void)run_frames(*executor, 1);
+    seen_submissions.clear();
+    submit_of_vulkan = std::exchange(device().fn().vkQueueSubmit, seen_submit);
+    ASSERT_TRUE(executor->begin_frame().ok());
+    FrameInput frame;
+    frame.submit.waits = {{timeline_.get(), 1}};
+    frame.submit.signals = {{done.get(), 1}};
+    ASSERT_TRUE(executor->run(frame).ok());
+    stop_counting();
+    signal_timeline(1);
+    ASSERT_TRUE(executor->finish().ok());
+    ASSERT_EQ(seen_submissions.size(), 5u) << "before the batches, three batches, after the batches";
+    const SeenSubmission &gate = seen_submissions[0], &close = seen_submissions[4];
+    EXPECT_EQ(gate.commands, 0u);
+    EXPECT_EQ(gate.waits, std::vector<VkSemaphore>{timeline_.get()});
+    ASSERT_EQ(gate.signals.size(), 1u);
+    EXPECT_TRUE(seen_submissions[1].waits_for(gate.signals[0])) << "\"fill\" on the first queue";
+    EXPECT_TRUE(seen_submissions[2].waits_for(gate.signals[0])) << "\"twice\" on the second queue";
+    EXPECT_FALSE(seen_submissions[3].waits_for(gate.signals[0])) << "\"read\" comes after \"fill\"";
+    EXPECT_EQ(close.commands, 0u);
+    EXPECT_EQ(close.signals, std::vector<VkSemaphore>{done.get()});
+    EXPECT_EQ(close.waits.size(), 2u) << "the ends of both queues";
+}
 
 TEST_F(ProgramSubmitVk, the_batch_that_first_uses_an_import_waits_for_its_semaphore) {
     const FramePlan plan = make_plan(2);
