@@ -75,7 +75,7 @@ TEST(RandomText, MeansTheSameAsAModule) {
     const uint32_t seeds = std::getenv("WEFT_EXTENDED") != nullptr ? 5000 : 200;
     uint32_t compared = 0;
     for (uint32_t seed = 0; seed < seeds; ++seed) {
-        const RandomText made = random_text(seed);
+        const RandomText made = random_text(seed, fake_profile());
         SCOPED_TRACE("seed " + std::to_string(seed));
         const Result<ResolvedGraph> graph = resolve_text(made.text, made.params, fake_profile());
         ASSERT_TRUE(graph.ok()) << to_text(graph.errors()) << made.text;
