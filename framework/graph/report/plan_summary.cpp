@@ -146,9 +146,6 @@ std::vector<std::string> summarize_pass(const FramePlan& plan, PassId id) {
     if (pass.vertices > 0)
         facts.push_back("draws " + std::to_string(pass.vertices) + " vertices x " +
                         std::to_string(pass.instances) + " as seen by " + view_range(pass));
-    if (pass.view_use != kNoId)
-        facts.push_back("reads its view from " + describe_part(plan, pass.uses[pass.view_use].resource,
-                                                               pass.uses[pass.view_use].range));
     if (pass.most_draws > 0)
         facts.push_back("executes " + std::string(pass.draw_count_use == kNoId ? "" : "up to ") +
                         count_text(pass.most_draws, "draw command"));

@@ -145,6 +145,15 @@ TEST_F(ResolveBufferViews, NeedABufferOfViews) {
     EXPECT_EQ(bad(graph(pass, R"j("fitted": {"buffer": "matrices.range(0..3)", "count": 4})j")).code, "W230");
 }
 
+TEST_F(ResolveBufferViews, NeedAPassThatWritesThem) {
+    std::string text = graph(R"j("view": "fitted(2)")j");
+    const std::string keys = "\"threads\": 4";
+    const Diagnostic d = bad(text.replace(text.find(keys), keys.size(), keys + ", \"if\": 0"));
+    EXPECT_EQ(d.code, "W123");
+    expect_help(d, "remove the passes that draw these views");
+    for (const std::string& help : d.help) EXPECT_EQ(help.find("else"), std::string::npos) << help;
+}
+
 TEST_F(ResolveBufferViews, HaveTheirOwnKeys) {
     const std::string pass = R"j("view": "fitted(2)")j";
     EXPECT_EQ(bad(graph(pass, R"j("fitted": {"buffer": "matrices"})j")).code, "W108");
