@@ -96,7 +96,7 @@ TEST_F(Switches, ThePlanIsTheSameWhateverTheValues) {
 }
 
 TEST_F(Switches, WhatTheNullExecutorBreaksTheCheckerCatches) {
-    const uint32_t seeds = extended() ? 300 : 10;
+    const uint32_t seeds = extended() ? 300 : 5;
     Tallies tallies{};
     for (uint32_t seed = 1; seed <= seeds; ++seed) {
         const RandomSwitches made = random_switches(seed + 5000);

@@ -40,12 +40,9 @@ std::string describe_switch(const FramePlan& plan, PassId id) {
         if (pass.switch_id != kNoId && writes(use.access)) text += describe_output(plan, use);
     for (const UseDecl& use : pass.uses)
         if (use.used_in != kEveryCombination) text += describe_input(plan, use);
-    for (const PassVariant& variant : pass.variants)
-        if (pass.variants.size() > 1)
-            text += "  A variant for frames in which " +
-                    describe_combinations(plan.graph,
-                                          static_cast<CombinationSet>(variant.combinations & pass.runs_in)) +
-                    " is prepared with the plan.\n";
+    if (pass.variants.size() > 1)
+        text += "  Its " + std::to_string(pass.variants.size()) +
+                " variants, with different inputs or validities, are prepared with the plan.\n";
     return text;
 }
 

@@ -83,6 +83,8 @@ TEST(Parse, ComputeAndCustomPasses) {
     EXPECT_EQ(graph.resources.at("fog").image_kind, ImageKind::d3);
     EXPECT_EQ(number_of(graph.resources.at("hdrMs").samples), 4);
     EXPECT_EQ(light.condition.text, "on");
+    EXPECT_EQ(light.switch_param, "on");
+    EXPECT_TRUE(light.switch_inverted);
     ASSERT_EQ(light.repeat.size(), 2u);
     EXPECT_EQ(light.repeat[0].index, "i");
     EXPECT_TRUE(light.repeat[0].step.empty());

@@ -57,6 +57,7 @@ TEST_F(PlanSwitches, ExplainTellsWhatReadersSee) {
         << explained("store");
     EXPECT_TRUE(has(explained("read"), "has no \"switch\"")) << explained("read");
     EXPECT_TRUE(has(explained("read"), " reads \"x\" while \"fog\" is off.")) << explained("read");
+    EXPECT_TRUE(has(explained("read"), "  Its 2 variants, ")) << explained("read");
     const Result<std::string> base = explain_culled(plan_, "base");
     ASSERT_TRUE(base);
     EXPECT_TRUE(has(*base, "hands on its result while it is switched off")) << *base;

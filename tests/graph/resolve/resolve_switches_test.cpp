@@ -121,6 +121,13 @@ TEST_F(ResolveSwitches, KeptContentIsNotValidWhileItsPassIsOff) {
     EXPECT_EQ(use_of(pass_in(graph, "make"), "dst").passes_on.front().producer, kNoId);
 }
 
+TEST_F(ResolveSwitches, OnlyAShaderThatAsksForValidityHasVariants) {
+    const ResolvedGraph graph = good(graph_with(
+        R"("make": {"type": "compute", "shader": "s0.comp", "out": {"dst": "kept"}, "switch": "a"},)" +
+        reader("\"kept\"", "s2.comp")));
+    EXPECT_TRUE(pass_in(graph, "read").variants.empty());
+}
+
 TEST_F(ResolveSwitches, PassesWithOneSwitchNeedNoReplacement) {
     const ResolvedGraph graph =
         good(graph_with(kMakeY + reader(R"("y")", "s2.comp", R"(, "switch": "a", "after": ["fill"])") +

@@ -9,22 +9,34 @@ namespace {
 
 constexpr std::string_view kHasPrefix = "HAS_";
 
+// Returns true if the shader has the member "<port>Valid" in its block Params.
+bool asks_for_validity(const PassDraft& draft, const UseDecl& use) {
+    return std::ranges::any_of(draft.shader->params.members,
+                               [&](const BlockMember& member) { return member.name == use.port + "Valid"; });
+}
+
 // The inputs of a pass in one combination: which uses are read, and which have valid content.
 using Inputs = std::vector<uint8_t>;
 
-Inputs inputs_in(const BoundPass& bound, Combination combination) {
+Inputs inputs_in(const PassDraft& draft, const BoundPass& bound, Combination combination) {
     Inputs inputs;
     for (size_t i = 0; i < bound.uses.size(); ++i) {
-        inputs.push_back(has_combination(bound.uses[i].used_in, combination) ? 1 : 0);
-        inputs.push_back(has_combination(bound.ports[i].valid_in, combination) ? 1 : 0);
+        const UseDecl& use = bound.uses[i];
+        const bool invalid = !has_combination(bound.ports[i].valid_in, combination);
+        inputs.push_back(has_combination(use.used_in, combination) ? 1 : 0);
+        inputs.push_back(invalid && asks_for_validity(draft, use) ? 1 : 0);
     }
     return inputs;
 }
 
-bool depends_on_switches(const BoundPass& bound) {
-    return std::ranges::any_of(bound.uses, [](const UseDecl& u) { return u.used_in != kEveryCombination; }) ||
-           std::ranges::any_of(bound.ports,
-                               [](const PortDraft& p) { return p.valid_in != kEveryCombination; });
+bool depends_on_switches(const PassDraft& draft, const BoundPass& bound) {
+    if (draft.shader == nullptr) return false;
+    for (size_t i = 0; i < bound.uses.size(); ++i) {
+        const UseDecl& use = bound.uses[i];
+        if (use.used_in != kEveryCombination) return true;
+        if (bound.ports[i].valid_in != kEveryCombination && asks_for_validity(draft, use)) return true;
+    }
+    return false;
 }
 
 // Returns true if the port is one of those that are bound only in some combinations, and is not bound in
@@ -60,7 +72,7 @@ std::vector<PassVariant> variants_of(const Declared& declared, const VersionedGr
     std::vector<Inputs> inputs;
     for (Combination c = kCombinationCount; c-- > 0;) {
         if (!has_combination(runs_in, c)) continue;
-        const Inputs own = inputs_in(bound, c);
+        const Inputs own = inputs_in(draft, bound, c);
         const auto place = std::ranges::find(inputs, own) - inputs.begin();
         if (place == std::ssize(inputs)) {
             inputs.push_back(own);
@@ -88,7 +100,7 @@ ResolvedGraph make_variants(const Declared& declared, const VersionedGraph& vers
     if (reporter.has_errors()) return graph;
     for (PassId pass(0); pass < graph.passes.size(); ++pass) {
         PassDecl& decl = graph.passes[pass];
-        if (!depends_on_switches(versioned.passes[pass]) || !declared.expansion.passes[pass].shader) continue;
+        if (!depends_on_switches(declared.expansion.passes[pass], versioned.passes[pass])) continue;
         decl.variants = variants_of(declared, versioned, pass, reporter);
         decl.spec_values = decl.variants.front().spec_values;
         decl.params = decl.variants.front().params;
