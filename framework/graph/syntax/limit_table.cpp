@@ -31,8 +31,11 @@ constexpr std::array kTable{
              [](Limits& l) -> uint64_t& { return l.graph.string_bytes; }},
     LimitRow{"graph.nameBytes", "bytes", "length of a name, for example of a pass or resource", 1ull << 12,
              [](Limits& l) -> uint64_t& { return l.graph.name_bytes; }},
-    LimitRow{"graph.includeFiles", "", "number of files that a graph includes; each file counts once",
-             1ull << 10, [](Limits& l) -> uint64_t& { return l.graph.include_files; }},
+    LimitRow{
+        "graph.includeFiles", "",
+        "number of files that a graph includes; a file counts once for the graph, and once for each module "
+        "that it belongs to",
+        1ull << 10, [](Limits& l) -> uint64_t& { return l.graph.include_files; }},
     LimitRow{"graph.tiers", "", "number of tiers", 1ull << 10,
              [](Limits& l) -> uint64_t& { return l.graph.tiers; }},
     LimitRow{"graph.constants", "", "number of parameters, constants and sizes together", 1ull << 20,
