@@ -15,8 +15,8 @@ struct OutputFormat {
     Format format = Format::rgba8;
     // transfer_src: the program may copy or blit the image. shader_read_only: its fragment and compute
     // shaders may sample it. color_attachment: it may draw to it. present: it may present it, after a
-    // semaphore that the frame signals (vk::FrameSubmit::signals). After its use, the program leaves the
-    // image in this layout, except that the content and the layout of the image need not be kept.
+    // semaphore that the frame signals (vk::FrameSubmit::signals). The next frame waits for these uses, and
+    // discards the content. For another use, record a barrier before it, and a barrier back after it.
     Layout final_layout = Layout::transfer_src;
     // The usage flags with which the image was created; 0: all that the device supports for the format. For
     // an image of a swapchain, these are the flags of the swapchain.
