@@ -229,6 +229,16 @@ class LayerRewriter final : public ViewRewriter {
     bool is_in_main_ = false, is_in_block_ = false;
 };
 
+// A module can also declare the block without reading it.
+bool reads_view(std::span<const uint32_t> spirv) {
+    const Survey survey(spirv);
+    bool reads = false;
+    spirv::for_each_instruction(spirv, [&](const spirv::Instruction& at) {
+        reads = reads || (spirv::is_access_chain(at.opcode) && survey.views.contains(at.words[3]));
+    });
+    return reads;
+}
+
 }  // namespace
 
 bool can_select_view(std::span<const uint32_t> spirv) {
@@ -245,7 +255,7 @@ bool can_select_view(std::span<const uint32_t> spirv) {
 }
 
 std::vector<uint32_t> with_multiview(std::span<const uint32_t> spirv, ShaderStage stage, uint32_t views) {
-    if (Survey(spirv).views.empty()) return {spirv.begin(), spirv.end()};
+    if (!reads_view(spirv)) return {spirv.begin(), spirv.end()};
     return MultiviewRewriter(spirv, stage, views).run();
 }
 
