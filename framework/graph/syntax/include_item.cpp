@@ -10,11 +10,6 @@
 namespace weft {
 namespace {
 
-const std::vector<std::string>& item_keys() {
-    static const std::vector<std::string> keys{"file", "as", "with"};
-    return keys;
-}
-
 bool is_name(std::string_view text) {
     const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
@@ -92,9 +87,9 @@ class ItemReader {
     }
 
     void unknown_key(const JsonMember& member) {
-        const std::string near = did_you_mean_text(member.key, item_keys());
+        const std::string near = did_you_mean_text(member.key, include_keys());
         fail(member.key_loc, "W101", "unknown key \"" + member.key + "\" in an include",
-             near.empty() ? "allowed keys are " + quoted_list(item_keys()) : near);
+             near.empty() ? "allowed keys are " + quoted_list(include_keys()) : near);
     }
 
     void read_file(const JsonNode& node, IncludeItem& item) {
@@ -133,6 +128,11 @@ class ItemReader {
 };
 
 }  // namespace
+
+const std::vector<std::string>& include_keys() {
+    static const std::vector<std::string> keys{"file", "as", "with"};
+    return keys;
+}
 
 std::optional<IncludeItem> read_include_item(const JsonNode& item, const SourceMap& sources,
                                              Diagnostics& errors) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "weft/result.h"
 #include "weft/syntax/json_doc.h"
@@ -18,6 +19,9 @@ struct IncludeItem {
     SourceLoc as_loc;
     std::map<std::string, PortTarget> with;
 };
+
+// Returns the keys of an item that is an object.
+[[nodiscard]] const std::vector<std::string>& include_keys();
 
 // Returns nullopt after an error. Errors: W101 unknown key, W102 wrong type, W108 "file" or "as" is missing,
 // W126 the name of the file is not allowed, W239 "as" is not a name.
