@@ -106,7 +106,7 @@ class Generator : public RandomFeatures {
 RandomGraphOptions all_features() {
     RandomGraphOptions options;
     options.history = options.keep = options.queues = options.after = true;
-    options.chains = options.ranges = options.depth_input = options.layers = true;
+    options.chains = options.ranges = options.depth_input = options.layers = options.views = true;
     return options;
 }
 

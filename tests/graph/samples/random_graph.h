@@ -48,6 +48,8 @@ struct RandomGraphOptions {
     bool depth_input = false;
     // Adds groups of passes that draw on the same image and can share one rendering scope.
     bool layers = false;
+    // Adds passes that draw several views with multiview.
+    bool views = false;
 };
 
 // Returns options with all optional features enabled.
