@@ -69,7 +69,7 @@ vec4 corner(int i) { return view.matrix * view.more[i & 1]; }
 void main() { gl_Position = gl_VertexIndex > 2 ? corner(gl_VertexIndex) : vec4(0); }
 )");
     write("graph/a/a.frag",
-          block + "layout(location = 0) out vec4 color; void main() { color = frame.color; }\n");
+          "#version 460\nlayout(location = 0) out vec4 color; void main() { color = vec4(1); }\n");
     const ShaderProgram program = ShaderFolder::program("a", ProgramKind::raster);
     const ShaderProgram multiview = lowered(program, How::multiview), layers = lowered(program, How::layers);
     expect_valid_program(multiview);

@@ -136,7 +136,7 @@ void add_table(ResolvedGraph& graph, uint32_t seed) {
 RandomGraphOptions all_features() {
     RandomGraphOptions options;
     options.history = options.keep = options.queues = options.after = true;
-    options.chains = options.ranges = options.depth_input = options.layers = true;
+    options.chains = options.ranges = options.depth_input = options.layers = options.views = true;
     options.indirect = options.layer_arrays = true;
     return options;
 }

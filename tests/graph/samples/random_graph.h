@@ -55,6 +55,8 @@ struct RandomGraphOptions {
     bool indirect = false;
     // Adds passes that read the layers of an image as an array.
     bool layer_arrays = false;
+    // Adds passes that draw several views with multiview.
+    bool views = false;
 };
 
 // Returns options with all optional features enabled that can run on a device.

@@ -18,10 +18,10 @@ bool RandomFeatures::add_feature() {
                                          &RandomFeatures::divide_buffer});
     if (options_.depth_input) features.push_back(&RandomFeatures::test_against_input);
     if (options_.layers)
-        features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers,
-                                         &RandomFeatures::draw_views});
+        features.insert(features.end(), {&RandomFeatures::draw_layers, &RandomFeatures::draw_depth_layers});
     if (options_.indirect) features.push_back(&RandomFeatures::dispatch_indirectly);
     if (options_.layer_arrays) features.push_back(&RandomFeatures::gather_layers);
+    if (options_.views) features.push_back(&RandomFeatures::draw_views);
     if (features.empty() || !chance(24)) return false;
     (this->*features[below(static_cast<uint32_t>(features.size()))])();
     return true;
