@@ -225,6 +225,17 @@ TEST_P(Drivers, PassTheTestsOfTables) {
         << result.text();
 }
 
+// The packaged driver draws no multiview, and SwiftShader has no vertex shaders that select the layer.
+// Together they run each lowering of views.
+TEST_P(Drivers, PassTheTestsOfLoweredViews) {
+    const RunResult result =
+        run_program({WEFT_RENDER_TESTS, "--gtest_filter=Lowerings.*"}, environment(GetParam()));
+    EXPECT_EQ(result.exit_code, 0) << result.text();
+    const bool is_mesa = std::string(GetParam().folder) == kMesa.folder;
+    const std::string test = is_mesa ? "GiveTheSameBytesWithLayerOutput" : "GiveTheSameBytesWithMultiview";
+    EXPECT_NE(result.out.find("OK ] Lowerings." + test), std::string::npos) << result.text();
+}
+
 // Tests of drivers that round vertices and filter textures like the packaged driver.
 class DriversLikeThePackagedOne : public Drivers {};
 // Tests of drivers that round vertices or filter textures differently. They render modified graphs; see

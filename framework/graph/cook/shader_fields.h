@@ -15,7 +15,8 @@ void visit_fields(V& v, const BlockMember& x) {
 template <class V>
 void visit_fields(V& v, const ShaderBinding& x) {
     v("name", x.name), v("set", x.set), v("binding", x.binding), v("kind", x.kind), v("stages", x.stages);
-    v("count", x.count), v("isArray", x.is_array), v("dim", x.dim), v("arrayed", x.arrayed);
+    v("count", x.count), v("isArray", x.is_array), v("isRuntimeArray", x.is_runtime_array), v("dim", x.dim),
+        v("arrayed", x.arrayed);
     v("multisampled", x.multisampled), v("shadow", x.shadow), v("numeric", x.numeric),
         v("storageFormat", x.storage_format);
     v("reads", x.reads), v("writes", x.writes), v("blockBytes", x.block_bytes), v("members", x.members);
@@ -44,7 +45,7 @@ void visit_fields(V& v, const ShaderInterface& x) {
     v("specConstants", x.spec_constants), v("vertexInputs", x.vertex_inputs),
         v("fragmentOutputs", x.fragment_outputs), v("localSize", x.local_size);
     v("discards", x.discards), v("writesDepth", x.writes_depth), v("writesPointSize", x.writes_point_size),
-        v("statesLocalSize", x.states_local_size);
+        v("statesLocalSize", x.states_local_size), v("needsTextureTables", x.needs_texture_tables);
 }
 template <class V>
 void visit_fields(V& v, const ShaderModule& x) {

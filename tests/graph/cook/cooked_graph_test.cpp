@@ -17,6 +17,7 @@ ShaderCatalog made_up_shaders() {
     program.interface.stages = stage_bit(ShaderStage::compute);
     program.interface.local_size = {8, 4, 2};
     program.interface.discards = true;
+    program.interface.needs_texture_tables = true;
     BlockMember inner;
     inner.name = "weight";
     BlockMember outer;
@@ -28,6 +29,7 @@ ShaderCatalog made_up_shaders() {
     binding.binding = 3;
     binding.kind = BindingKind::storage_buffer;
     binding.members = {outer};
+    binding.is_runtime_array = true;
     program.interface.bindings = {binding};
     program.interface.frame_ranges = {{1, 2, 3}};
     program.interface.spec_constants = {{"TAPS", 4, ScalarType::i32, 5}};
@@ -64,6 +66,7 @@ TEST(CookedGraph, AllFieldsOfAShaderSurvive) {
     EXPECT_EQ(found.interface.frame_ranges, wanted.interface.frame_ranges);
     EXPECT_EQ(found.interface.local_size, wanted.interface.local_size);
     EXPECT_TRUE(found.interface.discards);
+    EXPECT_TRUE(found.interface.needs_texture_tables);
     EXPECT_EQ(found.interface.spec_constants.at(0).name, "TAPS");
     EXPECT_EQ(found.interface.spec_constants.at(0).default_bits, 5u);
     EXPECT_EQ(found.interface.vertex_inputs.at(0).components, 3);
