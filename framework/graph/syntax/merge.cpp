@@ -168,8 +168,9 @@ void set_params(JsonNode& root, const JsonNode& values, PatchLog& log) {
 // Keeps only the sections of a tier's patch that a tier may change. parse() reports any other section at its
 // place in the file.
 JsonNode known_sections(JsonNode patch) {
-    static constexpr std::array<std::string_view, 10> kSections{
-        "imports", "consts", "params", "sizes", "resources", "passes", "groups", "debug", "frames", "jitter"};
+    static constexpr std::array<std::string_view, 11> kSections{"imports",   "consts", "params", "sizes",
+                                                                "resources", "passes", "groups", "views",
+                                                                "debug",     "frames", "jitter"};
     std::erase_if(patch.members, [](const JsonMember& member) {
         return std::ranges::find(kSections, member.key) == kSections.end();
     });

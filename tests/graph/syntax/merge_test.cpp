@@ -1,3 +1,4 @@
+#include "graph/parse/grammar_tables.h"
 #include "tests/graph/samples/marked_graph.h"
 
 namespace weft::test {
@@ -47,6 +48,24 @@ TEST(Merge, ShorthandInGroupsBecomesObjects) {
               "{groups:{g:{resources:{raw:{format:r8}},"
               "passes:{p:{in:{raw:{ref:raw@q},low:{ref:g::low}},depth:{ref:z}}}}},"
               "tiers:{t:{patch:{groups:{g:{resources:{raw:{format:r16f}},passes:{p:{out:{b:{ref:b}}}}}}}}}}");
+}
+
+// The parser accepts these sections in the patch of a tier, so merge() must apply each of them.
+TEST(Merge, ATierChangesEachSectionThatItMayPatch) {
+    size_t sections = 0;
+    for (const GrammarTable& list : grammar_tables()) {
+        if (list.place != "patch") continue;
+        for (const std::string& section : list.words) {
+            const std::string text = R"({"tiers": {"low": {"patch": {")" + section + R"(": {"new": {}}}}}})";
+            Result<JsonDoc> document = read_text(text);
+            ASSERT_TRUE(document.ok());
+            const Result<JsonDoc> merged = merge(std::move(document).value(), "low");
+            ASSERT_TRUE(merged.ok()) << to_text(merged.errors());
+            EXPECT_NE(merged->root.find(section), nullptr) << section;
+            ++sections;
+        }
+    }
+    EXPECT_GE(sections, 11u);
 }
 
 TEST(Merge, WhatWasMovedKeepsItsPlace) {
