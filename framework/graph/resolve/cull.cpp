@@ -45,24 +45,25 @@ void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
 // writers of that resource are needed too, because they write the content in the previous frame.
 void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     const Rows<PassId> writers = ring_writers(graph);
+    const bool has_switches = !graph.switches.empty();
     std::vector<PassId> pending;
     pending.reserve(graph.passes.size());
     for (PassId id(0); id < graph.passes.size(); ++id)
         if (keep_all || is_root(graph, graph.passes[id])) keep(id, live, pending);
+    const auto keep_writer = [&](ResourceId resource, const VersionSource& version) {
+        if (version.producer != kNoId) return keep(version.producer, live, pending);
+        if (graph.resources[resource].ring == kNoId) return;
+        for (const PassId writer : writers[graph.resources[resource].ring]) keep(writer, live, pending);
+    };
     while (!pending.empty()) {
         const PassDecl& pass = graph.passes[pending.back()];
         pending.pop_back();
         for (const UseDecl& use : pass.uses) {
             live.live_resources[use.resource] = 1;
+            for (const VersionSource& source : use.sources) keep_writer(use.resource, source);
+            if (!has_switches) continue;
             // Readers of this use see the versions in `passes_on` while the pass is switched off.
-            for (const std::vector<VersionSource>* versions : {&use.sources, &use.passes_on})
-                for (const VersionSource& source : *versions) {
-                    if (source.producer != kNoId)
-                        keep(source.producer, live, pending);
-                    else if (graph.resources[use.resource].ring != kNoId)
-                        for (const PassId writer : writers[graph.resources[use.resource].ring])
-                            keep(writer, live, pending);
-                }
+            for (const VersionSource& version : use.passes_on) keep_writer(use.resource, version);
         }
     }
 }
