@@ -85,8 +85,8 @@ END
 
 show dof dof "Depth of field" "A fountain in focus before a court at night; lamps become discs of light" --time 22 <<'END'
 At half resolution, the picture is split into a layer of surfaces behind the focus and a layer of surfaces in front of
-it. Before a layer is filtered, each colour is multiplied by its share of blur (Liu 2016, "Rendering 'Monster Hunter
-Online'"). Sharp parts of the picture have the share 0, so a bright edge in focus causes no halo on the surfaces behind
+it. Before a layer is filtered, each colour is multiplied by a weight from 0 (sharp) to 1 (blurred) (Liu 2016, "Rendering 'Monster Hunter
+Online'"). Sharp parts of the picture have the weight 0, so a bright edge in focus causes no halo on the surfaces behind
 it. Colours that a blurred leaf hides are estimated from the surroundings of the leaf. The blur reads every pixel in its
 range without filtering, so each lamp becomes a uniform disc of its own size. The result is blended over the picture
 with premultiplied alpha.

@@ -37,7 +37,7 @@ class SwitchedPass {
         if (pass_.switch_id >= graph_.switches.size() || (pass_.runs_in != on && pass_.runs_in != off))
             fault(pass_.loc, "runs in other frames than its switch says");
         if (pass_.rest_unit != kNoId || pass_.frame_slices != 0)
-            fault(pass_.loc, "has a switch, and also runs in some frames only for another reason");
+            fault(pass_.loc, "has a switch, but it is also a pass with rest, perFrame or a group");
     }
 
     void check_variants() {

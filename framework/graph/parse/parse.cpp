@@ -55,7 +55,7 @@ void read_consts(ParseContext& context, const JsonNode& node, GraphDesc& graph) 
     });
 }
 
-// A live size: an object with the size and its scale.
+// A size whose scale can change in each frame. In JSON, it is an object with the keys "size" and "scale".
 struct LiveSizeDraft {
     Expr size;
     SizeScaleDesc scale;

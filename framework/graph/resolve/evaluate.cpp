@@ -187,8 +187,9 @@ class NamedEvaluator {
     std::optional<ExprValue> evaluate_number_or_size(const std::string& name, const Expr& expression) {
         const std::optional<ExprValue> value = evaluator_.value(expression);
         if (!value || !value->is_size || !graph_.consts.contains(name)) return value;
-        Diagnostic& d =
-            reporter_.error(expression.loc, "W106", "constant " + quote(name) + " is a size, not a number");
+        Diagnostic& d = reporter_.error(
+            expression.loc, "W106",
+            "constant " + quote(name) + " is a size (width and height), but must be a number");
         add_help(d, "use .x or .y of the size, or move the constant to \"sizes\"");
         return std::nullopt;
     }

@@ -82,7 +82,9 @@ std::optional<double> Evaluator::number(const Expr& expression, const std::strin
         report(std::move(fault));
         return std::nullopt;
     };
-    if (found->is_size) return refuse("W106", " is a size, not a number", "use .x or .y of the size");
+    if (found->is_size)
+        return refuse("W106", " is a size (width and height), but must be a number",
+                      "use .x or .y of the size");
     const bool fits = found->x >= least && found->x <= most && (!whole || found->x == std::floor(found->x));
     if (fits) return found->x;
     std::string fault = ", but must be a whole number";

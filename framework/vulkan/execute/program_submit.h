@@ -14,7 +14,8 @@ namespace weft::vk {
 [[nodiscard]] Status check_submit(const FramePlan& plan, const FrameSubmit& submit);
 
 // Returns, for each wait, the batch that waits for the semaphore; kNoId: all batches of the frame. `empty`
-// tells which batches are not submitted (index: batch; 1: not submitted); an empty list means that all are.
+// tells which batches are not submitted (index: batch; 1: not submitted); an empty list means that all
+// batches are submitted.
 [[nodiscard]] std::vector<uint32_t> waiting_batches(const FramePlan& plan,
                                                     const std::vector<SemaphoreWait>& waits,
                                                     const std::vector<uint8_t>& empty);

@@ -251,7 +251,7 @@ class ReferenceBinder {
                    std::vector<BoundPort>& ports) {
         const CombinationSet runs_in = declared_.expansion.passes[pass].decl.runs_in;
         bool found = false;    // True: a pass of the graph writes one of the references.
-        bool depends = false;  // True: the port is read only in some combinations of the switches.
+        bool depends = false;  // True: which reference the port reads depends on the switches.
         CombinationSet missing = kEveryCombination;  // The combinations in which the port has no use yet.
         for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {
             if (!ref) break;

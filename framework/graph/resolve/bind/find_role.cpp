@@ -64,8 +64,8 @@ ResourceId RoleFinder::find(PassId pass, const RefDesc& ref, ResourceId resource
         Diagnostic& d = report_.error(
             pass, ref.loc, "W122",
             quote(ref.text) + " names a pass with @, but only the last version of an earlier frame is kept");
-        add_help(d, "write " + quote(role_name(ref.name, ref.history)) +
-                        ", or copy that version to another resource with a history");
+        add_help(d, "read " + quote(role_name(ref.name, ref.history)) +
+                        " without a pin, or copy the version to another resource that has a history");
         return kNoId;
     }
     const bool keeps = declared_.shapes.origins[resource].desc->keep != KeepMode::none;

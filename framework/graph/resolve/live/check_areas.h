@@ -6,7 +6,8 @@
 
 namespace weft {
 
-// Checks that an image with a live size needs no content of frames with another area, and has no cube faces.
+// Checks the declaration of an image with a live size. It cannot keep content from earlier frames, because
+// their area can differ, and it cannot have cube faces.
 void check_live_image(const ResourceDecl& image, const ResourceDesc& desc, Reporter& reporter);
 // Checks that the attachments of a pass have the same area, and so do source and target of a copy. Checks
 // that a blit reads only the area, and that the pass writes the whole area in the frame in which the area

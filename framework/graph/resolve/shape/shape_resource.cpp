@@ -88,9 +88,9 @@ class ResourceShaper {
             return std::nullopt;
         }
         is_suspect_ = 1;
-        Diagnostic& d =
-            reporter_.error(expression.loc, "W106",
-                            std::string(what) + " of " + quote(desc_.name) + " is a size, not a number");
+        Diagnostic& d = reporter_.error(expression.loc, "W106",
+                                        std::string(what) + " of " + quote(desc_.name) +
+                                            " is a size (width and height), but must be a number");
         add_help(d, "use .x or .y of the size, or their product");
         return std::nullopt;
     }

@@ -203,7 +203,7 @@ class RestUnitFinder {
         if (!is_new(cell, reader.pass, reader.pass)) return;
         Diagnostic& d = error(reader.pass, use(reader).loc,
                               rest_reason(reader.pass) + ", but its result depends on " + what(cell) +
-                                  ", which other rounds of the group write");
+                                  ", which other rounds of the group overwrite");
         add_help(d,
                  "add \"wakes\": false to the port, if a round need not run again when other rounds have "
                  "run; or remove \"rest\" from the group");
