@@ -19,7 +19,9 @@ std::unique_ptr<SwapParts> keep_running(const Selection& selection, StageFingerp
 
 RunningGraph::RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports)
     : loader_(device.profile(), input.load, *input.passes, std::move(imports)),
-      selection_{input.request, input.output} {}
+      selection_{input.request, input.output, {}} {
+    for (const auto& [name, own] : input.imports) selection_.imports.emplace(name, own.object);
+}
 
 Status RunningGraph::load_first(const ParsedGraph* parsed, Diagnostics& warnings) {
     Result<LoadedVersion> loaded = loader_.load(selection_.request, parsed, 0, warnings, first_files_);
@@ -49,9 +51,10 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     Diagnostics warnings;
     std::set<std::filesystem::path> files;
     StageFingerprint now = running();
-    // For another output image, the stage must be made again. This needs the graph. If `known` is 0, load()
-    // returns the graph even if no file has changed.
-    const uint64_t known = now.output == selection.output ? now.load : 0;
+    // For another output image or import, the stage must be made again. This needs the graph. If `known` is 0,
+    // load() returns the graph even if no file has changed.
+    const bool same_objects = now.output == selection.output && now.imports == selection.imports;
+    const uint64_t known = same_objects ? now.load : 0;
     Result<LoadedVersion> loaded = loader_.load(selection.request, nullptr, known, warnings, files);
     if (!loaded) return {loaded.take_errors(), std::move(warnings), std::move(files)};
     if (!loaded->graph) {
@@ -74,10 +77,7 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     return {PendingSwap(std::move(*next)), std::move(warnings), std::move(files)};
 }
 
-Result<PendingSwap> RunningGraph::prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings) {
-    Selection selection = selection_;
-    selection.request.size = size;
-    selection.output = output;
+Result<PendingSwap> RunningGraph::prepare_loaded(const Selection& selection, Diagnostics& warnings) {
     Result<ResolvedGraph> graph = loader_.resolve_again(loaded_, selection.request, warnings);
     if (!graph) return graph.take_errors();
     Result<std::unique_ptr<SwapParts>> next = maker_->make(selection, loaded_.shaders, *graph, running());

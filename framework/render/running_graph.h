@@ -27,7 +27,8 @@ class RunningGraph {
 
     // Prepares the replacement of the running graph by the selected graph, as Session::prepare() describes.
     [[nodiscard]] PrepareResult prepare(const Selection& selection);
-    [[nodiscard]] Result<PendingSwap> prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings);
+    // Prepares the loaded graph, without reading its files again, for another size or for other imports.
+    [[nodiscard]] Result<PendingSwap> prepare_loaded(const Selection& selection, Diagnostics& warnings);
     // True if `next` was prepared to replace the graph that runs now. False if another replacement came
     // first.
     [[nodiscard]] bool is_next(const SwapParts& next) const;

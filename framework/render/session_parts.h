@@ -10,6 +10,7 @@
 namespace weft::render {
 
 struct SessionParts {
+    vk::Device& device;
     DrawnScene scene;
     std::unique_ptr<RunningGraph> graph;
     // Declared last, so that it is destroyed first: frames in flight use the scene.

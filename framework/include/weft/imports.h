@@ -41,6 +41,8 @@ struct ImportDecl {
     // For buffers and images: format, extent or size, and import states. The lifetime is `imported`.
     ResourceDecl resource;
     bool read_only = false;  // True: passes must not write the buffer or image (W147).
+    // True: the program uses what a frame writes, so the passes that write the buffer or image always run.
+    bool observed = false;
     // The members from `variants` to `draws` describe a draw list.
     std::vector<DrawVariant> variants;
     VertexFormat vertex_format;

@@ -4,6 +4,7 @@
 
 #include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
+#include "vulkan/record/draw_targets.h"
 
 namespace weft::vk {
 namespace {
@@ -119,6 +120,7 @@ uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const Pre
     draws.culls_draws = pass.culls_draws;
     draws.depth_clamp = pass.state.depth_clamp;
     draws.frame_ranges = prepared.frame_ranges;
+    draws.targets = draw_targets(context.objects.plan.graph, pass);
     return context.objects.draws->record(draws);
 }
 

@@ -58,6 +58,7 @@ class ResourceShaper {
         decl_.pre_exposed = desc_.pre_exposed;
         if (desc_.clear) decl_.clear = evaluator_.color(*desc_.clear);
         if (!desc_.file.name.empty() && !import_file()) return;
+        if (input_.request.exports.contains(desc_.name)) export_to_program();
         if (desc_.is_buffer) {
             shape_buffer();
         } else {
@@ -124,6 +125,26 @@ class ResourceShaper {
         if (!desc_.file.path.empty()) return true;
         report_missing();
         return false;
+    }
+
+    // Gives the resource an object of its own, which the program uses between frames. Its states follow from
+    // its format: set_export_states().
+    void export_to_program() {
+        const char* kept = decl_.history > 0                       ? "\"history\""
+                           : has_file()                            ? "\"file\""
+                           : decl_.lifetime == ResourceLifetime::persistent ? "\"keep\", or its group keeps it"
+                                                                   : nullptr;
+        if (kept == nullptr) {
+            decl_.lifetime = ResourceLifetime::imported;
+            decl_.import = ImportState{{}, {}, 0, true};
+            decl_.usage |= usage_of(input_.request.exports.at(desc_.name).access);
+            return;
+        }
+        is_suspect_ = 1;
+        add_help(reporter_.error(desc_.loc, "W243",
+                                 "the program exports " + quote(desc_.name) +
+                                     ", which lives longer than a frame: it has " + kept),
+                 "copy it to another resource with a pass of type \"copy\", and export that resource");
     }
 
     void report_missing() {

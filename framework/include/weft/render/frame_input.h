@@ -1,10 +1,11 @@
 // Purpose: the values that a program may change from frame to frame. Parameters of the graph are not among
-// them: to change a parameter, swap the plan (Session::prepare()). Units: seconds; exposure in EV (radiance
-// is stored multiplied by 2^EV).
+// them: to change a parameter, swap the plan (Session::prepare()). Units: metres, seconds; exposure in EV
+// (radiance is stored multiplied by 2^EV).
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,18 @@ struct ViewInput {
 // Views by the name of an import of kind "views".
 using ViewLists = std::map<std::string, std::vector<ViewInput>, std::less<>>;
 
+// The number of a part of the scene that Session::add_part() has added. The scene with which the session was
+// created is the part kFirstPart.
+using PartId = uint64_t;
+inline constexpr PartId kFirstPart = 0;
+
+// A new transform of an instance. It stays until the next new transform.
+struct InstanceTransform {
+    uint32_t instance = 0;  // Index into Scene::instances of the part.
+    glm::mat4 transform{1};  // From object space to world space.
+    PartId part = kFirstPart;
+};
+
 struct FrameInput {
     // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
@@ -34,6 +47,15 @@ struct FrameInput {
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
+    // The lights of this frame; they replace the lights of the scene. Their `node` is ignored. The graph's
+    // buffer of lights has a fixed size: further lights are left out. Absent: the lights of the scene.
+    std::optional<std::vector<scene::Light>> lights = {};
+    // The instances that move in this frame. The part must have been made with `moves_instances`, and the
+    // instance must not follow a node. Error: W244.
+    std::vector<InstanceTransform> transforms = {};
+    // Versions of the contents of the program's own imports, by name. Give an import a new number whenever
+    // its content changes. Passes with "rest" that read an import without a version run in every frame.
+    std::map<std::string, uint64_t, std::less<>> import_versions = {};
 };
 
 }  // namespace weft::render
