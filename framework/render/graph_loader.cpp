@@ -114,6 +114,17 @@ Result<ResolvedGraph> GraphLoader::resolve_again(const LoadedGraph& loaded, cons
                                warnings);
 }
 
+std::optional<ResolvedGraph> GraphLoader::with_values(const LoadedGraph& loaded, const GraphRequest& from,
+                                                      const GraphRequest& to) const {
+    const ImportCatalog imports = imports_at(to.size);
+    return weft::change_values(loaded, from,
+                               {.request = to,
+                                .settings = settings_,
+                                .passes = passes_,
+                                .imports = imports,
+                                .profile = profile_});
+}
+
 ImportCatalog GraphLoader::imports_at(Extent3D size) const {
     ImportCatalog imports = imports_;
     imports.imports.at("backbuffer").resource.extent = size;

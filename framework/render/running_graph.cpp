@@ -1,6 +1,9 @@
 #include "render/running_graph.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "weft/compile.h"
 
 namespace weft::render {
 namespace {
@@ -13,6 +16,32 @@ std::unique_ptr<SwapParts> keep_running(const Selection& selection, StageFingerp
     next->rebuilt.shaders = static_cast<uint32_t>(running.programs.size());
     next->fingerprint = std::move(running);
     return next;
+}
+
+Diagnostic cannot_set(const ResolvedGraph& graph, const std::string& name) {
+    const auto param = std::ranges::find(graph.params, name, &GraphParam::name);
+    Diagnostic d;
+    d.code = "W242";
+    if (param == graph.params.end()) {
+        d.message = "FrameInput::parameters sets \"" + name + "\", which is no parameter of the graph";
+        std::vector<std::string> names;
+        for (const GraphParam& known : graph.params) names.push_back(known.name);
+        if (const std::string near = did_you_mean_text(name, names); !near.empty()) d.help = {near};
+    } else {
+        d.message = "FrameInput::parameters sets \"" + name + "\", but a change of this parameter needs new " +
+                    (param->cost == ParamCost::pipeline ? "pipelines" : "objects: it changes the plan");
+        d.help = {"give the value in Selection::request.params to Session::prepare(), and swap the result in"};
+    }
+    return d;
+}
+
+Diagnostic cannot_have(const ResolvedGraph& graph, const ParameterValues& values) {
+    Diagnostic d;
+    d.code = "W242";
+    d.message = "FrameInput::parameters has a value that the graph does not allow:";
+    for (const auto& [name, value] : values) d.message += " " + name + " = " + std::to_string(value);
+    d.help = {"choose values in the ranges that \"params\" of graph \"" + graph.name + "\" gives"};
+    return d;
 }
 
 }  // namespace
@@ -84,6 +113,28 @@ Result<PendingSwap> RunningGraph::prepare_loaded(const Selection& selection, Dia
     if (!next) return next.take_errors();
     (*next)->resolved = std::move(*graph);
     return PendingSwap(std::move(*next));
+}
+
+Result<std::unique_ptr<vk::Amendment>> RunningGraph::set_parameters(const ParameterValues& values) {
+    bool changed = false;
+    for (const auto& [name, value] : values) {
+        const auto param = std::ranges::find(loaded_.graph.params, name, &GraphParam::name);
+        if (param == loaded_.graph.params.end() || param->cost > ParamCost::live)
+            return cannot_set(loaded_.graph, name);
+        changed |= param->value != value;
+    }
+    if (!changed) return std::unique_ptr<vk::Amendment>();
+    // The values of the running graph may differ from those of the selection.
+    GraphRequest from = selection_.request;
+    for (const GraphParam& param : loaded_.graph.params) from.params[param.name] = param.value;
+    GraphRequest to = from;
+    for (const auto& [name, value] : values) to.params[name] = value;
+    std::optional<ResolvedGraph> graph = loader_.with_values(loaded_, from, to);
+    if (!graph) return cannot_have(loaded_.graph, values);
+    loaded_.graph = *graph;
+    const std::lock_guard lock(fingerprint_mutex_);
+    fingerprint_.values_hash = values_hash(*graph);
+    return vk::Executor::make_amendment(std::move(*graph));
 }
 
 void RunningGraph::note_same(const SwapParts& next) {

@@ -173,6 +173,9 @@ Status Session::remove_part(PartId part) {
 }
 
 Status Session::render_frame(const FrameInput& input) {
+    Result<std::unique_ptr<vk::Amendment>> values = parts_->graph->set_parameters(input.parameters);
+    if (!values) return values.take_errors();
+    if (*values) parts_->frames.amend(std::move(*values));
     return parts_->frames.render(input, parts_->scene);
 }
 

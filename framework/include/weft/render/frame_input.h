@@ -1,6 +1,6 @@
-// Purpose: the values that a program may change from frame to frame. Parameters of the graph are not among
-// them: to change a parameter, swap the plan (Session::prepare()). Units: metres, seconds; exposure in EV
-// (radiance is stored multiplied by 2^EV).
+// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only those
+// are among them whose change needs no new plan: to change another one, swap the plan (Session::prepare()).
+// Units: metres, seconds; exposure in EV (radiance is stored multiplied by 2^EV).
 #pragma once
 
 #include <cstdint>
@@ -35,6 +35,9 @@ struct InstanceTransform {
     PartId part = kFirstPart;
 };
 
+// Values of the graph's parameters by name.
+using ParameterValues = std::map<std::string, double, std::less<>>;
+
 struct FrameInput {
     // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
@@ -47,6 +50,9 @@ struct FrameInput {
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
+    // Values of parameters of cost `live`, as `weft plan` lists them. They stay until the next new value, or
+    // until another graph is swapped in. A change needs no new plan and no Vulkan object. Error: W242.
+    ParameterValues parameters = {};
     // The lights of this frame; they replace the lights of the scene. Their `node` is ignored. The graph's
     // buffer of lights has a fixed size: further lights are left out. Absent: the lights of the scene.
     std::optional<std::vector<scene::Light>> lights = {};
