@@ -36,10 +36,9 @@ Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& sc
     drawn.gpu_ = std::move(*gpu);
     drawn.scene_lights_ = scene.lights;
     drawn.light_functions_ = scene.light_functions.size();
-    drawn.lights_move_ = std::ranges::any_of(
-        scene.lights, [](const scene::Light& light) {
-            return light.path.turns_per_s != 0 || light.node != scene::kNone;
-        });
+    drawn.lights_move_ = std::ranges::any_of(scene.lights, [](const scene::Light& light) {
+        return light.path.turns_per_s != 0 || light.node != scene::kNone;
+    });
     drawn.lights_ = gpu_lights(scene.lights, 0, scene.light_functions.size());
     drawn.constants_ = scene_constants(scene);
     return drawn;

@@ -133,16 +133,15 @@ std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std:
 
 // Makes the buffers for GpuGeometry::instances.
 Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene::Scene& scene,
-                                                 const std::vector<MeshRange>& ranges,
-                                                 vk::Uploader& uploader, bool moves_instances) {
+                                                 const std::vector<MeshRange>& ranges, vk::Uploader& uploader,
+                                                 bool moves_instances) {
     constexpr VkBufferUsageFlags kStorage =
         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     std::vector<vk::Buffer> buffers;
     std::vector<shared::Instance> placed = instances_of(scene, ranges);
-    const bool moves =
-        moves_instances || std::ranges::any_of(scene.instances, [](const scene::Instance& i) {
-            return i.node != scene::kNone;
-        });
+    const bool moves = moves_instances || std::ranges::any_of(scene.instances, [](const scene::Instance& i) {
+                           return i.node != scene::kNone;
+                       });
     if (!moves || placed.empty()) {
         Result<vk::Buffer> buffer = filled(device, uploader, std::move(placed), kStorage, "scene instances");
         if (!buffer) return buffer.take_errors();
@@ -151,8 +150,8 @@ Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene
     }
     const std::span<const std::byte> bytes = std::as_bytes(std::span(placed));
     for (uint32_t slot = 0; slot < vk::kFramesInFlight; ++slot) {
-        Result<vk::Buffer> buffer = vk::Buffer::create(device, bytes.size(), kStorage,
-                                                       vk::Buffer::Memory::upload, "scene instances");
+        Result<vk::Buffer> buffer =
+            vk::Buffer::create(device, bytes.size(), kStorage, vk::Buffer::Memory::upload, "scene instances");
         if (!buffer) return buffer.take_errors();
         std::ranges::copy(bytes, buffer->mapped().begin());
         buffers.push_back(std::move(*buffer));
@@ -171,17 +170,21 @@ Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& 
     constexpr VkBufferUsageFlags kVertices = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                                  kIndices = VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
                                  kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    Result<vk::Buffer> positions = filled(device, uploader, positions_of(scene), kVertices, "scene positions");
+    Result<vk::Buffer> positions =
+        filled(device, uploader, positions_of(scene), kVertices, "scene positions");
     if (!positions) return positions.take_errors();
-    Result<vk::Buffer> attributes = filled(device, uploader, attributes_of(scene), kVertices, "scene attributes");
+    Result<vk::Buffer> attributes =
+        filled(device, uploader, attributes_of(scene), kVertices, "scene attributes");
     if (!attributes) return attributes.take_errors();
     Result<vk::Buffer> indices = filled(device, uploader, indices_of(scene), kIndices, "scene indices");
     if (!indices) return indices.take_errors();
-    Result<std::vector<vk::Buffer>> instances = instance_buffers(device, scene, geometry.meshes, uploader, moves_instances);
+    Result<std::vector<vk::Buffer>> instances =
+        instance_buffers(device, scene, geometry.meshes, uploader, moves_instances);
     if (!instances) return instances.take_errors();
     Result<vk::Buffer> colors = filled(device, uploader, colors_of(scene), kStorage, "scene vertex colours");
     if (!colors) return colors.take_errors();
-    Result<vk::Buffer> second_uvs = filled(device, uploader, second_uvs_of(scene), kStorage, "scene second uvs");
+    Result<vk::Buffer> second_uvs =
+        filled(device, uploader, second_uvs_of(scene), kStorage, "scene second uvs");
     if (!second_uvs) return second_uvs.take_errors();
     geometry.positions = std::move(*positions);
     geometry.attributes = std::move(*attributes);

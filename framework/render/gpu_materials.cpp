@@ -37,7 +37,8 @@ Result<vk::Image> uploaded(vk::Device& device, vk::Uploader& uploader, const sce
 
 Result<vk::Image> single_texel(vk::Device& device, vk::Uploader& uploader, const char* name,
                                std::vector<uint8_t> rgba) {
-    return uploaded(device, uploader, scene::Texture{name, 1, 1, scene::ColorSpace::linear, {std::move(rgba)}});
+    return uploaded(device, uploader,
+                    scene::Texture{name, 1, 1, scene::ColorSpace::linear, {std::move(rgba)}});
 }
 
 VkSamplerAddressMode address_mode(scene::Wrap wrap) {
@@ -58,8 +59,8 @@ VkFilter filter(scene::Filter f) {
 
 }  // namespace
 
-Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene,
-                                          scene::Scene* owned, vk::Uploader& uploader) {
+Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene, scene::Scene* owned,
+                                          vk::Uploader& uploader) {
     GpuMaterials materials;
     Result<DescriptorSets> sets = DescriptorSets::create(
         device, layout_bindings(2), static_cast<uint32_t>(scene.materials.size()), "materials");
@@ -88,8 +89,7 @@ Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& sce
     return Unit{};
 }
 
-Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& scene,
-                                      vk::Uploader& uploader) {
+Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& scene, vk::Uploader& uploader) {
     // The constants of each material start at a multiple of 256 bytes. 256 is the largest
     // minUniformBufferOffsetAlignment that Vulkan allows.
     constants_stride_bytes_ = (sizeof(shared::Material) + 255) / 256 * 256;

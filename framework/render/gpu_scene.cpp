@@ -25,8 +25,8 @@ DrawRun whole_run(const GpuPart& part, const PartDrawList& list, bool has_comman
 Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const scene::Scene& scene,
                                                    const SceneSettings& settings, scene::Scene* owned) {
     std::unique_ptr<GpuScene> gpu(new GpuScene);
-    // GpuFrame must be created before the first part: GpuFrame reads the textures that lights project, and the
-    // part may free them.
+    // GpuFrame must be created before the first part: GpuFrame reads the textures that lights project, and
+    // the part may free them.
     Result<GpuFrame> frame = GpuFrame::create(device, scene);
     if (!frame) return frame.take_errors();
     vk::ImmediateUploader uploader(device);
@@ -64,8 +64,8 @@ Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
     if (Status written = frame_.write(slot, frame, sun, views); !written) return written;
     views_.clear();
     for (const FrameView& view : views)
-        views_.emplace(view.name, ViewShape{view.mirrored, view.constants.view_projection,
-                                            frustum_of(view.constants)});
+        views_.emplace(view.name,
+                       ViewShape{view.mirrored, view.constants.view_projection, frustum_of(view.constants)});
     sort_transparent(views.front().constants.eye);
     return Unit{};
 }
@@ -102,8 +102,8 @@ Status GpuScene::upload_commands(vk::Device& device) {
         std::vector<shared::DrawCommand> commands;
         if (const PartDrawList* draws = first().list(list))
             for (const PartDraw& draw : draws->draws)
-                commands.push_back(
-                    {draw.mesh.index_count, 1, draw.mesh.first_index, draw.mesh.vertex_offset, draw.instance});
+                commands.push_back({draw.mesh.index_count, 1, draw.mesh.first_index, draw.mesh.vertex_offset,
+                                    draw.instance});
         // Vulkan has no empty buffers, so an empty list gets one unused command.
         if (commands.empty()) commands.emplace_back();
         const std::span<const std::byte> bytes = std::as_bytes(std::span(commands));
@@ -181,8 +181,8 @@ uint32_t GpuScene::record(const vk::DrawContext& context) const {
         if (is_first && context.draw_count != VK_NULL_HANDLE)
             recorder.record_counted(part);
         else
-            left_out += recorder.record(
-                whole_run(part, *list, is_first && context.draw_commands != VK_NULL_HANDLE));
+            left_out +=
+                recorder.record(whole_run(part, *list, is_first && context.draw_commands != VK_NULL_HANDLE));
     });
     return left_out;
 }

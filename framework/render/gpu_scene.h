@@ -22,7 +22,7 @@
 
 namespace weft::render {
 
-// What the program adds to a scene.
+// The settings with which a program makes a scene.
 struct SceneSettings {
     OwnDrawLists draw_lists;
     OwnDrawSets draw_sets;
@@ -96,8 +96,8 @@ class GpuScene final : public vk::DrawSource {
     SceneBuffers buffers_;
     SceneSettings settings_;
     uint64_t objects_version_ = 0;  // Changes whenever an object of the first part has moved.
-    // Indices into the transparent lists of the parts, from far to near as seen from the camera. Neighbours of
-    // the same part form a run.
+    // Indices into the transparent lists of the parts, from far to near as seen from the camera. Neighbours
+    // of the same part form a run.
     std::vector<uint32_t> far_to_near_;
     std::vector<SortedRun> sorted_runs_;
     // The views of the frame, by name.

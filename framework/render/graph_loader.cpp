@@ -117,12 +117,9 @@ Result<ResolvedGraph> GraphLoader::resolve_again(const LoadedGraph& loaded, cons
 std::optional<ResolvedGraph> GraphLoader::with_values(const LoadedGraph& loaded, const GraphRequest& from,
                                                       const GraphRequest& to) const {
     const ImportCatalog imports = imports_at(to.size);
-    return weft::change_values(loaded, from,
-                               {.request = to,
-                                .settings = settings_,
-                                .passes = passes_,
-                                .imports = imports,
-                                .profile = profile_});
+    return weft::change_values(
+        loaded, from,
+        {.request = to, .settings = settings_, .passes = passes_, .imports = imports, .profile = profile_});
 }
 
 ImportCatalog GraphLoader::imports_at(Extent3D size) const {

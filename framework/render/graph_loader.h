@@ -58,7 +58,8 @@ class GraphLoader {
 
     // Returns the loaded graph with other values of parameters, whose change must cost at most
     // ParamCost::live. `from` and `to` differ only in these values. Returns nullopt if a value has an error.
-    [[nodiscard]] std::optional<ResolvedGraph> with_values(const LoadedGraph& loaded, const GraphRequest& from,
+    [[nodiscard]] std::optional<ResolvedGraph> with_values(const LoadedGraph& loaded,
+                                                           const GraphRequest& from,
                                                            const GraphRequest& to) const;
 
     [[nodiscard]] const LoadSettings& settings() const { return settings_; }

@@ -52,7 +52,7 @@ struct StageFingerprint {
     std::map<std::string, Program, std::less<>> programs;
     std::map<std::string, uint64_t> files;  // Hashes of the contents of files, by the name of the resource.
     VkImage output = VK_NULL_HANDLE;
-    ImportObjects imports;  // The objects of the program's own imports.
+    ImportObjects imports;   // The objects of the program's own imports.
     uint32_t pipelines = 0;  // Number of pipelines of the stage.
     // LoadedVersion::number of the load that made the graph; 0 if the graph was resolved again later, for
     // another size (see Session::resize()).

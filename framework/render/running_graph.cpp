@@ -28,9 +28,11 @@ Diagnostic cannot_set(const ResolvedGraph& graph, const std::string& name) {
         for (const GraphParam& known : graph.params) names.push_back(known.name);
         if (const std::string near = did_you_mean_text(name, names); !near.empty()) d.help = {near};
     } else {
-        d.message = "FrameInput::parameters sets \"" + name + "\", but a change of this parameter needs new " +
+        d.message = "FrameInput::parameters sets \"" + name +
+                    "\", but a change of this parameter needs new " +
                     (param->cost == ParamCost::pipeline ? "pipelines" : "objects: it changes the plan");
-        d.help = {"give the value in Selection::request.params to Session::prepare(), and swap the result in"};
+        d.help = {
+            "give the value in Selection::request.params to Session::prepare(), and swap the result in"};
     }
     return d;
 }
@@ -80,8 +82,8 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     Diagnostics warnings;
     std::set<std::filesystem::path> files;
     StageFingerprint now = running();
-    // For another output image or import, the stage must be made again. This needs the graph. If `known` is 0,
-    // load() returns the graph even if no file has changed.
+    // For another output image or import, the stage must be made again. This needs the graph. If `known` is
+    // 0, load() returns the graph even if no file has changed.
     const bool same_objects = now.output == selection.output && now.imports == selection.imports;
     const uint64_t known = same_objects ? now.load : 0;
     Result<LoadedVersion> loaded = loader_.load(selection.request, nullptr, known, warnings, files);

@@ -71,8 +71,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
     if (!loaded) return loaded.errors();
-    Result<DrawnScene> drawn = DrawnScene::create(
-        device, scene, {input.draw_lists, input.draw_sets, input.moves_instances}, owned);
+    Result<DrawnScene> drawn =
+        DrawnScene::create(device, scene, {input.draw_lists, input.draw_sets, input.moves_instances}, owned);
     if (!drawn) return drawn.take_errors();
     Result<PendingSwap> first = graph->start(device, drawn->gpu(), StageSettings(input));
     if (!first) return first.take_errors();

@@ -48,8 +48,9 @@ Diagnostics find_missing_features(const vk::Device& device, const FramePlan& pla
 Result<ExportObject> make_export(vk::Device& device, const ResourceDecl& decl) {
     ExportObject object;
     if (decl.kind == ResourceKind::buffer) {
-        Result<vk::Buffer> buffer = vk::Buffer::create(device, decl.size_bytes, vk::buffer_create_info(decl).usage,
-                                                       vk::Buffer::Memory::device, decl.name);
+        Result<vk::Buffer> buffer =
+            vk::Buffer::create(device, decl.size_bytes, vk::buffer_create_info(decl).usage,
+                               vk::Buffer::Memory::device, decl.name);
         if (!buffer) return buffer.take_errors();
         object.buffer = std::move(*buffer);
     } else {

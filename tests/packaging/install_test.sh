@@ -88,11 +88,31 @@ compare_sample() {
     fail "the embedding sample draws another picture"
 }
 
+# Builds the other samples with the flags of pkg-config. This takes long, so it is part of the extended tests.
+build_other_samples_with_pkg_config() {
+  local sample folder=$source/docs/examples/embedding
+  for sample in moving own_meshes; do
+    # shellcheck disable=SC2046,SC2086  # flags are words
+    "${CXX:-g++}" -std=c++20 ${CXXFLAGS:-} -I"$folder" -DWEFT_DATA_DIR="\"$installed/share/weft\"" \
+      "$folder/$sample/main.cpp" "$folder/sample.cpp" "$folder/own_device.cpp" \
+      $(PKG_CONFIG_PATH="$installed/lib/pkgconfig" pkg-config --cflags --libs weft vulkan) -o "$scratch/$sample" ||
+      fail "the sample $sample doesn't build with what pkg-config says"
+  done
+}
+
+# Runs the other samples under the validation layer. Each checks its own picture.
+run_other_samples() {
+  local sample
+  for sample in moving own_meshes; do
+    "$scratch/embedding/$sample" --validate || fail "the sample $sample ended with $?"
+  done
+}
+
 # Expects that docs/embedding.md quotes the output that the sample program really prints.
 check_quotes() {
   local line
   while IFS= read -r line; do
-    grep -qF -- "$line" "$source"/docs/examples/embedding/*.cpp || fail "docs/embedding.md quotes what the sample lacks: $line"
+    grep -qF -- "$line" "$source"/docs/examples/embedding/{*,*/main}.cpp || fail "docs/embedding.md quotes what the sample lacks: $line"
   done < <(awk '/^```/ { inside = $0 == "```cpp"; next } inside && NF' "$source/docs/embedding.md")
 }
 
@@ -102,10 +122,12 @@ for installed_program in "$installed"/bin/*; do check_libraries "$installed_prog
 build_sample
 build_with_pkg_config
 build_by_the_page
+if [ "${WEFT_EXTENDED:-0}" = 1 ]; then build_other_samples_with_pkg_config; fi
 if ! "$program" doctor >/dev/null 2>&1; then
   say "skipped: no Vulkan device to render on"
   exit 77
 fi
 render_default
 compare_sample
+run_other_samples
 say "passed"

@@ -142,10 +142,10 @@ void check_exports(const ResolveInput& input, Reporter& reporter) {
     for (const auto& [name, unused] : input.request.exports) {
         if (input.graph.resources.contains(name)) continue;
         const bool import = input.graph.imports.contains(name);
-        Diagnostic& d = reporter.error(
-            SourceLoc{}, "W243",
-            "the program exports " + quote(name) +
-                (import ? ", which is an import: the program has it already" : ", which the graph does not have"));
+        Diagnostic& d = reporter.error(SourceLoc{}, "W243",
+                                       "the program exports " + quote(name) +
+                                           (import ? ", which is an import: the program has it already"
+                                                   : ", which the graph does not have"));
         std::vector<std::string> names;
         for (const auto& [resource, desc] : input.graph.resources) names.push_back(resource);
         const std::string near = did_you_mean_text(name, names);

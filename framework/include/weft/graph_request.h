@@ -1,6 +1,6 @@
 // Purpose: describes which graph a program wants: the file and tier, parameters, output size, the resources
-// to read back, and the resources that the program itself uses between frames. The command line fills a GraphRequest once; load_graph() and resolve() read it.
-// Units: pixels.
+// to read back, and the resources that the program itself uses between frames. The command line fills a
+// GraphRequest once; load_graph() and resolve() read it. Units: pixels.
 #pragma once
 
 #include <map>

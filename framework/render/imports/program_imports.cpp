@@ -43,11 +43,12 @@ Diagnostics program_import_faults(const SessionInput& input, const scene::Scene&
     }
     for (const auto& [set, unused] : input.draw_sets)
         if (set < kFirstDrawSet || set > kLastDrawSet || !scene.instances.empty())
-            faults.push_back(fault(
-                "W246",
-                "SessionInput::draw_sets replaces set " + std::to_string(set) +
-                    (scene.instances.empty() ? ", which belongs to Weft" : ", but the scene has instances, which need it"),
-                "replace only the sets 2 and 3, and only for a scene without instances"));
+            faults.push_back(
+                fault("W246",
+                      "SessionInput::draw_sets replaces set " + std::to_string(set) +
+                          (scene.instances.empty() ? ", which belongs to Weft"
+                                                   : ", but the scene has instances, which need it"),
+                      "replace only the sets 2 and 3, and only for a scene without instances"));
     return faults;
 }
 

@@ -34,17 +34,16 @@ shared::Bounds gpu_bounds(const scene::Bounds& mesh, const glm::mat4& to_world) 
     return {box.min, 0, box.max, 0};
 }
 
-constexpr VkBufferUsageFlags kBufferUsage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
-                                            VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                                            VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+constexpr VkBufferUsageFlags kBufferUsage =
+    VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
 
 template <class T>
 Result<vk::Buffer> uploaded(vk::Device& device, std::vector<T> items, const std::string& name) {
     // Vulkan has no empty buffers, so an empty list gives one element with the value 0.
     if (items.empty()) items.emplace_back();
     const std::span<const std::byte> bytes = std::as_bytes(std::span<const T>(items));
-    Result<vk::Buffer> buffer = vk::Buffer::create(device, bytes.size(), kBufferUsage,
-                                                   vk::Buffer::Memory::device, "scene " + name);
+    Result<vk::Buffer> buffer =
+        vk::Buffer::create(device, bytes.size(), kBufferUsage, vk::Buffer::Memory::device, "scene " + name);
     if (!buffer) return buffer;
     if (Status copied = vk::upload_buffer(device, *buffer, bytes); !copied) return copied.take_errors();
     return buffer;
@@ -59,10 +58,9 @@ Result<std::vector<vk::Buffer>> bounds_buffers(vk::Device& device, const scene::
     std::vector<vk::Buffer> buffers;
     for (uint32_t slot = 0; slot < (moves ? vk::kFramesInFlight : 1); ++slot) {
         const std::span<const std::byte> bytes = std::as_bytes(std::span(boxes));
-        Result<vk::Buffer> buffer =
-            moves ? vk::Buffer::create(device, bytes.size(), kBufferUsage, vk::Buffer::Memory::upload,
-                                       "scene bounds")
-                  : uploaded(device, boxes, "bounds");
+        Result<vk::Buffer> buffer = moves ? vk::Buffer::create(device, bytes.size(), kBufferUsage,
+                                                               vk::Buffer::Memory::upload, "scene bounds")
+                                          : uploaded(device, boxes, "bounds");
         if (!buffer) return buffer.take_errors();
         if (moves) std::ranges::copy(bytes, buffer->mapped().begin());
         buffers.push_back(std::move(*buffer));

@@ -44,8 +44,7 @@ uint32_t DrawRecorder::record(const DrawRun& run) {
     for (uint32_t i = 0; i < size;) {
         const uint32_t place = place_of(run, i);
         const PartDraw& draw = draws[place];
-        const bool outside =
-            frustum_ != nullptr && is_outside(*frustum_, draw.box, context_.depth_clamp);
+        const bool outside = frustum_ != nullptr && is_outside(*frustum_, draw.box, context_.depth_clamp);
         if (draw.variant != context_.variant || outside) {
             left_out += draw.variant == context_.variant ? 1 : 0;
             ++i;
@@ -68,8 +67,8 @@ uint32_t DrawRecorder::record(const DrawRun& run) {
 void DrawRecorder::record_counted(const GpuPart& part) {
     bind(part);
     clockwise_ = mirrored_;
-    context_.fn->vkCmdSetFrontFace(
-        context_.commands, mirrored_ ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+    context_.fn->vkCmdSetFrontFace(context_.commands,
+                                   mirrored_ ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
     context_.fn->vkCmdDrawIndexedIndirectCount(
         context_.commands, context_.draw_commands, context_.draw_commands_offset_bytes, context_.draw_count,
         context_.draw_count_offset_bytes, context_.most_draws, kCommandBytes);
@@ -109,8 +108,7 @@ void DrawRecorder::set_state(const GpuPart& part, const PartDraw& draw) {
         clockwise_ = clockwise;
     }
     if (context_.cull == CullMode::material && double_sided_ != draw.double_sided) {
-        fn.vkCmdSetCullMode(context_.commands,
-                            draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+        fn.vkCmdSetCullMode(context_.commands, draw.double_sided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
         double_sided_ = draw.double_sided;
     }
 }

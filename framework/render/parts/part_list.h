@@ -21,7 +21,8 @@ class PartList {
     // Draws the part no longer. Its memory is freed when the frame `until` has begun: frames in flight may
     // use it until then. Returns false if there is no such part. The first part cannot be removed.
     [[nodiscard]] bool remove(PartId part, uint64_t until);
-    // Frees the memory that frames before the frame `frame` have used, and staging memory of finished uploads.
+    // Frees the memory that frames before the frame `frame` have used, and staging memory of finished
+    // uploads.
     void drop_retired(uint64_t frame);
 
     // Returns null if there is no such part.

@@ -1,5 +1,5 @@
-// Purpose: records copies of new data from staging memory to a buffer or an image, with the barriers that make
-// the data visible to all later commands of the queue. Errors: V420 (sizes do not match).
+// Purpose: records copies of new data from staging memory to a buffer or an image, with the barriers that
+// make the data visible to all later commands of the queue. Errors: V420 (sizes do not match).
 #pragma once
 
 #include <span>

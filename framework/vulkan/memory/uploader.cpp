@@ -92,7 +92,8 @@ bool UploadBatch::is_over() const {
 UploadBatch::~UploadBatch() {
     if (!submitted_ || device_.abandoned()) return;
     VkFence fence = fence_.get();
-    if (device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns()) != VK_SUCCESS)
+    if (device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns()) !=
+        VK_SUCCESS)
         device_.abandon();
 }
 

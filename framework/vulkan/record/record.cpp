@@ -152,8 +152,13 @@ void record_raster(const RecordContext& context, Position position, const PassDe
     else if (pass.vertices > 0)
         draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
     else
-        for (const DrawPipeline& draw : prepared.pipelines)
+        for (const DrawPipeline& draw : prepared.pipelines) {
+            // A list of the program may have bound a pipeline without this dynamic state.
+            if (&draw != &prepared.pipelines.front())
+                set_draw_state(context.device, context.commands, prepared.scope(context.resources.frame()),
+                               pass.state);
             context.draws_left_out[position] += draw_list(context, pass, prepared, draw);
+        }
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 

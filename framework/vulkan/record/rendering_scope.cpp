@@ -107,9 +107,13 @@ void begin_rendering(const Device& device, VkCommandBuffer commands, const Rende
     info.pColorAttachments = scope.colors.data();
     if (scope.depth.imageView != VK_NULL_HANDLE) info.pDepthAttachment = &scope.depth;
     if (scope.stencil.imageView != VK_NULL_HANDLE) info.pStencilAttachment = &scope.stencil;
-    const DeviceFunctions& fn = device.fn();
-    if (scope.begins) fn.vkCmdBeginRendering(commands, &info);
+    if (scope.begins) device.fn().vkCmdBeginRendering(commands, &info);
+    set_draw_state(device, commands, scope, state);
+}
 
+void set_draw_state(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
+                    const RasterState& state) {
+    const DeviceFunctions& fn = device.fn();
     const RectPx whole{0, 0, scope.area.extent.width, scope.area.extent.height};
     const RectPx view = state.viewport.value_or(whole);
     const VkViewport viewport{static_cast<float>(view.x),

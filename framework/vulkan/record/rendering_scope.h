@@ -25,10 +25,12 @@ struct RenderingScope {
 [[nodiscard]] Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step,
                                                           ViewCache& views, uint64_t frame);
 
-// Begins the rendering scope, unless a previous pass has begun it. Sets the dynamic state of the pass:
-// viewport, scissor, cull mode, front face.
+// Begins the rendering scope, unless a previous pass has begun it, and calls set_draw_state().
 void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
                      const RasterState& state);
+// Sets the dynamic state of the pass: viewport, scissor, cull mode, front face.
+void set_draw_state(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
+                    const RasterState& state);
 // Ends the rendering scope, unless the next pass continues it.
 void end_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope);
 

@@ -17,6 +17,7 @@
 #include <string>
 
 #include "weft/declaration.h"
+#include "weft/graph_request.h"
 #include "weft/result.h"
 
 namespace weft::test {
@@ -51,6 +52,7 @@ struct FaultyText {
 // Resolves the text with the shaders and imports that the random texts use.
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,
                                                  const std::map<std::string, double>& params,
-                                                 const DeviceProfile& profile);
+                                                 const DeviceProfile& profile,
+                                                 const std::map<std::string, ExportUse>& exports = {});
 
 }  // namespace weft::test

@@ -83,7 +83,8 @@ ImportCatalog make_imports() {
 }  // namespace
 
 Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
-                                   const DeviceProfile& profile) {
+                                   const DeviceProfile& profile,
+                                   const std::map<std::string, ExportUse>& exports) {
     const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
     Result<JsonDoc> document = read_json("random.json", reader);
     if (!document) return document.take_errors();
@@ -100,7 +101,7 @@ Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::
                     .shaders = shaders,
                     .imports = imports,
                     .profile = profile,
-                    .request = {.params = params, .size = {64, 64, 1}}},
+                    .request = {.params = params, .size = {64, 64, 1}, .exports = exports}},
                    warnings);
 }
 

@@ -64,7 +64,16 @@ TEST_F(EngineFrames, ATransformStaysUntilTheNextOne) {
     ASSERT_TRUE(session);
     const std::vector<std::byte> empty = render_one(*session).images["place"];
     frame_of(*session).transforms = {{0, moved(1, 0, 0)}};
-    render_one(*session);
+    const EngineFrame first = render_one(*session);
+    const std::vector<glm::vec4> place = texels(first, "place"), past = texels(first, "past");
+    uint32_t seen = 0;
+    for (size_t i = 0; i < place.size(); ++i) {
+        if (place[i].w == 0) continue;
+        // The square behind, at z = -4, has not moved.
+        EXPECT_NEAR(past[i].x - place[i].x, place[i].z < -3 ? 0 : 19, 1e-4);
+        seen += place[i].z < -3 ? 0 : 1;
+    }
+    EXPECT_GT(seen, 20u);
     const EngineFrame still = render_one(*session);
     EXPECT_TRUE(still.images.at("place") != empty) << "the square has moved into the picture";
     EXPECT_TRUE(still.woken.contains("outline")) << "the previous transform has changed";

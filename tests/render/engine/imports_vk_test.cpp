@@ -3,8 +3,8 @@
 #include <array>
 #include <cstring>
 
-#include "render/descriptor_sets.h"
 #include "tests/render/engine/engine_fixture.h"
+#include "tests/render/engine/triangle_list.h"
 #include "vulkan/device/immediate_submit.h"
 
 namespace weft::test {
@@ -15,57 +15,6 @@ constexpr AccessState kSampled{stage::kFragmentShader | stage::kComputeShader, a
                                Layout::shader_read_only};
 constexpr AccessState kCopied{stage::kCopy, access::kTransferRead, Layout::transfer_src};
 constexpr AccessState kWeightsRead{stage::kComputeShader, access::kStorageRead, Layout::undefined};
-
-// A list of one triangle, with its own vertices and its own material set.
-class Triangle final : public render::DrawList {
- public:
-    static constexpr glm::vec4 kTint{0.25f, 0.5f, 0.75f, 1};
-
-    explicit Triangle(vk::Device& device) {
-        const std::array<glm::vec4, 3> corners{glm::vec4(-20, -20, 0, 1), {20, -20, 0, 1}, {0, 40, 0, 1}};
-        vertices_ = filled(device, std::as_bytes(std::span(corners)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
-        paint_ = filled(device, std::as_bytes(std::span(&kTint, 1)), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        const VkDescriptorSetLayoutBinding binding{0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1,
-                                                   VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
-        Result<render::DescriptorSets> sets =
-            render::DescriptorSets::create(device, {&binding, 1}, 1, "paint");
-        EXPECT_TRUE(sets);
-        sets_ = std::move(*sets);
-        const VkDescriptorBufferInfo info{paint_.handle(), 0, VK_WHOLE_SIZE};
-        render::write_buffers(device, sets_.sets[0], 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&info, 1});
-    }
-    uint32_t record(const vk::DrawContext& draw, const render::DrawView& view) const override {
-        const VkBuffer vertices = vertices_.handle();
-        const VkDeviceSize offset = 0;
-        draw.fn->vkCmdBindVertexBuffers(draw.commands, 0, 1, &vertices, &offset);
-        if (draw.uses_materials)
-            draw.fn->vkCmdBindDescriptorSets(draw.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.layout, 2,
-                                             1, &sets_.sets[0], 0, nullptr);
-        draw.fn->vkCmdDraw(draw.commands, 3, 1, 0, 0);
-        targets = draw.targets;
-        seen = view;
-        return 0;
-    }
-    std::optional<uint64_t> version() const override { return 1; }
-    std::optional<scene::Bounds> bounds() const override { return scene::Bounds{{-20, -20, 0}, {20, 40, 0}}; }
-    uint64_t count() const override { return 1; }
-    VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
-
-    mutable vk::DrawTargets targets;
-    mutable render::DrawView seen;
-
- private:
-    static vk::Buffer filled(vk::Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage) {
-        Result<vk::Buffer> buffer =
-            vk::Buffer::create(device, bytes.size(), usage, vk::Buffer::Memory::upload, "triangle");
-        EXPECT_TRUE(buffer);
-        std::ranges::copy(bytes, buffer->mapped().begin());
-        return std::move(*buffer);
-    }
-
-    vk::Buffer vertices_, paint_;
-    render::DescriptorSets sets_;
-};
 
 class EngineImports : public EngineTest {
  protected:
@@ -209,7 +158,7 @@ TEST_F(EngineImports, AResourceThatCannotBeExportedIsReported) {
 }
 
 TEST_F(EngineImports, AProgramBringsItsOwnDrawsImagesAndBuffersWithoutAScene) {
-    const Triangle triangle(*device_);
+    const TriangleList triangle(*device_);
     vk::Image paint = image({4, 4, 1}, usage::kSampled, 0.5f), wide = image({8, 2, 1}, usage::kSampled, 4);
     vk::Image canvas = image({16, 8, 1}, usage::kStorage | usage::kTransferSrc | usage::kSampled, 0);
     std::array<vk::Buffer, vk::kFramesInFlight> slots{weights(1), weights(1)};
@@ -246,7 +195,7 @@ TEST_F(EngineImports, AProgramBringsItsOwnDrawsImagesAndBuffersWithoutAScene) {
 
     EngineFrame drawn = render_one(session);
     const glm::vec4 tint = render::decode_texels(Format::rgba8, drawn.images.at("drawn"))[0];
-    EXPECT_LT(glm::length(tint - Triangle::kTint), 0.01f);
+    EXPECT_LT(glm::length(tint - TriangleList::kTint), 0.01f);
     EXPECT_EQ(triangle.targets.color_count, 1u);
     EXPECT_EQ(triangle.targets.colors[0], VK_FORMAT_R8G8B8A8_UNORM);
     EXPECT_EQ(triangle.targets.depth, VK_FORMAT_D32_SFLOAT);
@@ -276,7 +225,7 @@ TEST_F(EngineImports, AProgramBringsItsOwnDrawsImagesAndBuffersWithoutAScene) {
 }
 
 TEST_F(EngineImports, NamesOfTheSceneAreTaken) {
-    const Triangle triangle(*device_);
+    const TriangleList triangle(*device_);
     const auto error_of = [&](const render::SessionInput& input) {
         const auto session =
             render::Session::create(*device_, squares({{"a", 0, 0, glm::mat4(1)}}), input, warnings_);

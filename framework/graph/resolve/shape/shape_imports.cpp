@@ -67,7 +67,8 @@ void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId 
     decl.lifetime = ResourceLifetime::imported;
     if (!decl.import) decl.import = ImportState{};
     if (import->kind == ImportKind::output) decl.extent = input.request.size;
-    if (const auto size = input.request.import_sizes.find(desc.name); size != input.request.import_sizes.end()) {
+    if (const auto size = input.request.import_sizes.find(desc.name);
+        size != input.request.import_sizes.end()) {
         decl.extent = size->second.extent;
         decl.size_bytes = size->second.size_bytes;
     }

@@ -130,10 +130,11 @@ class ResourceShaper {
     // Gives the resource an object of its own, which the program uses between frames. Its states follow from
     // its format: set_export_states().
     void export_to_program() {
-        const char* kept = decl_.history > 0                       ? "\"history\""
-                           : has_file()                            ? "\"file\""
-                           : decl_.lifetime == ResourceLifetime::persistent ? "\"keep\", or its group keeps it"
-                                                                   : nullptr;
+        const char* kept = decl_.history > 0 ? "\"history\""
+                           : has_file()      ? "\"file\""
+                           : decl_.lifetime == ResourceLifetime::persistent
+                               ? "\"keep\", or its group keeps it"
+                               : nullptr;
         if (kept == nullptr) {
             decl_.lifetime = ResourceLifetime::imported;
             decl_.import = ImportState{{}, {}, 0, true};

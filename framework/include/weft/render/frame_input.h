@@ -30,7 +30,7 @@ inline constexpr PartId kFirstPart = 0;
 
 // A new transform of an instance. It stays until the next new transform.
 struct InstanceTransform {
-    uint32_t instance = 0;  // Index into Scene::instances of the part.
+    uint32_t instance = 0;   // Index into Scene::instances of the part.
     glm::mat4 transform{1};  // From object space to world space.
     PartId part = kFirstPart;
 };

@@ -32,8 +32,8 @@ struct OwnImport {
 };
 
 // Returns an image with one mip and one layer. `between` is the state of the image between frames: before the
-// frame, because the program has just used it so, and after the frame, because the program will use it so. The
-// members of `decl` may be changed, for example for an image whose two states differ.
+// frame, because the program has just used it so, and after the frame, because the program will use it so.
+// The members of `decl` may be changed, for example for an image whose two states differ.
 [[nodiscard]] OwnImport own_image(VkImage image, Format format, Extent3D extent, UsageMask usage,
                                   AccessState between);
 // Returns a buffer with elements of `stride_bytes`.

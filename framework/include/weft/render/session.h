@@ -116,12 +116,13 @@ class Session {
     // Makes a part of a scene: allocates its memory and fills it. May be called from any thread, and submits
     // nothing. Only meshes, textures, materials, instances and motion of `scene` are used. `moves_instances`
     // is the same as in SessionInput. Errors: V409 to V421.
-    [[nodiscard]] Result<ScenePart> prepare_part(const scene::Scene& scene, bool moves_instances = false) const;
+    [[nodiscard]] Result<ScenePart> prepare_part(const scene::Scene& scene,
+                                                 bool moves_instances = false) const;
     // Draws the part from the next frame on. The part belongs to the draw lists of the scene. It allocates no
     // memory and waits for nothing. Returns the number of the part.
     [[nodiscard]] Result<PartId> add_part(ScenePart part);
-    // Draws the part no longer. Frames in flight still use its memory, which is freed when they have finished.
-    // Error: W247 there is no such part.
+    // Draws the part no longer. Frames in flight still use its memory, which is freed when they have
+    // finished. Error: W247 there is no such part.
     [[nodiscard]] Status remove_part(PartId part);
     // Returns the number of pipelines that were created after create() returned, on the thread that called
     // create(). This thread renders the frames, so each of these pipelines delayed a frame.
