@@ -33,8 +33,8 @@ void expect_exports(const FramePlan& plan, const std::map<std::string, ExportUse
         EXPECT_NE(plan.graph.resources[id].import->exit.access, access::kNone) << name;
         for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)
             for (const UseDecl& other : plan.graph.passes[pass].uses)
-                if (other.resource == id && writes(other.access))
-                    EXPECT_TRUE(plan.live.live_passes[pass]) << plan.graph.passes[pass].name;
+                EXPECT_TRUE(other.resource != id || !writes(other.access) || plan.live.live_passes[pass])
+                    << plan.graph.passes[pass].name;
     }
 }
 
