@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "null/null_executor.h"
+#include "tests/graph/resolve/resolve_fixture.h"
 #include "tests/graph/samples/random_text.h"
 #include "tests/null/mutant_judge.h"
 #include "tests/null/profile_plans.h"
@@ -45,10 +46,10 @@ TEST(ExportPlans, TheProgramSeesWhatTheFrameWrites) {
     for (uint32_t seed = 0; seed < seeds; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         const RandomText text = random_text(seed);
-        const Result<ResolvedGraph> plain = resolve_text(text.text, text.params, {});
+        const Result<ResolvedGraph> plain = resolve_text(text.text, text.params, fake_profile());
         ASSERT_TRUE(plain) << to_text(plain.errors());
         const auto exports = choose_exports(*plain, seed);
-        const Result<ResolvedGraph> graph = resolve_text(text.text, text.params, {}, exports);
+        const Result<ResolvedGraph> graph = resolve_text(text.text, text.params, fake_profile(), exports);
         if (!graph) {
             // What passes with "rest" write has no content in the frames in which they rest.
             for (const Diagnostic& fault : graph.errors()) EXPECT_EQ(fault.code, "W188") << to_text({fault});

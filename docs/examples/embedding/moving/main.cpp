@@ -1,6 +1,6 @@
-// An example of embedding Weft in a program that moves everything: the camera, the lights, the instances and a
-// parameter of the graph, and that adds and removes a part of the scene while frames run.
-// Usage: moving [--validate]
+// An example of embedding Weft in a program that moves everything: the camera, the lights, the instances and
+// a parameter of the graph, and that adds and removes a part of the scene while frames run. Usage: moving
+// [--validate]
 #include <weft/registry.h>
 #include <weft/scene/builtin_scenes.h>
 #include <weft/vulkan/device.h>

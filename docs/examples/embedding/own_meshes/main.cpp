@@ -7,40 +7,11 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
-#include <map>
+#include <filesystem>
 
 #include "sample.h"
 
 namespace {
-
-// The graph and its shader. A program may also keep them in files.
-const std::map<std::string, std::string, std::less<>> kFiles{
-    {"meshes.json", R"({
-  "version": 1, "name": "meshes",
-  "imports":   { "meshes": "drawlist", "paint": "image", "backbuffer": "output" },
-  "resources": { "picture": "rgba8", "depth": "d32f" },
-  "passes": {
-    "draw": { "type": "raster", "draws": ["meshes"], "shader": "mesh", "in": ["paint"],
-              "out": { "color": "picture" }, "depth": "depth" },
-    "show": { "type": "blit", "in": ["picture"], "out": ["backbuffer"] }
-  }
-})"},
-    {"mesh.vert", R"(#version 460
-#include "frame_set.glsl"
-layout(location = 0) in vec4 corner;
-layout(location = 1) in vec4 tint;
-layout(location = 0) out vec4 vertex_tint;
-void main() {
-    vertex_tint = tint;
-    gl_Position = view.view_projection * corner;
-}
-)"},
-    {"mesh.frag", R"(#version 460
-uniform sampler2D paint;
-layout(location = 0) in vec4 vertex_tint;
-layout(location = 0) out vec4 color;
-void main() { color = vertex_tint * texture(paint, gl_FragCoord.xy / 16.0); }
-)"}};
 
 constexpr weft::Extent3D kPaint_px{2, 1, 1};
 // The state of the image `paint` between frames: a fragment shader may have sampled it.
@@ -53,9 +24,8 @@ struct Vertex {
 const std::vector<weft::VertexAttribute> kAttributes{
     {"corner", weft::Format::rgba32f, 0, offsetof(Vertex, corner)},
     {"tint", weft::Format::rgba32f, 0, offsetof(Vertex, tint)}};
-constexpr std::array<Vertex, 3> kTriangle{Vertex{{-1, -1, 0, 1}, {1, 0, 0, 1}},
-                                          {{1, -1, 0, 1}, {0, 1, 0, 1}},
-                                          {{0, 1, 0, 1}, {0, 0, 1, 1}}};
+constexpr std::array<Vertex, 3> kTriangle{
+    Vertex{{-1, -1, 0, 1}, {1, 0, 0, 1}}, {{1, -1, 0, 1}, {0, 1, 0, 1}}, {{0, 1, 0, 1}, {0, 0, 1, 1}}};
 
 class Meshes final : public weft::render::DrawList {
  public:
@@ -104,8 +74,8 @@ void paint_image(const OwnDevice& own, VkImage image) {
     barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
     barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    vkCmdPipelineBarrier(recorded, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, 0, 0,
-                         nullptr, 0, nullptr, 1, &barrier);
+    vkCmdPipelineBarrier(recorded, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, 0,
+                         0, nullptr, 0, nullptr, 1, &barrier);
     commands.submit(recorded, VK_NULL_HANDLE, commands.timeline, 1);
     commands.wait_for(1);
 }
@@ -121,13 +91,11 @@ void draw(OwnDevice& own) {
 
     const Meshes meshes(vertices.buffer);
     const weft::PassCatalog passes = weft::registered_passes();
-    weft::render::SessionInput input = session_input("meshes.json", passes);
-    input.load.reader = [](const std::string& path) {
-        const auto own_file = kFiles.find(path.substr(path.rfind('/') + 1));
-        return own_file != kFiles.end() ? std::optional(own_file->second) : read_file(path);
-    };
+    weft::render::SessionInput input = session_input("", passes);
+    // The graph and its shaders are beside this file.
+    input.request.path = std::filesystem::path(__FILE__).parent_path() / "meshes.json";
     input.output = target.image;
-    input.draw_lists["meshes"] = {&meshes, {{sizeof(Vertex)}, kAttributes}};
+    input.draw_lists["triangles"] = {&meshes, {{sizeof(Vertex)}, kAttributes}};
     input.imports["paint"] = weft::render::own_image(paint.image, weft::Format::rgba8, kPaint_px,
                                                      weft::usage::kSampled, kSampledBetweenFrames);
     input.imports["paint"].decl.read_only = true;
