@@ -43,6 +43,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     if (!slot) return slot.take_errors();
     std::erase_if(retired_, [&](const Retired& old) { return old.until <= frame_index_; });
     scene.gpu().parts().drop_retired(frame_index_);
+    if (input.fill_slot) input.fill_slot(*slot);
     vk::FrameInput frame;
     frame.frame_index = frame_index_;
     frame.time_s = input.time_s;

@@ -206,9 +206,14 @@ TEST_F(EngineImports, AProgramBringsItsOwnDrawsImagesAndBuffersWithoutAScene) {
 
     // The pass at rest sees a new content of the buffer when its version changes.
     EXPECT_EQ(render_one(session).woken, std::set<std::string>());
-    for (vk::Buffer& slot : slots) write(slot, 7);
+    std::vector<uint32_t> filled;
+    frame.fill_slot = [&](uint32_t slot) {
+        write(slots[slot], 7);
+        filled.push_back(slot);
+    };
     frame.import_versions["weights"] = 2;
     drawn = render_one(session);
+    EXPECT_EQ(filled, std::vector<uint32_t>{0}) << "the third frame";
     EXPECT_EQ(drawn.woken, std::set<std::string>{"weigh"});
     EXPECT_EQ(texels(drawn, "held")[0], glm::vec4(7, 2, 0, 0));
 

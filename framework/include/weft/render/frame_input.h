@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -59,6 +60,9 @@ struct FrameInput {
     // The instances that move in this frame. The part must have been made with `moves_instances`, and the
     // instance must not follow a node. Error: W244.
     std::vector<InstanceTransform> transforms = {};
+    // Called once in render_frame(), when the GPU no longer reads the buffers of the frame's slot: the
+    // program writes its own buffers of this slot here (ImportObject::slot_buffers). May be empty.
+    std::function<void(uint32_t slot)> fill_slot = {};
     // Versions of the contents of the program's own imports, by name. Give an import a new number whenever
     // its content changes. Passes with "rest" that read an import without a version run in every frame.
     std::map<std::string, uint64_t, std::less<>> import_versions = {};

@@ -18,8 +18,8 @@ namespace weft::render {
 struct ImportObject {
     VkImage image = VK_NULL_HANDLE;
     VkBuffer buffer = VK_NULL_HANDLE;
-    // One buffer for each frame slot; frame n uses the buffer n mod kFramesInFlight. So the program can write
-    // the buffer of the next frame while the GPU reads the other one.
+    // One buffer for each frame slot, for data that the program writes in every frame: it writes the buffer
+    // of the next frame in FrameInput::fill_slot, while the GPU may still read the other one.
     std::array<VkBuffer, vk::kFramesInFlight> slot_buffers{};
     bool operator==(const ImportObject&) const = default;
 };
