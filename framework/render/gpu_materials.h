@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "render/descriptor_sets.h"
+#include "vulkan/memory/uploader.h"
 #include "weft/scene/scene.h"
 #include "weft/vulkan/memory.h"
 
@@ -18,7 +19,7 @@ class GpuMaterials {
     // `owned` is either null or `&scene`. If it is not null, each texture of the scene is freed after it is
     // copied to the GPU.
     [[nodiscard]] static Result<GpuMaterials> create(vk::Device& device, const scene::Scene& scene,
-                                                     scene::Scene* owned);
+                                                     scene::Scene* owned, vk::Uploader& uploader);
 
     [[nodiscard]] VkDescriptorSetLayout layout() const { return sets_.layout.get(); }
     [[nodiscard]] VkDescriptorSet set(uint32_t material) const { return sets_.sets[material]; }
@@ -28,8 +29,9 @@ class GpuMaterials {
  private:
     using SamplerKey = std::tuple<scene::Filter, scene::Filter, bool, scene::Wrap, scene::Wrap>;
 
-    Status upload_textures(vk::Device& device, const scene::Scene& scene, scene::Scene* owned);
-    Status upload_constants(vk::Device& device, const scene::Scene& scene);
+    Status upload_textures(vk::Device& device, const scene::Scene& scene, scene::Scene* owned,
+                           vk::Uploader& uploader);
+    Status upload_constants(vk::Device& device, const scene::Scene& scene, vk::Uploader& uploader);
     void write_set(vk::Device& device, const scene::Material& material, uint32_t index);
     VkSampler sampler(vk::Device& device, const scene::TextureSlot& slot);
     VkDescriptorImageInfo image(vk::Device& device, const scene::TextureSlot& slot,

@@ -1,8 +1,10 @@
 #include "render/running_graph.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "render/imports/output_import.h"
+#include "weft/compile.h"
 
 namespace weft::render {
 namespace {
@@ -17,11 +19,41 @@ std::unique_ptr<SwapParts> keep_running(const Selection& selection, StageFingerp
     return next;
 }
 
+Diagnostic cannot_set(const ResolvedGraph& graph, const std::string& name) {
+    const auto param = std::ranges::find(graph.params, name, &GraphParam::name);
+    Diagnostic d;
+    d.code = "W242";
+    if (param == graph.params.end()) {
+        d.message = "FrameInput::parameters sets \"" + name + "\", which is no parameter of the graph";
+        std::vector<std::string> names;
+        for (const GraphParam& known : graph.params) names.push_back(known.name);
+        if (const std::string near = did_you_mean_text(name, names); !near.empty()) d.help = {near};
+    } else {
+        d.message = "FrameInput::parameters sets \"" + name +
+                    "\", but a change of this parameter needs new " +
+                    (param->cost == ParamCost::pipeline ? "pipelines" : "objects: it changes the plan");
+        d.help = {
+            "give the value in Selection::request.params to Session::prepare(), and swap the result in"};
+    }
+    return d;
+}
+
+Diagnostic cannot_have(const ResolvedGraph& graph, const ParameterValues& values) {
+    Diagnostic d;
+    d.code = "W242";
+    d.message = "FrameInput::parameters has a value that the graph does not allow:";
+    for (const auto& [name, value] : values) d.message += " " + name + " = " + std::to_string(value);
+    d.help = {"choose values in the ranges that \"params\" of graph \"" + graph.name + "\" gives"};
+    return d;
+}
+
 }  // namespace
 
 RunningGraph::RunningGraph(const vk::Device& device, const SessionInput& input, ImportCatalog imports)
     : loader_(device.profile(), input.load, *input.passes, std::move(imports)),
-      selection_{input.request, input.output} {}
+      selection_{input.request, input.output, {}} {
+    for (const auto& [name, own] : input.imports) selection_.imports.emplace(name, own.object);
+}
 
 Status RunningGraph::load_first(const ParsedGraph* parsed, Diagnostics& warnings) {
     if (Status possible = check_output(selection_.request.output, loader_.profile()); !possible)
@@ -55,9 +87,10 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     if (Status possible = check_output(selection.request.output, loader_.profile()); !possible)
         return {possible.take_errors(), std::move(warnings), std::move(files)};
     StageFingerprint now = running();
-    // For another output image, the stage must be made again. This needs the graph. If `known` is 0, load()
-    // returns the graph even if no file has changed.
-    const uint64_t known = now.output == selection.output ? now.load : 0;
+    // For another output image or import, the stage must be made again. This needs the graph. If `known` is
+    // 0, load() returns the graph even if no file has changed.
+    const bool same_objects = now.output == selection.output && now.imports == selection.imports;
+    const uint64_t known = same_objects ? now.load : 0;
     Result<LoadedVersion> loaded = loader_.load(selection.request, nullptr, known, warnings, files);
     if (!loaded) return {loaded.take_errors(), std::move(warnings), std::move(files)};
     if (!loaded->graph) {
@@ -80,16 +113,35 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     return {PendingSwap(std::move(*next)), std::move(warnings), std::move(files)};
 }
 
-Result<PendingSwap> RunningGraph::prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings) {
-    Selection selection = selection_;
-    selection.request.size = size;
-    selection.output = output;
+Result<PendingSwap> RunningGraph::prepare_loaded(const Selection& selection, Diagnostics& warnings) {
     Result<ResolvedGraph> graph = loader_.resolve_again(loaded_, selection.request, warnings);
     if (!graph) return graph.take_errors();
     Result<std::unique_ptr<SwapParts>> next = maker_->make(selection, loaded_.shaders, *graph, running());
     if (!next) return next.take_errors();
     (*next)->resolved = std::move(*graph);
     return PendingSwap(std::move(*next));
+}
+
+Result<std::unique_ptr<vk::Amendment>> RunningGraph::set_parameters(const ParameterValues& values) {
+    bool changed = false;
+    for (const auto& [name, value] : values) {
+        const auto param = std::ranges::find(loaded_.graph.params, name, &GraphParam::name);
+        if (param == loaded_.graph.params.end() || param->cost > ParamCost::live)
+            return cannot_set(loaded_.graph, name);
+        changed |= param->value != value;
+    }
+    if (!changed) return std::unique_ptr<vk::Amendment>();
+    // The values of the running graph may differ from those of the selection.
+    GraphRequest from = selection_.request;
+    for (const GraphParam& param : loaded_.graph.params) from.params[param.name] = param.value;
+    GraphRequest to = from;
+    for (const auto& [name, value] : values) to.params[name] = value;
+    std::optional<ResolvedGraph> graph = loader_.with_values(loaded_, from, to);
+    if (!graph) return cannot_have(loaded_.graph, values);
+    loaded_.graph = *graph;
+    const std::lock_guard lock(fingerprint_mutex_);
+    fingerprint_.values_hash = values_hash(*graph);
+    return vk::Executor::make_amendment(std::move(*graph));
 }
 
 void RunningGraph::note_same(const SwapParts& next) {

@@ -8,6 +8,7 @@
 
 #include "render/graph_loader.h"
 #include "render/stage_maker.h"
+#include "weft/render/frame_input.h"
 #include "weft/render/pending_swap.h"
 
 namespace weft::render {
@@ -27,7 +28,12 @@ class RunningGraph {
 
     // Prepares the replacement of the running graph by the selected graph, as Session::prepare() describes.
     [[nodiscard]] PrepareResult prepare(const Selection& selection);
-    [[nodiscard]] Result<PendingSwap> prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings);
+    // Prepares the loaded graph, without reading its files again, for another size or for other imports.
+    [[nodiscard]] Result<PendingSwap> prepare_loaded(const Selection& selection, Diagnostics& warnings);
+    // Returns an amendment that gives the running plan these values of parameters; null if it has them
+    // already. Error: W242 there is no such parameter, its change needs a new plan, or it cannot have the
+    // value.
+    [[nodiscard]] Result<std::unique_ptr<vk::Amendment>> set_parameters(const ParameterValues& values);
     // True if `next` was prepared to replace the graph that runs now. False if another replacement came
     // first.
     [[nodiscard]] bool is_next(const SwapParts& next) const;

@@ -58,9 +58,10 @@ class ResourceShaper {
 
     void run() {
         decl_.pre_exposed = desc_.pre_exposed;
-        if (!desc_.textures.empty()) return shape_table();
+        if (input_.request.exports.contains(desc_.name)) export_to_program();
+        if (has_textures()) return shape_table();
         if (desc_.clear) decl_.clear = evaluator_.color(*desc_.clear);
-        if (!desc_.file.name.empty() && !import_file()) return;
+        if (has_file() && !import_file()) return;
         if (desc_.is_buffer) {
             shape_buffer();
         } else {
@@ -106,6 +107,7 @@ class ResourceShaper {
     std::string render_name() const { return render_size_name(input_.graph, desc_.name); }
 
     bool has_file() const { return !desc_.file.name.empty(); }
+    bool has_textures() const { return !desc_.textures.empty(); }
     bool has_picture() const { return desc_.file.width_px > 0; }
 
     void report_misfit(const SourceLoc& loc, const std::string& message, const std::string& help) {
@@ -129,6 +131,28 @@ class ResourceShaper {
         if (!desc_.file.path.empty()) return true;
         report_missing(desc_.file);
         return false;
+    }
+
+    // Gives the resource an object of its own, which the program uses between frames. Its states follow from
+    // its format: set_export_states().
+    void export_to_program() {
+        const char* kept = decl_.history > 0 ? "\"history\""
+                           : has_file()      ? "\"file\""
+                           : has_textures()  ? "\"textures\""
+                           : decl_.lifetime == ResourceLifetime::persistent
+                               ? "\"keep\", or its group keeps it"
+                               : nullptr;
+        if (kept == nullptr) {
+            decl_.lifetime = ResourceLifetime::imported;
+            decl_.import = ImportState{{}, {}, 0, true};
+            decl_.usage |= usage_of(input_.request.exports.at(desc_.name).access);
+            return;
+        }
+        is_suspect_ = 1;
+        add_help(reporter_.error(desc_.loc, "W243",
+                                 "the program exports " + quote(desc_.name) +
+                                     ", which lives longer than a frame: it has " + kept),
+                 "copy it to another resource with a pass of type \"copy\", and export that resource");
     }
 
     void report_missing(const FileDesc& file) {

@@ -1,10 +1,12 @@
-// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only switches
-// and scales of live sizes are among them: to change another parameter, swap the plan (Session::prepare()).
-// Units: seconds; exposure in EV (radiance is stored multiplied by 2^EV).
+// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only those
+// are among them whose change needs no new plan: to change another one, swap the plan (Session::prepare()).
+// Units: metres, seconds; exposure in EV (radiance is stored multiplied by 2^EV).
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,21 @@ struct ViewInput {
 // Views by the name of an import of kind "views".
 using ViewLists = std::map<std::string, std::vector<ViewInput>, std::less<>>;
 
+// The number of a part of the scene that Session::add_part() has added. The scene with which the session was
+// created is the part kFirstPart.
+using PartId = uint64_t;
+inline constexpr PartId kFirstPart = 0;
+
+// A new transform of an instance. It stays until the next new transform.
+struct InstanceTransform {
+    uint32_t instance = 0;   // Index into Scene::instances of the part.
+    glm::mat4 transform{1};  // From object space to world space.
+    PartId part = kFirstPart;
+};
+
+// Values of the graph's parameters by name.
+using ParameterValues = std::map<std::string, double, std::less<>>;
+
 struct FrameInput {
     // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
@@ -41,6 +58,21 @@ struct FrameInput {
     std::map<std::string, bool, std::less<>> switches = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
+    // Values of parameters of cost `live`, as `weft plan` lists them. They stay until the next new value, or
+    // until another graph is swapped in. A change needs no new plan and no Vulkan object. Error: W242.
+    ParameterValues parameters = {};
+    // The lights of this frame; they replace the lights of the scene. Their `node` is ignored. The graph's
+    // buffer of lights has a fixed size: further lights are left out. Absent: the lights of the scene.
+    std::optional<std::vector<scene::Light>> lights = {};
+    // The instances that move in this frame. The part must have been made with `moves_instances`, and the
+    // instance must not follow a node. Error: W244.
+    std::vector<InstanceTransform> transforms = {};
+    // Called once in render_frame(), when the GPU no longer reads the buffers of the frame's slot: the
+    // program writes its own buffers of this slot here (ImportObject::slot_buffers). May be empty.
+    std::function<void(uint32_t slot)> fill_slot = {};
+    // Versions of the contents of the program's own imports, by name. Give an import a new number whenever
+    // its content changes. Passes with "rest" that read an import without a version run in every frame.
+    std::map<std::string, uint64_t, std::less<>> import_versions = {};
     // Scales of the graph's live sizes in this frame, by the name of the parameter. They are clamped to the
     // ranges of the parameters. A scale that is not in the map has the value of its parameter.
     Scales scales = {};
