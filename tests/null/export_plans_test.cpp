@@ -45,7 +45,7 @@ TEST(ExportPlans, TheProgramSeesWhatTheFrameWrites) {
     Tallies tallies;
     for (uint32_t seed = 0; seed < seeds; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        const RandomText text = random_text(seed);
+        const RandomText text = random_text(seed, fake_profile());
         const Result<ResolvedGraph> plain = resolve_text(text.text, text.params, fake_profile());
         ASSERT_TRUE(plain) << to_text(plain.errors());
         const auto exports = choose_exports(*plain, seed);

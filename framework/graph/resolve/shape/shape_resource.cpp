@@ -10,6 +10,7 @@
 #include "graph/parse/module_scope.h"
 #include "graph/resolve/evaluator.h"
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/shape/shape_export.h"
 
 namespace weft {
 namespace {
@@ -58,7 +59,9 @@ class ResourceShaper {
 
     void run() {
         decl_.pre_exposed = desc_.pre_exposed;
-        if (input_.request.exports.contains(desc_.name)) export_to_program();
+        const auto use = input_.request.exports.find(desc_.name);
+        if (use != input_.request.exports.end() && !shape_export(desc_, use->second, decl_, reporter_))
+            is_suspect_ = 1;
         if (has_textures()) return shape_table();
         if (desc_.clear) decl_.clear = evaluator_.color(*desc_.clear);
         if (has_file() && !import_file()) return;
@@ -131,28 +134,6 @@ class ResourceShaper {
         if (!desc_.file.path.empty()) return true;
         report_missing(desc_.file);
         return false;
-    }
-
-    // Gives the resource an object of its own, which the program uses between frames. Its states follow from
-    // its format: set_export_states().
-    void export_to_program() {
-        const char* kept = decl_.history > 0 ? "\"history\""
-                           : has_file()      ? "\"file\""
-                           : has_textures()  ? "\"textures\""
-                           : decl_.lifetime == ResourceLifetime::persistent
-                               ? "\"keep\", or its group keeps it"
-                               : nullptr;
-        if (kept == nullptr) {
-            decl_.lifetime = ResourceLifetime::imported;
-            decl_.import = ImportState{{}, {}, 0, true};
-            decl_.usage |= usage_of(input_.request.exports.at(desc_.name).access);
-            return;
-        }
-        is_suspect_ = 1;
-        add_help(reporter_.error(desc_.loc, "W243",
-                                 "the program exports " + quote(desc_.name) +
-                                     ", which lives longer than a frame: it has " + kept),
-                 "copy it to another resource with a pass of type \"copy\", and export that resource");
     }
 
     void report_missing(const FileDesc& file) {
