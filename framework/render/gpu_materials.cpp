@@ -60,15 +60,18 @@ VkFilter filter(scene::Filter f) {
 }  // namespace
 
 Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene, scene::Scene* owned,
-                                          vk::Uploader& uploader) {
+                                          vk::Uploader& uploader, bool has_table) {
     GpuMaterials materials;
     Result<DescriptorSets> sets = DescriptorSets::create(
         device, layout_bindings(2), static_cast<uint32_t>(scene.materials.size()), "materials");
     if (!sets) return sets.take_errors();
     materials.sets_ = std::move(*sets);
     if (Status s = materials.upload_textures(device, scene, owned, uploader); !s) return s.take_errors();
-    if (Status s = materials.upload_constants(device, scene, uploader); !s) return s.take_errors();
+    const std::vector<shared::Material> constants =
+        has_table ? gpu_materials(scene) : gpu_materials_without_table(scene);
+    if (Status s = materials.upload_constants(device, constants, uploader); !s) return s.take_errors();
     for (uint32_t i = 0; i < scene.materials.size(); ++i) materials.write_set(device, scene.materials[i], i);
+    if (!has_table) return materials;
     materials.table_ = {materials.white_.view(), materials.flat_normal_.view()};
     for (const uint32_t texture : order_textures(scene).textures)
         materials.table_.push_back(materials.textures_[texture].view());
@@ -92,12 +95,12 @@ Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& sce
     return Unit{};
 }
 
-Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& scene, vk::Uploader& uploader) {
+Status GpuMaterials::upload_constants(vk::Device& device, const std::vector<shared::Material>& constants,
+                                      vk::Uploader& uploader) {
     // The constants of each material start at a multiple of 256 bytes. 256 is the largest
     // minUniformBufferOffsetAlignment that Vulkan allows.
     constants_stride_bytes_ = (sizeof(shared::Material) + 255) / 256 * 256;
-    std::vector<std::byte> bytes(std::max<size_t>(1, scene.materials.size()) * constants_stride_bytes_);
-    const std::vector<shared::Material> constants = gpu_materials(scene);
+    std::vector<std::byte> bytes(std::max<size_t>(1, constants.size()) * constants_stride_bytes_);
     for (size_t i = 0; i < constants.size(); ++i)
         std::memcpy(bytes.data() + i * constants_stride_bytes_, &constants[i], sizeof constants[i]);
     Result<vk::Buffer> buffer = vk::Buffer::create(

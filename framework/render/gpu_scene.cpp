@@ -32,7 +32,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     if (!frame) return frame.take_errors();
     vk::ImmediateUploader uploader(device);
     Result<std::unique_ptr<GpuPart>> part =
-        GpuPart::create({device, scene, owned, uploader, settings.moves_instances});
+        GpuPart::create({device, scene, owned, uploader, settings.moves_instances, true});
     if (!part) return part.take_errors();
     Result<SceneBuffers> described =
         SceneBuffers::create(device, scene, (*part)->geometry().meshes, settings.moves_instances);

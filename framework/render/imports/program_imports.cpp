@@ -30,7 +30,7 @@ Diagnostic taken(const std::string& name, const char* member) {
 Diagnostics program_import_faults(const SessionInput& input, const scene::Scene& scene) {
     const ImportCatalog offered = scene_imports(input.request.size, &scene);
     const auto is_taken = [&](const std::string& name) {
-        return offered.imports.contains(name) || input.views.contains(name);
+        return offered.imports.contains(name) || input.views.contains(name) || input.textures.contains(name);
     };
     Diagnostics faults;
     for (const auto& [name, unused] : input.imports)

@@ -19,7 +19,8 @@ Result<std::unique_ptr<GpuPart>> GpuPart::create(const PartInput& input) {
     Result<GpuGeometry> geometry =
         GpuGeometry::create(input.device, scene, input.uploader, input.moves_instances);
     if (!geometry) return geometry.take_errors();
-    Result<GpuMaterials> materials = GpuMaterials::create(input.device, scene, input.owned, input.uploader);
+    Result<GpuMaterials> materials =
+        GpuMaterials::create(input.device, scene, input.owned, input.uploader, input.is_first);
     if (!materials) return materials.take_errors();
     part->geometry_ = std::move(*geometry);
     part->materials_ = std::move(*materials);

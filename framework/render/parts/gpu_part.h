@@ -41,6 +41,7 @@ struct PartInput {
     scene::Scene* owned = nullptr;
     vk::Uploader& uploader;
     bool moves_instances = false;  // True: the program may move the instances.
+    bool is_first = false;         // True: the part is the scene with which the session was created.
 };
 
 class GpuPart {
@@ -66,7 +67,7 @@ class GpuPart {
     [[nodiscard]] VkDescriptorSet draw_set(uint32_t slot) const {
         return instances_.sets[instances_.sets.size() > 1 ? slot : 0];
     }
-    // Returns the views of the import "materialTextures".
+    // Returns the views of the import "materialTextures"; empty if the part is not the first.
     [[nodiscard]] const std::vector<VkImageView>& material_table() const { return materials_.table(); }
     [[nodiscard]] VkDescriptorSetLayout material_layout() const { return materials_.layout(); }
     [[nodiscard]] VkDescriptorSetLayout draw_layout() const { return instances_.layout.get(); }

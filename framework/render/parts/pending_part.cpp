@@ -17,7 +17,7 @@ Result<ScenePart> make_part(vk::Device& device, const scene::Scene& scene, bool 
     Result<std::unique_ptr<vk::UploadBatch>> uploads = vk::UploadBatch::create(device);
     if (!uploads) return uploads.take_errors();
     Result<std::unique_ptr<GpuPart>> part =
-        GpuPart::create({device, scene, nullptr, **uploads, moves_instances});
+        GpuPart::create({device, scene, nullptr, **uploads, moves_instances, false});
     if (!part) return part.take_errors();
     if (Status ended = (*uploads)->end(); !ended) return ended.take_errors();
     auto pending = std::make_unique<PendingPart>();
