@@ -111,17 +111,26 @@ class FillList final : public render::DrawList {
     mutable vk::PipelineHandle pipeline_;
 };
 
-class OwnPipeline : public EngineTest {};
+class OwnPipeline : public EngineTest {
+ protected:
+    render::SessionInput input_with(const std::string& graph, const FillList& fill,
+                                    const TriangleList& triangle) {
+        render::SessionInput input = input_for(graph, {"drawn"});
+        const VertexFormat vertices{{16}, {{"corner", Format::rgba32f, 0, 0}}};
+        input.draw_lists["fills"] = {&fill, vertices};
+        input.draw_lists["triangles"] = {&triangle, vertices};
+        const OfferedBinding paint{2,  0,    BindingKind::uniform_buffer, stage_bit(ShaderStage::fragment),
+                                   16, false};
+        input.draw_sets[2] = {triangle.layout(), {paint}};
+        return input;
+    }
+};
 
 TEST_F(OwnPipeline, TheNextListHasThePipelineOfThePassAgain) {
     const FillList fill(*device_);
     const TriangleList triangle(*device_, 0.5f);
-    render::SessionInput input = input_for(WEFT_SOURCE_DIR "/tests/render/engine/two_lists.json", {"drawn"});
-    const VertexFormat vertices{{16}, {{"corner", Format::rgba32f, 0, 0}}};
-    input.draw_lists["fills"] = {&fill, vertices};
-    input.draw_lists["triangles"] = {&triangle, vertices};
-    input.draw_sets[2] = {triangle.layout(),
-                          {{2, 0, BindingKind::uniform_buffer, stage_bit(ShaderStage::fragment), 16, false}}};
+    const render::SessionInput input =
+        input_with(WEFT_SOURCE_DIR "/tests/render/engine/two_lists.json", fill, triangle);
     const auto session = open(scene::Scene{}, input);
     ASSERT_TRUE(session);
     frame_of(*session).camera.transform = moved(0, 0, 2);
@@ -133,6 +142,39 @@ TEST_F(OwnPipeline, TheNextListHasThePipelineOfThePassAgain) {
         EXPECT_LT(glm::length(drawn[middle + kEngineSize.width / 2] - TriangleList::kTint), 0.01f);
         EXPECT_EQ(drawn[middle + kEngineSize.width - 2], glm::vec4(0));
     }
+}
+
+// One pass that draws all faces of a cube gives the same picture as six passes. With multiview, the lists
+// learn which views their draws draw, and a pipeline of their own can draw all of them.
+TEST_F(OwnPipeline, OnePassDrawsTheListsToAllViews) {
+    const std::string path = WEFT_SOURCE_DIR "/tests/render/engine/views.json";
+    const auto draw = [&](const std::string& lowering, const std::string& lists, uint32_t view_mask) {
+        const FillList fill(*device_);
+        const TriangleList triangle(*device_, 0.5f);
+        render::SessionInput input = input_with(path, fill, triangle);
+        input.load.reader = [&](const std::string& file) {
+            return file != path ? read_text(file) : std::optional(R"({ "version": 1, "name": "views",
+  "imports": { "fills": "drawlist", "triangles": "drawlist" },
+  "views": { "probe": { "cube": { "at": [0, 0, 2], "near": 0.01 } } },
+  "resources": { "drawn": { "format": "rgba8", "cube": 16 }, "depth": { "format": "d32f", "cube": 16 } },
+  "passes": { "draw": { "type": "raster", "draws": [)" + lists + R"(], "shader": "own", "views": "probe",
+    "lowering": ")" + lowering + R"(", "out": { "color": "drawn" }, "depth": "depth" } } })");
+        };
+        const auto session = open(scene::Scene{}, input);
+        if (!session) return std::vector<std::byte>{};
+        std::vector<std::byte> drawn = render_one(*session).images.at("drawn");
+        EXPECT_TRUE(std::ranges::find(drawn, std::byte{191}) != drawn.end())
+            << "no triangle, lowering " << lowering;
+        EXPECT_EQ(triangle.targets.view_mask, view_mask) << lowering;
+        EXPECT_EQ(triangle.views, view_mask == 0 ? 0u : 6u) << lowering;
+        return drawn;
+    };
+    const std::string own = R"("triangles")", both = R"("fills", "triangles")";
+    if (device_->profile().max_output_layers >= 6) {
+        EXPECT_EQ(draw("layerOutput", own, 0), draw("passes", own, 0));
+    }
+    if (device_->profile().max_multiview_views < 6) return;
+    EXPECT_EQ(draw("multiview", both, 0x3F), draw("passes", both, 0));
 }
 
 }  // namespace

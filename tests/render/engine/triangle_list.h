@@ -40,7 +40,9 @@ class TriangleList final : public render::DrawList {
                                              1, &sets_.sets[0], 0, nullptr);
         draw.fn->vkCmdDraw(draw.commands, 3, 1, 0, 0);
         targets = draw.targets;
+        views = view.all_view_projections.size();
         seen = view;
+        seen.all_view_projections = {};  // They exist only during the call.
         return 0;
     }
     std::optional<uint64_t> version() const override { return 1; }
@@ -50,6 +52,7 @@ class TriangleList final : public render::DrawList {
 
     mutable vk::DrawTargets targets;
     mutable render::DrawView seen;
+    mutable size_t views = 0;  // Number of views that the last draws draw at once; 0 without multiview.
 
  private:
     static vk::Buffer filled(vk::Device& device, std::span<const std::byte> bytes, VkBufferUsageFlags usage) {
