@@ -39,7 +39,7 @@ shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
     return view;
 }
 
-Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
+Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene) {
     // After begin_frame(), only errors of Vulkan may end the frame early.
     if (Status given = views_.check(input.views); !given) return given;
     if (Status given = scene.check(input); !given) return given;
@@ -57,7 +57,7 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     pre_exposure_ = frame.pre_exposure;
     scene.begin_frame(*slot, input);
     const scene::Camera camera = scene.placed(input.camera);
-    views_.set_scales(plan().graph, input.scales);
+    views_.set_scales(plan().graph, live.scales);
     view_ = find_view(camera);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     shared::FrameConstants constants = scene.frame_constants();
@@ -76,8 +76,8 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
-    frame.scales = input.scales;
-    frame.switches = &input.switches;
+    frame.scales = live.scales;
+    frame.switches = &live.switches;
     frame.submit = input.submit;
     scene.gpu().add_versions(frame.import_versions);
     // The textures of tables never change.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "render/drawn_scene.h"
+#include "render/live_inputs.h"
 #include "render/render_stage.h"
 #include "render/views/frame_views.h"
 #include "weft/render/frame_input.h"
@@ -17,7 +18,8 @@ class FrameLoop {
     // GraphDesc::jitter); 0 means no offsets. `size` is the size of the output in pixels.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
-    [[nodiscard]] Status render(const FrameInput& input, DrawnScene& scene);
+    // `live` replaces the switches and scales in FrameInput::parameters.
+    [[nodiscard]] Status render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene);
     [[nodiscard]] Status finish() { return stage_.executor->finish(); }
     // Reads the output image of the last frame. Errors: W184 the graph has no output, V426 its final layout
     // is not transfer_src.

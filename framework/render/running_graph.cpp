@@ -19,6 +19,17 @@ std::unique_ptr<SwapParts> keep_running(const Selection& selection, StageFingerp
     return next;
 }
 
+bool is_switch(const ResolvedGraph& graph, const std::string& name) {
+    return std::ranges::find(graph.switches, name, &SwitchDecl::param) != graph.switches.end();
+}
+
+// Returns true if the parameter is the scale of a live size.
+bool is_scale(const ResolvedGraph& graph, const std::string& name) {
+    return std::ranges::any_of(graph.live_values, [&](const LiveValue& value) {
+        return value.param != kNoId && value.most > 0 && graph.params[value.param].name == name;
+    });
+}
+
 Diagnostic cannot_set(const ResolvedGraph& graph, const std::string& name) {
     const auto param = std::ranges::find(graph.params, name, &GraphParam::name);
     Diagnostic d;
@@ -123,19 +134,36 @@ Result<PendingSwap> RunningGraph::prepare_loaded(const Selection& selection, Dia
 }
 
 Result<std::unique_ptr<vk::Amendment>> RunningGraph::set_parameters(const ParameterValues& values) {
+    const ResolvedGraph& graph = loaded_.graph;
     bool changed = false;
     for (const auto& [name, value] : values) {
-        const auto param = std::ranges::find(loaded_.graph.params, name, &GraphParam::name);
-        if (param == loaded_.graph.params.end() || param->cost > ParamCost::live)
-            return cannot_set(loaded_.graph, name);
+        if (is_switch(graph, name) || is_scale(graph, name)) continue;
+        const auto param = std::ranges::find(graph.params, name, &GraphParam::name);
+        if (param == graph.params.end() || param->cost > ParamCost::live) return cannot_set(graph, name);
         changed |= param->value != value;
     }
-    if (!changed) return std::unique_ptr<vk::Amendment>();
+    std::unique_ptr<vk::Amendment> amendment;
+    if (changed) {
+        Result<std::unique_ptr<vk::Amendment>> made = change_values(values);
+        if (!made) return made;
+        amendment = std::move(*made);
+    }
+    for (const auto& [name, value] : values) {
+        if (is_switch(graph, name)) live_inputs_.switches.insert_or_assign(name, value != 0);
+        if (is_scale(graph, name)) live_inputs_.scales.insert_or_assign(name, value);
+    }
+    return amendment;
+}
+
+// Evaluates the expressions of the running graph with other values of parameters. Switches and scales keep
+// the values that the plan has.
+Result<std::unique_ptr<vk::Amendment>> RunningGraph::change_values(const ParameterValues& values) {
     // The values of the running graph may differ from those of the selection.
     GraphRequest from = selection_.request;
     for (const GraphParam& param : loaded_.graph.params) from.params[param.name] = param.value;
     GraphRequest to = from;
-    for (const auto& [name, value] : values) to.params[name] = value;
+    for (const auto& [name, value] : values)
+        if (!is_switch(loaded_.graph, name) && !is_scale(loaded_.graph, name)) to.params[name] = value;
     std::optional<ResolvedGraph> graph = loader_.with_values(loaded_, from, to);
     if (!graph) return cannot_have(loaded_.graph, values);
     loaded_.graph = *graph;
@@ -155,6 +183,7 @@ bool RunningGraph::is_next(const SwapParts& next) const {
 
 void RunningGraph::adopt(SwapParts& next) {
     selection_ = std::move(next.selection);
+    live_inputs_ = {};
     if (next.loaded) loaded_ = std::move(*next.loaded);
     if (next.resolved) loaded_.graph = std::move(*next.resolved);
     const std::lock_guard lock(fingerprint_mutex_);

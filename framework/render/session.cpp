@@ -190,7 +190,7 @@ Status Session::render_frame(const FrameInput& input) {
     Result<std::unique_ptr<vk::Amendment>> values = parts_->graph->set_parameters(input.parameters);
     if (!values) return values.take_errors();
     if (*values) parts_->frames.amend(std::move(*values));
-    return parts_->frames.render(input, parts_->scene);
+    return parts_->frames.render(input, parts_->graph->live_inputs(), parts_->scene);
 }
 
 Status Session::finish() {

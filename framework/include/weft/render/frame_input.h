@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "weft/live_value.h"
 #include "weft/pass.h"
 #include "weft/scene/scene.h"
 #include "weft/vulkan/frame_submit.h"
@@ -52,14 +51,18 @@ struct FrameInput {
     // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
     // entry, the group itself chooses: its rounds run in turn.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
-    // Switches of this frame. Key: the name of a parameter that passes name in "switch". Value: false turns
-    // these passes off. Without an entry, the value of the parameter decides. Other names are ignored. Params
-    // blocks keep the value of the parameter.
-    std::map<std::string, bool, std::less<>> switches = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
-    // Values of parameters of cost `live`, as `weft plan` lists them. They stay until the next new value, or
-    // until another graph is swapped in. A change needs no new plan and no Vulkan object. Error: W242.
+    // Values of the graph's parameters. A value stays until the next value of the same parameter, or until
+    // Session::swap_in(), resize() or rebind(). Three kinds of parameters can change here, without a new plan
+    // and without a Vulkan object:
+    // - Parameters of cost `live`, as `weft plan` lists them: the expressions of the graph are evaluated
+    // once.
+    // - Switches: 0 turns the passes with this switch off, any other value turns them on. `Params` blocks
+    // keep
+    //   the value of the selection. The change allocates no memory.
+    // - Scales of live sizes, clamped to the range of the parameter. The change allocates no memory.
+    // Error: W242.
     ParameterValues parameters = {};
     // The lights of this frame; they replace the lights of the scene. Their `node` is ignored. The graph's
     // buffer of lights has a fixed size: further lights are left out. Absent: the lights of the scene.
@@ -73,9 +76,6 @@ struct FrameInput {
     // Versions of the contents of the program's own imports, by name. Give an import a new number whenever
     // its content changes. Passes with "rest" that read an import without a version run in every frame.
     std::map<std::string, uint64_t, std::less<>> import_versions = {};
-    // Scales of the graph's live sizes in this frame, by the name of the parameter. They are clamped to the
-    // ranges of the parameters. A scale that is not in the map has the value of its parameter.
-    Scales scales = {};
     // Values of the program for passes in C++, by name; may be null. Weft adds the value "lights".
     const HostInputs* host = nullptr;
     // How the frame reaches the GPU: semaphores of the program, or a command buffer of the program.
