@@ -225,8 +225,8 @@ TEST_F(ResolveTables, AnErrorOfTheImportIsTheOnlyOne) {
 }
 
 TEST_F(ResolveTables, TheProgramCannotExportATable) {
-    Result<GraphDesc> graph =
-        parsed(R"j("resources": {"own": {"textures": ["a.png"]}, "x": "rgba16f"}, "passes": {
+    Result<GraphDesc> graph = parsed(
+        R"j("resources": {"own": {"format": "rgba8", "textures": ["a.png"]}, "x": "rgba16f"}, "passes": {
 "w": {"type": "compute", "shader": "index.comp", "out": {"dst": "x"}, "in": {"pictures": "own"}}, "r": {"type": "readback", "in": ["x"]}})j");
     ASSERT_TRUE(graph) << to_text(graph.errors());
     FileDesc& file = graph->resources.at("own").textures.front();

@@ -229,7 +229,7 @@ TEST_F(EngineImports, AProgramBringsItsOwnDrawsImagesAndBuffersWithoutAScene) {
     made->reset();
 }
 
-TEST_F(EngineImports, NamesOfTheSceneAreTaken) {
+TEST_F(EngineImports, NamesOfOtherImportsAreTaken) {
     const TriangleList triangle(*device_);
     const auto error_of = [&](const render::SessionInput& input) {
         const auto session =
@@ -244,6 +244,11 @@ TEST_F(EngineImports, NamesOfTheSceneAreTaken) {
     input.imports["instances"] = render::own_buffer(VK_NULL_HANDLE, 8, 4, usage::kStorage, kWeightsRead);
     EXPECT_EQ(error_of(input), "W245");
     input.imports.clear();
+    input.imports["pictures"] = render::own_buffer(VK_NULL_HANDLE, 8, 4, usage::kStorage, kWeightsRead);
+    input.textures["pictures"] = {VK_NULL_HANDLE};
+    EXPECT_EQ(error_of(input), "W245") << "the program has a table of this name";
+    input.imports.clear();
+    input.textures.clear();
     input.draw_sets[2] = {triangle.layout(), {}};
     EXPECT_EQ(error_of(input), "W246");
 }
