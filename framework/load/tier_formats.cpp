@@ -64,6 +64,7 @@ std::vector<TierVariant> load_tiers(const JsonDoc& document, const std::vector<s
 
 LoadInput as_written(LoadInput input) {
     input.request.observed.clear();
+    input.request.exports.clear();
     input.request.params.clear();
     input.request.debug.clear();
     return input;

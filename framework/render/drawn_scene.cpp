@@ -7,8 +7,30 @@
 
 namespace weft::render {
 
-Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& scene, scene::Scene* owned) {
-    Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene, owned);
+namespace {
+
+Diagnostic cannot_move(const InstanceTransform& moved, const GpuPart* part) {
+    const std::string name =
+        "instance " + std::to_string(moved.instance) + " of part " + std::to_string(moved.part);
+    Diagnostic d;
+    d.code = "W244";
+    if (part == nullptr) {
+        d.message = "FrameInput::transforms moves " + name + ", but the session has no such part";
+        d.help = {"use a number that Session::add_part() has returned, or kFirstPart for the scene"};
+    } else {
+        d.message = "FrameInput::transforms moves " + name +
+                    ", which does not exist, follows a node, or was made without moves_instances";
+        d.help = {"set SessionInput::moves_instances, or the argument moves_instances of prepare_part()",
+                  "an instance with a node moves with its node: remove it from FrameInput::transforms"};
+    }
+    return d;
+}
+
+}  // namespace
+
+Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& scene,
+                                      const SceneSettings& settings, scene::Scene* owned) {
+    Result<std::unique_ptr<GpuScene>> gpu = GpuScene::create(device, scene, settings, owned);
     if (!gpu) return gpu.take_errors();
     DrawnScene drawn;
     drawn.gpu_ = std::move(*gpu);
@@ -17,28 +39,43 @@ Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& sc
     drawn.lights_move_ = std::ranges::any_of(scene.lights, [](const scene::Light& light) {
         return light.path.turns_per_s != 0 || light.node != scene::kNone;
     });
-    drawn.motion_ = scene.motion;
     drawn.lights_ = gpu_lights(scene.lights, 0, scene.light_functions.size());
-    drawn.bounds_ = scene::world_bounds(scene);
-    if (!scene.motion.nodes.empty()) drawn.fixed_bounds_ = scene::fixed_bounds(scene);
     drawn.constants_ = scene_constants(scene);
     return drawn;
 }
 
-void DrawnScene::set_time(uint32_t slot, double time_s) {
-    if (!motion_.nodes.empty()) {
-        nodes_ = scene::transforms_at(motion_, time_s);
-        gpu_->move(slot, nodes_);
-        bounds_ = united(fixed_bounds_, gpu_->moving().bounds()).value_or(bounds_);
-        for (scene::Light& light : scene_lights_)
-            if (light.node != scene::kNone) scene::place_light(nodes_[light.node], light);
+Status DrawnScene::check(const FrameInput& input) const {
+    for (const InstanceTransform& moved : input.transforms) {
+        const GpuPart* part = gpu_->parts().find(moved.part);
+        if (part == nullptr || !part->can_set_transform(moved.instance)) return cannot_move(moved, part);
     }
-    if (lights_move_) lights_ = gpu_lights(scene_lights_, time_s, light_functions_);
+    return Unit{};
+}
+
+void DrawnScene::begin_frame(uint32_t slot, const FrameInput& input) {
+    for (const InstanceTransform& moved : input.transforms)
+        gpu_->parts().find(moved.part)->set_transform(moved.instance, moved.transform);
+    gpu_->begin_frame(slot, input.time_s);
+    bounds_ = gpu_->bounds().value_or(scene::Bounds{});
+    update_lights(input);
+}
+
+void DrawnScene::update_lights(const FrameInput& input) {
+    if (input.lights) {
+        lights_ = gpu_lights(*input.lights, input.time_s, light_functions_);
+        has_program_lights_ = true;
+        return;
+    }
+    for (scene::Light& light : scene_lights_)
+        if (light.node < nodes().size()) scene::place_light(nodes()[light.node], light);
+    if (lights_move_ || has_program_lights_)
+        lights_ = gpu_lights(scene_lights_, input.time_s, light_functions_);
+    has_program_lights_ = false;
 }
 
 scene::Camera DrawnScene::placed(const scene::Camera& camera) const {
     scene::Camera placed = camera;
-    if (camera.node < nodes_.size()) placed.transform = scene::rigid_transform(nodes_[camera.node]);
+    if (camera.node < nodes().size()) placed.transform = scene::rigid_transform(nodes()[camera.node]);
     return placed;
 }
 

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "render/gpu_scene.h"
 #include "render/views/sun_cascades.h"
+#include "weft/render/frame_input.h"
 #include "weft/scene/scene.h"
 
 namespace weft::render {
@@ -16,14 +18,16 @@ class DrawnScene {
     // `owned` is either null or `&scene`. If it is not null, each texture of the scene is freed after it is
     // copied to the GPU.
     [[nodiscard]] static Result<DrawnScene> create(vk::Device& device, const scene::Scene& scene,
-                                                   scene::Scene* owned);
+                                                   const SceneSettings& settings, scene::Scene* owned);
 
-    // Begins a frame: moves the objects and the lights to their places at `time_s`. The frame slot must not
-    // be in flight: Executor::begin_frame() returns a free one.
-    void set_time(uint32_t slot, double time_s);
-    // Returns the camera at its place at the time of the last set_time().
+    // Checks that the program may move the instances that it moves in this frame. Error: W244.
+    [[nodiscard]] Status check(const FrameInput& input) const;
+    // Begins a frame: moves the objects and the lights to their places. The frame slot must not be in flight:
+    // Executor::begin_frame() returns a free one. check() must have accepted the input.
+    void begin_frame(uint32_t slot, const FrameInput& input);
+    // Returns the camera at its place at the time of the last begin_frame().
     [[nodiscard]] scene::Camera placed(const scene::Camera& camera) const;
-    // Returns the lights at the time of the last set_time().
+    // Returns the lights at the time of the last begin_frame().
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
     // Returns constants for shaders: the sky, the environment and the counts of lights. The caller adds the
     // frame index, the time and the exposure.
@@ -33,18 +37,19 @@ class DrawnScene {
     // shadow map of the sun. `aspect` is width / height of the picture.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const;
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
+    [[nodiscard]] const GpuScene& gpu() const { return *gpu_; }
 
  private:
     DrawnScene() = default;
+    void update_lights(const FrameInput& input);
+    [[nodiscard]] std::span<const glm::mat4> nodes() const { return gpu_->parts().first().nodes(); }
 
     std::unique_ptr<GpuScene> gpu_;
     std::vector<scene::Light> scene_lights_;
     size_t light_functions_ = 0;
     bool lights_move_ = false;
-    scene::Motion motion_;
-    std::vector<glm::mat4> nodes_;  // The transforms of motion_.nodes at the current time.
+    bool has_program_lights_ = false;  // True if `lights_` are those of FrameInput::lights.
     std::vector<shared::Light> lights_;
-    std::optional<scene::Bounds> fixed_bounds_;  // Of the objects that do not move.
     scene::Bounds bounds_;
     shared::FrameConstants constants_{};
 };

@@ -6,10 +6,12 @@
 
 #include "render/frame_data.h"
 #include "render/jitter.h"
+#include "vulkan/device/to_vk.h"
 #include "weft/check/check_transition.h"
 #include "weft/compile.h"
 #include "weft/light_list.h"
 #include "weft/render/import_catalog.h"
+#include "weft/vulkan/native.h"
 
 namespace weft::render {
 
@@ -37,12 +39,15 @@ shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
     return view;
 }
 
-Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
+Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene) {
     // After begin_frame(), only errors of Vulkan may end the frame early.
     if (Status given = views_.check(input.views); !given) return given;
+    if (Status given = scene.check(input); !given) return given;
     Result<uint32_t> slot = stage_.executor->begin_frame();
     if (!slot) return slot.take_errors();
-    std::erase_if(retired_, [&](const RetiredFiles& files) { return files.until <= frame_index_; });
+    std::erase_if(retired_, [&](const Retired& old) { return old.until <= frame_index_; });
+    scene.gpu().parts().drop_retired(frame_index_);
+    if (input.fill_slot) input.fill_slot(*slot);
     vk::FrameInput frame;
     frame.frame_index = frame_index_;
     frame.time_s = input.time_s;
@@ -50,9 +55,9 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     frame.pre_exposure = std::exp2(input.exposure_ev);
     frame.prev_pre_exposure = frame_index_ == 0 ? frame.pre_exposure : pre_exposure_;
     pre_exposure_ = frame.pre_exposure;
-    scene.set_time(*slot, input.time_s);
+    scene.begin_frame(*slot, input);
     const scene::Camera camera = scene.placed(input.camera);
-    views_.set_scales(plan().graph, input.scales);
+    views_.set_scales(plan().graph, live.scales);
     view_ = find_view(camera);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     shared::FrameConstants constants = scene.frame_constants();
@@ -71,8 +76,8 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
-    frame.scales = input.scales;
-    frame.switches = &input.switches;
+    frame.scales = live.scales;
+    frame.switches = &live.switches;
     frame.submit = input.submit;
     scene.gpu().add_versions(frame.import_versions);
     // The textures of tables never change.
@@ -82,7 +87,33 @@ Status FrameLoop::render(const FrameInput& input, DrawnScene& scene) {
         uint64_t& version = frame.import_versions[name.substr(0, name.find('['))];
         version = version * 31 + file.hash();
     }
+    for (const auto& [name, version] : input.import_versions) frame.import_versions.emplace(name, version);
     return stage_.executor->run(frame);
+}
+
+std::optional<ExportedResource> FrameLoop::exported(std::string_view name) const {
+    const auto found = stage_.exports.find(name);
+    const ResourceId id = find_resource(plan().graph, name);
+    if (found == stage_.exports.end() || id == kNoId) return std::nullopt;
+    const ResourceDecl& decl = plan().graph.resources[id];
+    const AccessState& state = decl.import->exit;
+    ExportedResource out;
+    out.layout = vk::to_vk(state.layout);
+    out.stages = vk::stages_to_vk(state.stages);
+    out.access = vk::access_to_vk(state.access);
+    if (decl.kind == ResourceKind::buffer) {
+        out.buffer = found->second.buffer.handle();
+        out.size_bytes = decl.size_bytes;
+        return out;
+    }
+    const vk::NativeImage image = vk::native(found->second.image);
+    out.image = image.image;
+    out.view = image.view;
+    out.format = image.format;
+    out.extent = image.extent;
+    out.mips = decl.mips;
+    out.layers = decl.layers;
+    return out;
 }
 
 Result<vk::ReadbackData> FrameLoop::read_output() {
@@ -117,7 +148,8 @@ Status FrameLoop::take_over(RenderStage stage, bool check) {
     }
     if (Status uploaded = upload_files(stage.files); !uploaded) return uploaded;
     // The slots of all frames in flight have been reused once kFramesInFlight further frames have begun.
-    retired_.push_back({std::move(stage_.files), frame_index_ + vk::kFramesInFlight});
+    retired_.push_back({std::move(stage_.files), std::move(stage_.exports), std::move(stage_.own_images),
+                        frame_index_ + vk::kFramesInFlight});
     vk::Predecessor predecessor;
     predecessor.images.push_back(std::move(stage_.output));
     predecessor.transition = std::move(between);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "render/drawn_scene.h"
+#include "render/live_inputs.h"
 #include "render/render_stage.h"
 #include "render/views/frame_views.h"
 #include "weft/render/frame_input.h"
@@ -17,7 +18,8 @@ class FrameLoop {
     // GraphDesc::jitter); 0 means no offsets. `size` is the size of the output in pixels.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
-    [[nodiscard]] Status render(const FrameInput& input, DrawnScene& scene);
+    // `live` replaces the switches and scales in FrameInput::parameters.
+    [[nodiscard]] Status render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene);
     [[nodiscard]] Status finish() { return stage_.executor->finish(); }
     // Reads the output image of the last frame. Errors: W184 the graph has no output, V426 its final layout
     // is not transfer_src.
@@ -35,6 +37,10 @@ class FrameLoop {
 
     [[nodiscard]] vk::Executor& executor() const { return *stage_.executor; }
     [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
+    // Returns a resource that the running graph exports; nullopt if there is none of this name.
+    [[nodiscard]] std::optional<ExportedResource> exported(std::string_view name) const;
+    // Returns the number of the frame from which on no frame in flight uses what this frame does not use.
+    [[nodiscard]] uint64_t next_free_frame() const { return frame_index_ + vk::kFramesInFlight; }
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
     // Returns the view constants of the last frame.
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
@@ -55,13 +61,15 @@ class FrameLoop {
     shared::ViewConstants view_{};
     SunCascades sun_;
     float pre_exposure_ = 1;
-    // Contents of files that replaced stages used. Frames in flight may still read them until the frame with
-    // the number `until` begins.
-    struct RetiredFiles {
+    // Objects that replaced stages used. Frames in flight may still use them until the frame with the number
+    // `until` begins.
+    struct Retired {
         FileUses files;
+        ExportObjects exports;
+        std::map<std::string, vk::Image> own_images;
         uint64_t until = 0;
     };
-    std::vector<RetiredFiles> retired_;
+    std::vector<Retired> retired_;
     // Declared last, so that it is destroyed first: its executor waits for the frames in flight.
     RenderStage stage_;
 };

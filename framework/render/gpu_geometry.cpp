@@ -30,14 +30,14 @@ std::array<int16_t, 4> snorm16(const glm::vec4& v) {
 // Returns a buffer with the items. An empty list gives a buffer with one default item, so that there is
 // always a buffer to bind.
 template <class T>
-Result<vk::Buffer> filled(vk::Device& device, std::vector<T> items, VkBufferUsageFlags usage,
-                          const char* name) {
+Result<vk::Buffer> filled(vk::Device& device, vk::Uploader& uploader, std::vector<T> items,
+                          VkBufferUsageFlags usage, const char* name) {
     if (items.empty()) items.emplace_back();
     const std::span<const std::byte> bytes = std::as_bytes(std::span<const T>(items));
     Result<vk::Buffer> buffer = vk::Buffer::create(
         device, bytes.size(), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT, vk::Buffer::Memory::device, name);
     if (!buffer) return buffer;
-    if (Status copied = vk::upload_buffer(device, *buffer, bytes); !copied) return copied.take_errors();
+    if (Status copied = uploader.buffer(*buffer, bytes); !copied) return copied.take_errors();
     return buffer;
 }
 
@@ -133,15 +133,17 @@ std::vector<shared::Instance> instances_of(const scene::Scene& scene, const std:
 
 // Makes the buffers for GpuGeometry::instances.
 Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene::Scene& scene,
-                                                 const std::vector<MeshRange>& ranges) {
+                                                 const std::vector<MeshRange>& ranges, vk::Uploader& uploader,
+                                                 bool moves_instances) {
     constexpr VkBufferUsageFlags kStorage =
         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
     std::vector<vk::Buffer> buffers;
     std::vector<shared::Instance> placed = instances_of(scene, ranges);
-    const bool moves =
-        std::ranges::any_of(scene.instances, [](const scene::Instance& i) { return i.node != scene::kNone; });
-    if (!moves) {
-        Result<vk::Buffer> buffer = filled(device, std::move(placed), kStorage, "scene instances");
+    const bool moves = moves_instances || std::ranges::any_of(scene.instances, [](const scene::Instance& i) {
+                           return i.node != scene::kNone;
+                       });
+    if (!moves || placed.empty()) {
+        Result<vk::Buffer> buffer = filled(device, uploader, std::move(placed), kStorage, "scene instances");
         if (!buffer) return buffer.take_errors();
         buffers.push_back(std::move(*buffer));
         return buffers;
@@ -161,23 +163,28 @@ Result<std::vector<vk::Buffer>> instance_buffers(vk::Device& device, const scene
 
 // The streams are made one after another. Each stream is freed on the host after its upload and before the
 // next stream is made, to save memory.
-Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& scene) {
+Result<GpuGeometry> GpuGeometry::create(vk::Device& device, const scene::Scene& scene, vk::Uploader& uploader,
+                                        bool moves_instances) {
     GpuGeometry geometry;
     geometry.meshes = ranges_of(scene);
     constexpr VkBufferUsageFlags kVertices = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                                  kIndices = VK_BUFFER_USAGE_INDEX_BUFFER_BIT,
                                  kStorage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    Result<vk::Buffer> positions = filled(device, positions_of(scene), kVertices, "scene positions");
+    Result<vk::Buffer> positions =
+        filled(device, uploader, positions_of(scene), kVertices, "scene positions");
     if (!positions) return positions.take_errors();
-    Result<vk::Buffer> attributes = filled(device, attributes_of(scene), kVertices, "scene attributes");
+    Result<vk::Buffer> attributes =
+        filled(device, uploader, attributes_of(scene), kVertices, "scene attributes");
     if (!attributes) return attributes.take_errors();
-    Result<vk::Buffer> indices = filled(device, indices_of(scene), kIndices, "scene indices");
+    Result<vk::Buffer> indices = filled(device, uploader, indices_of(scene), kIndices, "scene indices");
     if (!indices) return indices.take_errors();
-    Result<std::vector<vk::Buffer>> instances = instance_buffers(device, scene, geometry.meshes);
+    Result<std::vector<vk::Buffer>> instances =
+        instance_buffers(device, scene, geometry.meshes, uploader, moves_instances);
     if (!instances) return instances.take_errors();
-    Result<vk::Buffer> colors = filled(device, colors_of(scene), kStorage, "scene vertex colours");
+    Result<vk::Buffer> colors = filled(device, uploader, colors_of(scene), kStorage, "scene vertex colours");
     if (!colors) return colors.take_errors();
-    Result<vk::Buffer> second_uvs = filled(device, second_uvs_of(scene), kStorage, "scene second uvs");
+    Result<vk::Buffer> second_uvs =
+        filled(device, uploader, second_uvs_of(scene), kStorage, "scene second uvs");
     if (!second_uvs) return second_uvs.take_errors();
     geometry.positions = std::move(*positions);
     geometry.attributes = std::move(*attributes);

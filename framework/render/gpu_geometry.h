@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "vulkan/memory/uploader.h"
 #include "weft/scene/scene.h"
 #include "weft/vulkan/memory.h"
 
@@ -35,7 +36,9 @@ struct GpuGeometry {
     // The place of each mesh in the buffers, in the order of scene::Scene::meshes.
     std::vector<MeshRange> meshes;
 
-    [[nodiscard]] static Result<GpuGeometry> create(vk::Device& device, const scene::Scene& scene);
+    // If `moves_instances` is true, or if a node moves an instance, each frame slot has its own instances.
+    [[nodiscard]] static Result<GpuGeometry> create(vk::Device& device, const scene::Scene& scene,
+                                                    vk::Uploader& uploader, bool moves_instances);
 };
 
 }  // namespace weft::render

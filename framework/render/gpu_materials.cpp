@@ -24,19 +24,21 @@ ResourceDecl texture_decl(const std::string& name, uint32_t width_px, uint32_t h
     return decl;
 }
 
-Result<vk::Image> uploaded(vk::Device& device, const scene::Texture& texture) {
+Result<vk::Image> uploaded(vk::Device& device, vk::Uploader& uploader, const scene::Texture& texture) {
     Result<vk::Image> image = vk::Image::create(
         device, texture_decl(texture.name, texture.width_px, texture.height_px,
                              static_cast<uint32_t>(texture.mips.size()), texture.color_space));
     if (!image) return image;
     std::vector<std::span<const std::byte>> levels;
     for (const std::vector<uint8_t>& mip : texture.mips) levels.push_back(std::as_bytes(std::span(mip)));
-    if (Status copied = vk::upload_image(device, *image, levels); !copied) return copied.take_errors();
+    if (Status copied = uploader.image(*image, levels); !copied) return copied.take_errors();
     return image;
 }
 
-Result<vk::Image> single_texel(vk::Device& device, const char* name, std::vector<uint8_t> rgba) {
-    return uploaded(device, scene::Texture{name, 1, 1, scene::ColorSpace::linear, {std::move(rgba)}});
+Result<vk::Image> single_texel(vk::Device& device, vk::Uploader& uploader, const char* name,
+                               std::vector<uint8_t> rgba) {
+    return uploaded(device, uploader,
+                    scene::Texture{name, 1, 1, scene::ColorSpace::linear, {std::move(rgba)}});
 }
 
 VkSamplerAddressMode address_mode(scene::Wrap wrap) {
@@ -57,44 +59,48 @@ VkFilter filter(scene::Filter f) {
 
 }  // namespace
 
-Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene,
-                                          scene::Scene* owned) {
+Result<GpuMaterials> GpuMaterials::create(vk::Device& device, const scene::Scene& scene, scene::Scene* owned,
+                                          vk::Uploader& uploader, bool has_table) {
     GpuMaterials materials;
     Result<DescriptorSets> sets = DescriptorSets::create(
         device, layout_bindings(2), static_cast<uint32_t>(scene.materials.size()), "materials");
     if (!sets) return sets.take_errors();
     materials.sets_ = std::move(*sets);
-    if (Status s = materials.upload_textures(device, scene, owned); !s) return s.take_errors();
-    if (Status s = materials.upload_constants(device, scene); !s) return s.take_errors();
+    if (Status s = materials.upload_textures(device, scene, owned, uploader); !s) return s.take_errors();
+    const std::vector<shared::Material> constants =
+        has_table ? gpu_materials(scene) : gpu_materials_without_table(scene);
+    if (Status s = materials.upload_constants(device, constants, uploader); !s) return s.take_errors();
     for (uint32_t i = 0; i < scene.materials.size(); ++i) materials.write_set(device, scene.materials[i], i);
+    if (!has_table) return materials;
     materials.table_ = {materials.white_.view(), materials.flat_normal_.view()};
     for (const uint32_t texture : order_textures(scene).textures)
         materials.table_.push_back(materials.textures_[texture].view());
     return materials;
 }
 
-Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& scene, scene::Scene* owned) {
+Status GpuMaterials::upload_textures(vk::Device& device, const scene::Scene& scene, scene::Scene* owned,
+                                     vk::Uploader& uploader) {
     for (size_t i = 0; i < scene.textures.size(); ++i) {
-        Result<vk::Image> image = uploaded(device, scene.textures[i]);
+        Result<vk::Image> image = uploaded(device, uploader, scene.textures[i]);
         if (!image) return image.take_errors();
         textures_.push_back(std::move(*image));
         if (owned != nullptr) owned->textures[i].mips = {};
     }
-    Result<vk::Image> white = single_texel(device, "white", {255, 255, 255, 255});
+    Result<vk::Image> white = single_texel(device, uploader, "white", {255, 255, 255, 255});
     if (!white) return white.take_errors();
-    Result<vk::Image> flat = single_texel(device, "flat normal", {128, 128, 255, 255});
+    Result<vk::Image> flat = single_texel(device, uploader, "flat normal", {128, 128, 255, 255});
     if (!flat) return flat.take_errors();
     white_ = std::move(*white);
     flat_normal_ = std::move(*flat);
     return Unit{};
 }
 
-Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& scene) {
+Status GpuMaterials::upload_constants(vk::Device& device, const std::vector<shared::Material>& constants,
+                                      vk::Uploader& uploader) {
     // The constants of each material start at a multiple of 256 bytes. 256 is the largest
     // minUniformBufferOffsetAlignment that Vulkan allows.
     constants_stride_bytes_ = (sizeof(shared::Material) + 255) / 256 * 256;
-    std::vector<std::byte> bytes(std::max<size_t>(1, scene.materials.size()) * constants_stride_bytes_);
-    const std::vector<shared::Material> constants = gpu_materials(scene);
+    std::vector<std::byte> bytes(std::max<size_t>(1, constants.size()) * constants_stride_bytes_);
     for (size_t i = 0; i < constants.size(); ++i)
         std::memcpy(bytes.data() + i * constants_stride_bytes_, &constants[i], sizeof constants[i]);
     Result<vk::Buffer> buffer = vk::Buffer::create(
@@ -102,7 +108,7 @@ Status GpuMaterials::upload_constants(vk::Device& device, const scene::Scene& sc
         vk::Buffer::Memory::device, "scene materials");
     if (!buffer) return buffer.take_errors();
     constants_ = std::move(*buffer);
-    return vk::upload_buffer(device, constants_, bytes);
+    return uploader.buffer(constants_, bytes);
 }
 
 void GpuMaterials::write_set(vk::Device& device, const scene::Material& m, uint32_t index) {

@@ -116,6 +116,14 @@ Result<ResolvedGraph> GraphLoader::resolve_again(const LoadedGraph& loaded, cons
                                warnings);
 }
 
+std::optional<ResolvedGraph> GraphLoader::with_values(const LoadedGraph& loaded, const GraphRequest& from,
+                                                      const GraphRequest& to) const {
+    const ImportCatalog imports = imports_at(to);
+    return weft::change_values(
+        loaded, from,
+        {.request = to, .settings = settings_, .passes = passes_, .imports = imports, .profile = profile_});
+}
+
 ImportCatalog GraphLoader::imports_at(const GraphRequest& request) const {
     ImportCatalog imports = imports_;
     set_output(imports, request, profile_);

@@ -56,6 +56,12 @@ class GraphLoader {
     [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const GraphRequest& request,
                                                       Diagnostics& warnings) const;
 
+    // Returns the loaded graph with other values of parameters, whose change must cost at most
+    // ParamCost::live. `from` and `to` differ only in these values. Returns nullopt if a value has an error.
+    [[nodiscard]] std::optional<ResolvedGraph> with_values(const LoadedGraph& loaded,
+                                                           const GraphRequest& from,
+                                                           const GraphRequest& to) const;
+
     [[nodiscard]] const LoadSettings& settings() const { return settings_; }
     [[nodiscard]] const DeviceProfile& profile() const { return profile_; }
     [[nodiscard]] const PassCatalog& passes() const { return passes_; }

@@ -33,8 +33,8 @@ StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& sh
 }
 
 bool can_amend(const StageFingerprint& from, const StageFingerprint& to) {
-    return from.structure_hash == to.structure_hash && from.output == to.output && from.files == to.files &&
-           same_bindings(from, to);
+    return from.structure_hash == to.structure_hash && from.output == to.output &&
+           from.imports == to.imports && from.files == to.files && same_bindings(from, to);
 }
 
 uint32_t count_changed_programs(const StageFingerprint& from, const StageFingerprint& to) {

@@ -11,6 +11,7 @@
 
 #include "render/files/file_store.h"
 #include "weft/plan.h"
+#include "weft/render/own_imports.h"
 #include "weft/shader_interface.h"
 #include "weft/vulkan/executor.h"
 #include "weft/vulkan/memory.h"
@@ -24,8 +25,17 @@ inline constexpr bool kAlwaysCheck = false;
 inline constexpr bool kAlwaysCheck = true;
 #endif
 
+// The object of a resource that the program uses between frames. One of the members is set.
+struct ExportObject {
+    vk::Image image;
+    vk::Buffer buffer;
+};
+using ExportObjects = std::map<std::string, ExportObject, std::less<>>;
+
 struct RenderStage {
     vk::Image output;
+    ExportObjects exports;
+    std::map<std::string, vk::Image> own_images;  // The views of the program's own images.
     FileUses files;                   // The buffers and images of the plan whose content comes from files.
     std::vector<std::string> tables;  // The tables of textures that the scene and the program provide.
     // Declared last, so that the executor is destroyed before the objects that it uses.
@@ -43,6 +53,7 @@ struct StageFingerprint {
     std::map<std::string, Program, std::less<>> programs;
     std::map<std::string, uint64_t> files;  // Hashes of the contents of files, by the name of the resource.
     VkImage output = VK_NULL_HANDLE;
+    ImportObjects imports;   // The objects of the program's own imports.
     uint32_t pipelines = 0;  // Number of pipelines of the stage.
     // LoadedVersion::number of the load that made the graph; 0 if the graph was resolved again later, for
     // another size (see Session::resize()).

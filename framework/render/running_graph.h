@@ -7,7 +7,9 @@
 #include <set>
 
 #include "render/graph_loader.h"
+#include "render/live_inputs.h"
 #include "render/stage_maker.h"
+#include "weft/render/frame_input.h"
 #include "weft/render/pending_swap.h"
 
 namespace weft::render {
@@ -27,7 +29,14 @@ class RunningGraph {
 
     // Prepares the replacement of the running graph by the selected graph, as Session::prepare() describes.
     [[nodiscard]] PrepareResult prepare(const Selection& selection);
-    [[nodiscard]] Result<PendingSwap> prepare_resize(Extent3D size, VkImage output, Diagnostics& warnings);
+    // Prepares the loaded graph, without reading its files again, for another size or for other imports.
+    [[nodiscard]] Result<PendingSwap> prepare_loaded(const Selection& selection, Diagnostics& warnings);
+    // Stores the values of switches and scales for live_inputs(). Returns an amendment that gives the running
+    // plan the other values; null if it has them already. Error: W242 there is no such parameter, its change
+    // needs a new plan, or it cannot have the value.
+    [[nodiscard]] Result<std::unique_ptr<vk::Amendment>> set_parameters(const ParameterValues& values);
+    // Returns the switches and scales of the next frame. adopt() removes them.
+    [[nodiscard]] const LiveInputs& live_inputs() const { return live_inputs_; }
     // True if `next` was prepared to replace the graph that runs now. False if another replacement came
     // first.
     [[nodiscard]] bool is_next(const SwapParts& next) const;
@@ -45,6 +54,7 @@ class RunningGraph {
 
  private:
     [[nodiscard]] StageFingerprint running() const;
+    [[nodiscard]] Result<std::unique_ptr<vk::Amendment>> change_values(const ParameterValues& values);
     // Stores the load number of `next` for the running graph. `next` comes from a later load, but its graph
     // is the same. So the next prepare() can notice that nothing has changed since that load.
     void note_same(const SwapParts& next);
@@ -56,6 +66,7 @@ class RunningGraph {
     std::set<std::filesystem::path> first_files_;
     Selection selection_;
     LoadedGraph loaded_;
+    LiveInputs live_inputs_;
     mutable std::mutex fingerprint_mutex_;
     StageFingerprint fingerprint_;
 };

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "render/imports/output_import.h"
+#include "render/imports/program_imports.h"
+#include "render/parts/pending_part.h"
 #include "render/session_parts.h"
 #include "render/unsupported_report.h"
 #include "scene/model/light_check.h"
@@ -12,9 +14,9 @@
 namespace weft::render {
 namespace {
 
-// Returns the imports of the scene and of the program, and sets which queue family owns their Vulkan objects.
-// If the device has queues of several families, the objects are shared by all these families; otherwise the
-// main queue's family owns them.
+// Returns the imports of the scene and of the program, and sets which queue family owns the Vulkan objects of
+// the scene. If the device has queues of several families, the objects are shared by all these families;
+// otherwise the main queue's family owns them.
 ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene, const SessionInput& input) {
     ImportCatalog catalog = scene_imports(input.request.size, &scene);
     for (const auto& [name, count] : input.views)
@@ -26,6 +28,7 @@ ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
         import.resource.import->concurrent = !device.sharing_families().empty();
         import.resource.import->family = device.queue().family;
     }
+    add_program_imports(input, catalog);
     return catalog;
 }
 
@@ -61,16 +64,24 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, scene::Scen
     return create(device, scene, &scene, input, warnings, files);
 }
 
+Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const SessionInput& input,
+                                                 Diagnostics& warnings,
+                                                 std::set<std::filesystem::path>* files) {
+    return create(device, scene::Scene{}, nullptr, input, warnings, files);
+}
+
 Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene::Scene& scene,
                                                  scene::Scene* owned, const SessionInput& input,
                                                  Diagnostics& warnings,
                                                  std::set<std::filesystem::path>* files) {
     const size_t known_warnings = warnings.size();
+    if (Diagnostics faults = program_import_faults(input, scene); !faults.empty()) return faults;
     auto graph = std::make_unique<RunningGraph>(device, input, owned_imports(device, scene, input));
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
     if (!loaded) return loaded.errors();
-    Result<DrawnScene> drawn = DrawnScene::create(device, scene, owned);
+    Result<DrawnScene> drawn =
+        DrawnScene::create(device, scene, {input.draw_lists, input.draw_sets, input.moves_instances}, owned);
     if (!drawn) return drawn.take_errors();
     Result<PendingSwap> first = graph->start(device, drawn->gpu(), StageSettings(input));
     if (!first) return first.take_errors();
@@ -116,12 +127,35 @@ Result<bool> Session::swap_in(PendingSwap next) {
 
 Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
     if (size == selection().request.size) return Unit{};
+    Selection next = selection();
+    next.request.size = size;
+    next.output = output;
+    return change_selection(next, warnings);
+}
+
+Status Session::rebind(const std::string& import, const ImportObject& object, const ImportSize& size,
+                       Diagnostics& warnings) {
+    Selection next = selection();
+    const auto found = next.imports.find(import);
+    if (found == next.imports.end()) {
+        Diagnostic d;
+        d.code = "W245";
+        d.message = "Session::rebind() names \"" + import + "\", which is no import of the program";
+        d.help = {"use a name in SessionInput::imports"};
+        return d;
+    }
+    found->second = object;
+    next.request.import_sizes[import] = size;
+    return change_selection(next, warnings);
+}
+
+Status Session::change_selection(const Selection& selection, Diagnostics& warnings) {
     const size_t known_warnings = warnings.size();
-    Result<PendingSwap> next = parts_->graph->prepare_resize(size, output, warnings);
+    Result<PendingSwap> next = parts_->graph->prepare_loaded(selection, warnings);
     parts_->device.log(warnings, known_warnings);
     if (!next) return next.take_errors();
     // The value of `swapped` is never false: only this thread swaps graphs, so no other swap can have
-    // happened since prepare_resize().
+    // happened since prepare_loaded().
     Result<bool> swapped = swap_in(std::move(*next));
     return swapped ? Status(Unit{}) : Status(swapped.take_errors());
 }
@@ -130,8 +164,33 @@ uint64_t Session::pipelines_made_between_frames() const {
     return parts_->graph->pipelines_made_between_frames();
 }
 
+std::optional<ExportedResource> Session::exported(std::string_view name) const {
+    return parts_->frames.exported(name);
+}
+
+Result<ScenePart> Session::prepare_part(const scene::Scene& scene, bool moves_instances) const {
+    return make_part(parts_->device, scene, moves_instances);
+}
+
+Result<PartId> Session::add_part(ScenePart part) {
+    const std::unique_ptr<PendingPart> pending = part.take();
+    return parts_->scene.gpu().parts().add(std::move(pending->part), std::move(pending->uploads));
+}
+
+Status Session::remove_part(PartId part) {
+    if (parts_->scene.gpu().parts().remove(part, parts_->frames.next_free_frame())) return Unit{};
+    Diagnostic d;
+    d.code = "W247";
+    d.message = "the session has no added part with the number " + std::to_string(part);
+    d.help = {"use a number that Session::add_part() has returned, and remove each part only once"};
+    return d;
+}
+
 Status Session::render_frame(const FrameInput& input) {
-    return parts_->frames.render(input, parts_->scene);
+    Result<std::unique_ptr<vk::Amendment>> values = parts_->graph->set_parameters(input.parameters);
+    if (!values) return values.take_errors();
+    if (*values) parts_->frames.amend(std::move(*values));
+    return parts_->frames.render(input, parts_->graph->live_inputs(), parts_->scene);
 }
 
 Status Session::finish() {

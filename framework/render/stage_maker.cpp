@@ -46,6 +46,22 @@ Diagnostics find_missing_features(const vk::Device& device, const FramePlan& pla
     return missing;
 }
 
+Result<ExportObject> make_export(vk::Device& device, const ResourceDecl& decl) {
+    ExportObject object;
+    if (decl.kind == ResourceKind::buffer) {
+        Result<vk::Buffer> buffer =
+            vk::Buffer::create(device, decl.size_bytes, vk::buffer_create_info(decl).usage,
+                               vk::Buffer::Memory::device, decl.name);
+        if (!buffer) return buffer.take_errors();
+        object.buffer = std::move(*buffer);
+    } else {
+        Result<vk::Image> image = vk::Image::create(device, decl);
+        if (!image) return image.take_errors();
+        object.image = std::move(*image);
+    }
+    return object;
+}
+
 Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
     const bool same_plan = can_amend(from, to);
     Rebuilt rebuilt;
@@ -81,6 +97,7 @@ Result<std::unique_ptr<SwapParts>> StageMaker::make(const Selection& selection, 
     next->selection = selection;
     next->follows = running.generation;
     next->fingerprint = take_fingerprint(*plan, shaders, selection.output);
+    next->fingerprint.imports = selection.imports;
     for (const auto& [name, use] : *files) next->fingerprint.files.emplace(name, use.hash());
     next->rebuilt = compare(running, next->fingerprint);
     next->fingerprint.pipelines = running.pipelines;
@@ -126,7 +143,7 @@ Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCat
     run.timestamps = settings_.timestamps;
     run.imports = &imports;
     if (next.rebuilt.plan) {
-        Result<RenderStage> stage = make_stage(std::move(run), next.selection.output, std::move(files));
+        Result<RenderStage> stage = make_stage(std::move(run), next.selection, std::move(files));
         if (!stage) return stage.take_errors();
         next.stage = std::move(*stage);
         return Unit{};
@@ -137,20 +154,57 @@ Status StageMaker::make_objects(SwapParts& next, FramePlan plan, const ShaderCat
     return Unit{};
 }
 
-Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, VkImage own, FileUses files) const {
+Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, const Selection& selection,
+                                           FileUses files) const {
+    RenderStage stage;
     const ResourceDecl& decl = run.imports->imports.at("backbuffer").resource;
-    Result<vk::Image> output =
-        own != VK_NULL_HANDLE ? vk::Image::adopt(device_, own, decl) : vk::Image::create(device_, decl);
+    Result<vk::Image> output = selection.output != VK_NULL_HANDLE
+                                   ? vk::Image::adopt(device_, selection.output, decl)
+                                   : vk::Image::create(device_, decl);
     if (!output) return output.take_errors();
-    run.bindings.images.emplace("backbuffer", &*output);
+    stage.output = std::move(*output);
     scene_.bind(run.bindings);
     for (const auto& [name, views] : settings_.textures) run.bindings.textures.insert_or_assign(name, views);
-    std::vector<std::string> tables;
-    for (const auto& [name, unused] : run.bindings.textures) tables.push_back(name);
+    for (const auto& [name, unused] : run.bindings.textures) stage.tables.push_back(name);
     bind_files(run.plan.graph, files, run.bindings);
+    stage.files = std::move(files);
+    if (Status bound = bind_imports(run.plan, selection, stage, run.bindings); !bound)
+        return bound.take_errors();
+    // The bindings point to the images of the stage, and the executor uses them only while it is created.
+    run.bindings.images.emplace("backbuffer", &stage.output);
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
     if (!executor) return executor.take_errors();
-    return RenderStage{std::move(*output), std::move(files), std::move(tables), std::move(*executor)};
+    stage.executor = std::move(*executor);
+    return stage;
+}
+
+// Binds the program's own imports, and creates the objects of the resources that the program uses.
+Status StageMaker::bind_imports(const FramePlan& plan, const Selection& selection, RenderStage& stage,
+                                vk::ImportBindings& bindings) const {
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id) {
+        const ResourceDecl& decl = plan.graph.resources[id];
+        const auto own = selection.imports.find(decl.name);
+        if (own != selection.imports.end() && decl.lifetime == ResourceLifetime::imported) {
+            const ImportObject& object = own->second;
+            if (object.buffer != VK_NULL_HANDLE) bindings.buffers.emplace(decl.name, object.buffer);
+            if (object.slot_buffers.front() != VK_NULL_HANDLE)
+                bindings.slot_buffers.emplace(decl.name, object.slot_buffers);
+            if (object.image == VK_NULL_HANDLE) continue;
+            Result<vk::Image> image = vk::Image::adopt(device_, object.image, decl);
+            if (!image) return image.take_errors();
+            const auto [kept, unused] = stage.own_images.emplace(decl.name, std::move(*image));
+            bindings.images.emplace(decl.name, &kept->second);
+        }
+        if (!selection.request.exports.contains(decl.name) || !plan.live.live_resources[id]) continue;
+        Result<ExportObject> made = make_export(device_, decl);
+        if (!made) return made.take_errors();
+        const ExportObject& object = stage.exports.emplace(decl.name, std::move(*made)).first->second;
+        if (decl.kind == ResourceKind::buffer)
+            bindings.buffers.emplace(decl.name, object.buffer.handle());
+        else
+            bindings.images.emplace(decl.name, &object.image);
+    }
+    return Unit{};
 }
 
 }  // namespace weft::render

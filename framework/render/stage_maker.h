@@ -62,7 +62,10 @@ class StageMaker {
     [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const GraphRequest& request) const;
     [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders,
                                       FileUses files);
-    [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, VkImage output, FileUses files) const;
+    [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, const Selection& selection,
+                                                 FileUses files) const;
+    [[nodiscard]] Status bind_imports(const FramePlan& plan, const Selection& selection, RenderStage& stage,
+                                      vk::ImportBindings& bindings) const;
 
     vk::Device& device_;
     const GpuScene& scene_;

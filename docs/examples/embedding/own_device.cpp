@@ -189,3 +189,23 @@ std::vector<uint8_t> read_image(const OwnDevice& own, VkImage image, uint32_t wi
     vkFreeMemory(own.device, memory, nullptr);
     return texels;
 }
+
+OwnBuffer make_buffer(const OwnDevice& own, VkDeviceSize bytes, VkBufferUsageFlags usage) {
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = bytes;
+    info.usage = usage;
+    OwnBuffer made;
+    require(vkCreateBuffer(own.device, &info, nullptr, &made.buffer), "vkCreateBuffer");
+    VkMemoryRequirements needs;
+    vkGetBufferMemoryRequirements(own.device, made.buffer, &needs);
+    made.memory =
+        allocate(own, needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+    require(vkBindBufferMemory(own.device, made.buffer, made.memory, 0), "vkBindBufferMemory");
+    require(vkMapMemory(own.device, made.memory, 0, VK_WHOLE_SIZE, 0, &made.mapped), "vkMapMemory");
+    return made;
+}
+
+void destroy_buffer(const OwnDevice& own, const OwnBuffer& buffer) {
+    vkDestroyBuffer(own.device, buffer.buffer, nullptr);
+    vkFreeMemory(own.device, buffer.memory, nullptr);
+}

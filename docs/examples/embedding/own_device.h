@@ -35,3 +35,12 @@ void destroy_image(const OwnDevice& own, const OwnImage& image);
 // Copies an image of 4 bytes per texel to the CPU and returns its bytes. The image must have the layout
 // TRANSFER_SRC_OPTIMAL. Waits until `own.queue` has finished the copy.
 std::vector<uint8_t> read_image(const OwnDevice& own, VkImage image, uint32_t width, uint32_t height);
+
+// A buffer in memory that the CPU writes.
+struct OwnBuffer {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    void* mapped = nullptr;
+};
+OwnBuffer make_buffer(const OwnDevice& own, VkDeviceSize bytes, VkBufferUsageFlags usage);
+void destroy_buffer(const OwnDevice& own, const OwnBuffer& buffer);

@@ -51,6 +51,31 @@ void add_block(const PassBlock& block, PassDecl& pass) {
     pass.params_push = block.push_constants;
 }
 
+// Before the frame, the program still uses the content of the frame before, which the frame discards.
+void set_export_states(const GraphRequest& request, std::vector<ResourceDecl>& resources) {
+    if (request.exports.empty()) return;
+    for (ResourceDecl& decl : resources) {
+        const auto found = request.exports.find(decl.name);
+        if (found == request.exports.end()) continue;
+        const AspectMask aspects = decl.kind == ResourceKind::buffer ? aspect::kNone : decl.aspects;
+        const AccessState used = access_state(found->second.access, found->second.stages, aspects);
+        decl.import->exit = decl.import->entry = used;
+        decl.import->entry.layout = Layout::undefined;
+    }
+}
+
+// Returns true if the program uses what the pass writes.
+bool writes_for_program(const Declared& declared, const std::vector<ResourceDecl>& resources,
+                        const PassDecl& pass) {
+    return std::ranges::any_of(pass.uses, [&](const UseDecl& use) {
+        const ResourceDecl& decl = resources[use.resource];
+        if (!writes(use.access) || decl.lifetime != ResourceLifetime::imported) return false;
+        if (declared.input.request.exports.contains(decl.name)) return true;
+        const auto import = declared.input.imports.imports.find(decl.name);
+        return import != declared.input.imports.imports.end() && import->second.observed;
+    });
+}
+
 }  // namespace
 
 ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, const Attachments& attachments,
@@ -59,6 +84,7 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
     resolved.name = declared.input.graph.name;
     resolved.output_extent = declared.input.request.size;
     resolved.resources = graph.resources;
+    set_export_states(declared.input.request, resolved.resources);
     resolved.edges = graph.edges;
     resolved.output = declared.shapes.output;
     resolved.params = declared.values.params;
@@ -72,6 +98,7 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
         add_attachments(attachments.passes[id], pass);
         add_dispatch(dispatches.passes[id], pass);
         add_block(blocks.passes[id], pass);
+        pass.side_effect |= writes_for_program(declared, resolved.resources, pass);
         pass.culls_draws = declared.expansion.passes[id].desc->frustum && may_cull(pass);
     }
     resolved.views = used_view_lists(declared.values, resolved.passes);

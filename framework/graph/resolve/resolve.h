@@ -24,7 +24,8 @@ struct ResolveInput {
     const ShaderCatalog& shaders;
     const ImportCatalog& imports;
     const DeviceProfile& profile;
-    // resolve() uses only the parameter values, the output size and the observed references of the request.
+    // resolve() uses only the parameter values, the output size, the observed references, the sizes of
+    // imports and the exports of the request.
     GraphRequest request;
     GraphLimits limits = {};
     // For images with a list of formats, by the name of the image: the number of formats at the start of the

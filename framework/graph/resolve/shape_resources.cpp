@@ -138,6 +138,21 @@ void shape_all_imports(const ResolveInput& input, Shapes& shapes, Reporter& repo
     }
 }
 
+void check_exports(const ResolveInput& input, Reporter& reporter) {
+    for (const auto& [name, unused] : input.request.exports) {
+        if (input.graph.resources.contains(name)) continue;
+        const bool import = input.graph.imports.contains(name);
+        Diagnostic& d = reporter.error(SourceLoc{}, "W243",
+                                       "the program exports " + quote(name) +
+                                           (import ? ", which is an import: the program has it already"
+                                                   : ", which the graph does not have"));
+        std::vector<std::string> names;
+        for (const auto& [resource, desc] : input.graph.resources) names.push_back(resource);
+        const std::string near = did_you_mean_text(name, names);
+        add_help(d, near.empty() ? "the resources of the graph are " + quote_all(names) : near);
+    }
+}
+
 ResourceId find_output(const ResolveInput& input, const Shapes& shapes) {
     const auto output = std::ranges::find_if(input.graph.imports, [](const auto& import) {
         return import.second.kind == import_kind_name(ImportKind::output);
@@ -153,6 +168,7 @@ Shapes shape_resources(const ResolveInput& input, const Values& values, Reporter
     name_resources(input, evaluator, shapes, reporter);
     tie_rings(input, evaluator, shapes);
     check_list_imports(input, reporter);
+    check_exports(input, reporter);
     shape_all_imports(input, shapes, reporter);
     // The first iteration handles the resources that do not use mips(); the second handles those whose size
     // depends on the mip count of another resource.

@@ -43,6 +43,8 @@ struct ImportDecl {
     // tables of textures: the number of textures, and import states; see texture_table().
     ResourceDecl resource;
     bool read_only = false;  // True: passes must not write the buffer or image (W147).
+    // True: the program uses what a frame writes, so the passes that write the buffer or image always run.
+    bool observed = false;
     // The members from `variants` to `draws` describe a draw list.
     std::vector<DrawVariant> variants;
     VertexFormat vertex_format;

@@ -28,6 +28,17 @@ MaterialTextures order_textures(const scene::Scene& scene) {
     return order;
 }
 
+std::vector<shared::Material> gpu_materials_without_table(const scene::Scene& scene) {
+    static_assert(kWhiteEntry == 0, "gpu_material() sets the numbers of textures to 0");
+    std::vector<shared::Material> materials;
+    materials.reserve(scene.materials.size());
+    for (const scene::Material& material : scene.materials) {
+        materials.push_back(gpu_material(material));
+        materials.back().normal_texture = kFlatNormalEntry;
+    }
+    return materials;
+}
+
 std::vector<shared::Material> gpu_materials(const scene::Scene& scene) {
     const MaterialTextures order = order_textures(scene);
     std::vector<shared::Material> materials;

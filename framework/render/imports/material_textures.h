@@ -1,6 +1,5 @@
 // Purpose: the order of the textures in the import "materialTextures", a table that shaders index. The
-// members
-// `*_texture` of shared::Material are indices in this table.
+// members `*_texture` of shared::Material are indices in this table.
 #pragma once
 
 #include <array>
@@ -32,5 +31,8 @@ struct MaterialTextures {
 
 // Returns all materials of the scene as shaders read them, with the numbers of their textures.
 [[nodiscard]] std::vector<shared::Material> gpu_materials(const scene::Scene& scene);
+// Returns all materials of a scene whose textures are not in the table. Their numbers are those of the first
+// two textures.
+[[nodiscard]] std::vector<shared::Material> gpu_materials_without_table(const scene::Scene& scene);
 
 }  // namespace weft::render

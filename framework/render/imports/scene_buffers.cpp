@@ -50,9 +50,11 @@ Result<vk::Buffer> uploaded(vk::Device& device, std::vector<T> items, const std:
     return buffer;
 }
 
-Result<std::vector<vk::Buffer>> bounds_buffers(vk::Device& device, const scene::Scene& scene) {
-    const bool moves = std::ranges::any_of(
-        scene.instances, [](const scene::Instance& instance) { return instance.node != scene::kNone; });
+Result<std::vector<vk::Buffer>> bounds_buffers(vk::Device& device, const scene::Scene& scene,
+                                               bool moves_instances) {
+    const auto follows = [](const scene::Instance& instance) { return instance.node != scene::kNone; };
+    const bool moves =
+        !scene.instances.empty() && (moves_instances || std::ranges::any_of(scene.instances, follows));
     const std::vector<shared::Bounds> boxes = instance_bounds(scene);
     std::vector<vk::Buffer> buffers;
     for (uint32_t slot = 0; slot < (moves ? vk::kFramesInFlight : 1); ++slot) {
@@ -106,9 +108,9 @@ std::vector<shared::Mesh> mesh_table(const scene::Scene& scene, const std::vecto
 }
 
 Result<SceneBuffers> SceneBuffers::create(vk::Device& device, const scene::Scene& scene,
-                                          const std::vector<MeshRange>& ranges) {
+                                          const std::vector<MeshRange>& ranges, bool moves_instances) {
     SceneBuffers out;
-    Result<std::vector<vk::Buffer>> bounds = bounds_buffers(device, scene);
+    Result<std::vector<vk::Buffer>> bounds = bounds_buffers(device, scene, moves_instances);
     if (!bounds) return bounds.take_errors();
     out.bounds_ = std::move(*bounds);
     Result<vk::Buffer> meshes = uploaded(device, mesh_table(scene, ranges), "meshes");
@@ -120,9 +122,10 @@ Result<SceneBuffers> SceneBuffers::create(vk::Device& device, const scene::Scene
     return out;
 }
 
-void SceneBuffers::move(uint32_t slot, std::span<const MovingObject> objects) {
+void SceneBuffers::move(uint32_t slot, const MovingObjects& objects) {
     std::byte* memory = bounds_[slot].mapped().data();
-    for (const MovingObject& object : objects) {
+    for (const uint32_t index : objects.active()) {
+        const MovingObject& object = objects.all()[index];
         const shared::Bounds box = gpu_bounds(object.mesh_bounds, object.transform);
         std::memcpy(memory + uint64_t{object.instance} * sizeof box, &box, sizeof box);
     }

@@ -38,9 +38,10 @@ void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene);
 class SceneBuffers {
  public:
     [[nodiscard]] static Result<SceneBuffers> create(vk::Device& device, const scene::Scene& scene,
-                                                     const std::vector<MeshRange>& ranges);
-    // Writes the boxes of the moving objects for a frame slot.
-    void move(uint32_t slot, std::span<const MovingObject> objects);
+                                                     const std::vector<MeshRange>& ranges,
+                                                     bool moves_instances = false);
+    // Writes the boxes of the active objects for a frame slot.
+    void move(uint32_t slot, const MovingObjects& objects);
     // Adds the buffers to the imports of an executor.
     void bind(vk::ImportBindings& to) const;
 

@@ -1,24 +1,63 @@
 #include "render/motion/moving_objects.h"
 
 #include "render/views/frustum.h"
+#include "weft/vulkan/executor.h"
 
 namespace weft::render {
-MovingObjects::MovingObjects(const scene::Scene& scene) {
+
+MovingObjects::MovingObjects(const scene::Scene& scene, bool program_moves) {
+    object_of_.assign(scene.instances.size(), scene::kNone);
     for (uint32_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
-        if (instance.node == scene::kNone) continue;
-        objects_.push_back({i, instance.mesh, instance.node, instance.transform, instance.transform, false,
-                            scene.meshes[instance.mesh].bounds});
+        if (instance.node == scene::kNone && !program_moves) continue;
+        const auto index = static_cast<uint32_t>(objects_.size());
+        object_of_[i] = index;
+        MovingObject object;
+        object.instance = i;
+        object.mesh = instance.mesh;
+        object.node = instance.node;
+        object.transform = object.previous = object.next = instance.transform;
+        object.mesh_bounds = scene.meshes[instance.mesh].bounds;
+        // An object that follows a node stays active: only its node knows when it moves.
+        object.active = instance.node != scene::kNone;
+        if (object.active) active_.push_back(index);
+        objects_.push_back(object);
     }
 }
 
+bool MovingObjects::can_set(uint32_t instance) const {
+    return instance < object_of_.size() && object_of_[instance] != scene::kNone &&
+           objects_[object_of_[instance]].node == scene::kNone;
+}
+
+void MovingObjects::set(uint32_t instance, const glm::mat4& transform) {
+    const uint32_t index = object_of_[instance];
+    MovingObject& object = objects_[index];
+    object.next = transform;
+    if (object.active || transform == object.transform) return;
+    object.active = true;
+    active_.push_back(index);
+}
+
 void MovingObjects::move(std::span<const glm::mat4> nodes) {
-    for (MovingObject& object : objects_) {
-        const glm::mat4 next = nodes[object.node];
+    std::erase_if(active_, [&](uint32_t index) {
+        MovingObject& object = objects_[index];
+        const bool stays = object.node != scene::kNone || object.writes_left > 0 ||
+                           object.next != object.transform || object.previous != object.transform;
+        object.active = stays;
+        return !stays;
+    });
+    any_changed_ = false;
+    for (const uint32_t index : active_) {
+        MovingObject& object = objects_[index];
+        const glm::mat4 next = object.node != scene::kNone ? nodes[object.node] : object.next;
         const glm::mat4 previous = has_moved_ ? object.transform : next;
         object.changed = next != object.transform || previous != object.previous;
         object.previous = previous;
         object.transform = next;
+        if (object.changed) object.writes_left = vk::kFramesInFlight;
+        if (object.writes_left > 0) --object.writes_left;
+        any_changed_ |= object.changed;
     }
     has_moved_ = true;
 }

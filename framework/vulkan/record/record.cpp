@@ -4,6 +4,7 @@
 
 #include "vulkan/device/functions.h"
 #include "vulkan/device/to_vk.h"
+#include "vulkan/record/draw_targets.h"
 #include "vulkan/record/raw_pass.h"
 
 namespace weft::vk {
@@ -120,7 +121,7 @@ void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass
 
 // Returns the number of draws that were left out.
 uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
-                   const DrawPipeline& draw, const std::string& view) {
+                   const DrawPipeline& draw, const std::string& view, const DrawTargets& targets) {
     const DeviceFunctions& fn = context.device.fn();
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline.get());
     // Binds sets 0 and 1 again for every variant. All variants share one pipeline layout, but earlier draws
@@ -148,18 +149,45 @@ uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const Pre
     draws.culls_draws = pass.culls_draws;
     draws.depth_clamp = pass.state.depth_clamp;
     draws.frame_ranges = prepared.frame_ranges;
+    draws.targets = targets;
     return context.objects.draws->record(draws);
 }
 
-// Begins the rendering scope of a pass. If its attachments have a live size, the scope covers their area.
-void begin_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
-    const RenderingScope& scope = prepared.scope(context.resources.frame());
-    if (pass.area.image == kNoId)
-        return begin_rendering(context.device, context.commands, scope, scope.area.extent, pass.state);
+// The part of the attachments to which a pass draws, and the dynamic state for it. If the attachments have a
+// live size, the area is that of the frame.
+struct DrawnArea {
+    VkExtent2D extent;
+    RasterState state;
+};
+
+DrawnArea drawn_area(const RecordContext& context, const PassDecl& pass, const RenderingScope& scope) {
+    if (pass.area.image == kNoId) return {scope.area.extent, pass.state};
     const FrameAreas& areas = context.objects.areas;
     const Extent3D area = areas.area(ResourceId(pass.area.image), pass.area.mip);
-    begin_rendering(context.device, context.commands, scope, {area.width, area.height},
-                    live_state(pass, areas.values()));
+    return {{area.width, area.height}, live_state(pass, areas.values())};
+}
+
+// Begins the rendering scope of a pass.
+void begin_pass(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
+    const RenderingScope& scope = prepared.scope(context.resources.frame());
+    const DrawnArea area = drawn_area(context, pass, scope);
+    begin_rendering(context.device, context.commands, scope, area.extent, area.state);
+}
+
+// Records the draw lists of a pass, for each view.
+void record_lists(const RecordContext& context, Position position, const PassDecl& pass,
+                  const PreparedPass& prepared) {
+    const DrawnArea area = drawn_area(context, pass, prepared.scope(context.resources.frame()));
+    DrawTargets targets = draw_targets(context.objects.plan.graph, pass);
+    targets.extent = area.extent;
+    bool first = true;
+    for (const DrawPipeline& draw : prepared.pipelines_of(variant_in(pass, context.switches)))
+        for (const std::string& view : recorded_views(pass)) {
+            // A list of the program may have bound a pipeline without this dynamic state.
+            if (!first) set_draw_state(context.device, context.commands, area.extent, area.state);
+            first = false;
+            context.draws_left_out[position] += draw_list(context, pass, prepared, draw, view, targets);
+        }
 }
 
 }  // namespace
@@ -191,9 +219,7 @@ void record_raster(const RecordContext& context, Position position, const PassDe
     else if (pass.vertices > 0)
         draw_vertices(context, pass, prepared, pass.vertices, pass.instances);
     else
-        for (const DrawPipeline& draw : prepared.pipelines_of(variant_in(pass, context.switches)))
-            for (const std::string& view : recorded_views(pass))
-                context.draws_left_out[position] += draw_list(context, pass, prepared, draw, view);
+        record_lists(context, position, pass, prepared);
     end_rendering(context.device, context.commands, prepared.scope(context.resources.frame()));
 }
 

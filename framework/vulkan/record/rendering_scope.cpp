@@ -118,9 +118,13 @@ void begin_rendering(const Device& device, VkCommandBuffer commands, const Rende
     info.pColorAttachments = scope.colors.data();
     if (scope.depth.imageView != VK_NULL_HANDLE) info.pDepthAttachment = &scope.depth;
     if (scope.stencil.imageView != VK_NULL_HANDLE) info.pStencilAttachment = &scope.stencil;
-    const DeviceFunctions& fn = device.fn();
-    if (scope.begins) fn.vkCmdBeginRendering(commands, &info);
+    if (scope.begins) device.fn().vkCmdBeginRendering(commands, &info);
+    set_draw_state(device, commands, area, state);
+}
 
+void set_draw_state(const Device& device, VkCommandBuffer commands, const VkExtent2D& area,
+                    const RasterState& state) {
+    const DeviceFunctions& fn = device.fn();
     const RectPx whole{0, 0, area.width, area.height};
     const RectPx view = state.viewport.value_or(whole);
     const VkViewport viewport{static_cast<float>(view.x),

@@ -26,11 +26,13 @@ struct RenderingScope {
 [[nodiscard]] Result<RenderingScope> make_rendering_scope(const FramePlan& plan, const PassStep& step,
                                                           ViewCache& views, uint64_t frame);
 
-// Begins the rendering scope, unless a previous pass has begun it. Sets the dynamic state of the pass:
-// viewport, scissor, cull mode, front face. `area`: the part of the attachments at the top left to which the
-// pass draws.
+// Begins the rendering scope, unless a previous pass has begun it, and calls set_draw_state(). `area`: the
+// part of the attachments at the top left to which the pass draws.
 void begin_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope,
                      const VkExtent2D& area, const RasterState& state);
+// Sets the dynamic state of a pass that draws to this area: viewport, scissor, cull mode, front face.
+void set_draw_state(const Device& device, VkCommandBuffer commands, const VkExtent2D& area,
+                    const RasterState& state);
 // Ends the rendering scope, unless the next pass continues it.
 void end_rendering(const Device& device, VkCommandBuffer commands, const RenderingScope& scope);
 

@@ -224,5 +224,31 @@ TEST_F(ResolveTables, AnErrorOfTheImportIsTheOnlyOne) {
     }
 }
 
+TEST_F(ResolveTables, TheProgramCannotExportATable) {
+    Result<GraphDesc> graph = parsed(
+        R"j("resources": {"own": {"format": "rgba8", "textures": ["a.png"]}, "x": "rgba16f"}, "passes": {
+"w": {"type": "compute", "shader": "index.comp", "out": {"dst": "x"}, "in": {"pictures": "own"}}, "r": {"type": "readback", "in": ["x"]}})j");
+    ASSERT_TRUE(graph) << to_text(graph.errors());
+    FileDesc& file = graph->resources.at("own").textures.front();
+    file.path = "/files/a.png";
+    file.width_px = file.height_px = 4;
+    for (const bool exported : {false, true}) {
+        GraphRequest request{.size = output_extent};
+        if (exported) request.exports["own"] = {};
+        const Result<ResolvedGraph> resolved = resolve({.graph = *graph,
+                                                        .passes = passes,
+                                                        .shaders = shaders,
+                                                        .imports = imports,
+                                                        .profile = profile,
+                                                        .request = request},
+                                                       warnings);
+        ASSERT_EQ(static_cast<bool>(resolved), !exported);
+        if (resolved) continue;
+        ASSERT_EQ(resolved.errors().size(), 1u) << to_text(resolved.errors());
+        EXPECT_EQ(resolved.errors().front().code, "W243");
+        expect_help(resolved.errors().front(), "copy");
+    }
+}
+
 }  // namespace
 }  // namespace weft::test

@@ -20,6 +20,7 @@
 #include <string>
 
 #include "weft/declaration.h"
+#include "weft/graph_request.h"
 #include "weft/result.h"
 
 namespace weft::test {
@@ -56,7 +57,8 @@ struct FaultyText {
 // the output.
 [[nodiscard]] Result<ResolvedGraph> resolve_text(const std::string& text,
                                                  const std::map<std::string, double>& params,
-                                                 const DeviceProfile& profile, uint32_t output_px = 64);
+                                                 const DeviceProfile& profile, uint32_t output_px = 64,
+                                                 const std::map<std::string, ExportUse>& exports = {});
 // Resolves a graph that contains only an instance of the text as a module named "m". So all names of the text
 // begin with "m::".
 [[nodiscard]] Result<ResolvedGraph> resolve_as_module(const std::string& text,

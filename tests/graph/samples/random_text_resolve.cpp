@@ -130,7 +130,8 @@ void find_files(GraphDesc& graph) {
 }
 
 Result<ResolvedGraph> resolve_document(Result<JsonDoc> document, const std::map<std::string, double>& params,
-                                       const DeviceProfile& profile, uint32_t output_px) {
+                                       const DeviceProfile& profile, uint32_t output_px,
+                                       const std::map<std::string, ExportUse>& exports) {
     if (!document) return document.take_errors();
     Result<JsonDoc> merged = merge(std::move(document).value());
     if (!merged) return merged.take_errors();
@@ -146,16 +147,17 @@ Result<ResolvedGraph> resolve_document(Result<JsonDoc> document, const std::map<
                     .shaders = shaders,
                     .imports = imports,
                     .profile = profile,
-                    .request = {.params = params, .size = {output_px, output_px, 1}}},
+                    .request = {.params = params, .size = {output_px, output_px, 1}, .exports = exports}},
                    warnings);
 }
 
 }  // namespace
 
 Result<ResolvedGraph> resolve_text(const std::string& text, const std::map<std::string, double>& params,
-                                   const DeviceProfile& profile, uint32_t output_px) {
+                                   const DeviceProfile& profile, uint32_t output_px,
+                                   const std::map<std::string, ExportUse>& exports) {
     const FileReader reader = [&](const std::string&) { return std::optional<std::string>(text); };
-    return resolve_document(read_json("random.json", reader), params, profile, output_px);
+    return resolve_document(read_json("random.json", reader), params, profile, output_px, exports);
 }
 
 Result<ResolvedGraph> resolve_as_module(const std::string& text, const std::map<std::string, double>& params,
@@ -168,7 +170,7 @@ Result<ResolvedGraph> resolve_as_module(const std::string& text, const std::map<
     std::map<std::string, double> full;
     for (const auto& [name, value] : params) full["m::" + name] = value;
     constexpr uint32_t kOutput_px = 64;
-    return resolve_document(read_graph("random.json", reader), full, profile, kOutput_px);
+    return resolve_document(read_graph("random.json", reader), full, profile, kOutput_px, {});
 }
 
 }  // namespace weft::test

@@ -24,7 +24,7 @@ using Readbacks = std::map<std::string, std::vector<vk::ReadbackData>>;
 class Areas : public SessionTest {
  protected:
     static void draw(render::Session& session, double scale, double time_s = 0, double delta_time_s = 0) {
-        frame_of(session).scales = {{"renderScale", scale}};
+        frame_of(session).parameters = {{"renderScale", scale}};
         const Status done = draw_frame(session, time_s, delta_time_s);
         ASSERT_TRUE(done) << to_text(done.errors());
     }
@@ -171,6 +171,23 @@ TEST_F(Areas, AfterAResizeTheAreaOfTheHistoryIsScaledToTheNewArea) {
         ASSERT_LE(texel.x, 0.5 / 32 + 1.0 / 128);
         ASSERT_EQ(glm::vec2(texel.z, texel.w), glm::vec2(area.width, area.height));
     }
+}
+
+TEST_F(Areas, AScaleStaysUntilTheNextOneOrUntilASwap) {
+    const std::unique_ptr<render::Session> session = start(kAreas, kWhole, {"lit"});
+    ASSERT_TRUE(session);
+    const auto extent = [&] {
+        EXPECT_TRUE(draw_frame(*session));
+        return take(*session).at("lit").back().extent;
+    };
+    frame_of(*session).parameters = {{"renderScale", 0.5}};
+    EXPECT_EQ(extent(), kHalf);
+    frame_of(*session).parameters.clear();
+    EXPECT_EQ(extent(), kHalf);
+    render::PrepareResult same = session->prepare(session->selection());
+    ASSERT_TRUE(same.result) << to_text(same.result.errors());
+    ASSERT_TRUE(session->swap_in(std::move(*same.result)));
+    EXPECT_EQ(extent(), kWhole) << "the value of the selection holds again";
 }
 
 }  // namespace

@@ -280,6 +280,11 @@ TEST_F(Tables, MaterialsHaveTheNumbersOfTheirTextures) {
         EXPECT_EQ(order.materials[i][2], render::kFlatNormalEntry);
         EXPECT_EQ(render::gpu_materials(scene)[i].base_color_texture, number);
     }
+    // The table contains no textures of parts that a program adds to the scene.
+    for (const shared::Material& material : render::gpu_materials_without_table(scene)) {
+        EXPECT_EQ(material.base_color_texture, render::kWhiteEntry);
+        EXPECT_EQ(material.normal_texture, render::kFlatNormalEntry);
+    }
 }
 
 // Draws a scene by material sets and by the table. The pictures must be equal.

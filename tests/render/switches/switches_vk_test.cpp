@@ -98,7 +98,7 @@ class Switched : public SessionTest {
         std::set<std::vector<std::byte>> different;
         for (const uint32_t on : combinations(queues_)) {
             for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
-                frame_of(*live).switches[kSwitchNames[s]] = (on >> s & 1u) != 0;
+                frame_of(*live).parameters[kSwitchNames[s]] = (on >> s & 1u) != 0;
             set_params(*planned, kSwitchNames, on);
             if (HasFatalFailure()) return;
             for (int frame = 0; frame < 2; ++frame) {
@@ -133,7 +133,7 @@ class Switched : public SessionTest {
         for (int change = 0; change < 5; ++change) {
             const auto on = static_cast<uint32_t>(random() % 16);
             for (uint32_t s = 0; s < names.size(); ++s)
-                frame_of(*live).switches[names[s]] = (on >> s & 1u) != 0;
+                frame_of(*live).parameters[names[s]] = (on >> s & 1u) != 0;
             set_params(*planned, names, on);
             if (HasFatalFailure()) return;
             for (render::Session* session : {live.get(), planned.get()}) {
@@ -215,7 +215,7 @@ TEST_F(Switched, AChangeAllocatesNothing) {
     ASSERT_TRUE(session);
     const auto turn = [&](uint32_t on) {
         for (uint32_t s = 0; s < kSwitchNames.size(); ++s)
-            frame_of(*session).switches[kSwitchNames[s]] = (on >> s & 1u) != 0;
+            frame_of(*session).parameters[kSwitchNames[s]] = (on >> s & 1u) != 0;
     };
     // The first frames may allocate memory that later frames use again.
     turn(15);
@@ -237,13 +237,35 @@ TEST_F(Switched, AChangeAllocatesNothing) {
 TEST_F(Switched, TimingsTellWhichPassesWereOff) {
     const std::unique_ptr<render::Session> session = begin(read_text);
     ASSERT_TRUE(session);
-    frame_of(*session).switches = {{"mistOn", false}, {"trailOn", false}, {"noSwitch", false}};
+    frame_of(*session).parameters = {{"mistOn", 0}, {"trailOn", 0}};
     (void)picture(*session);
     std::set<std::string> off;
     for (const vk::FrameTiming& frame : session->take_timings())
         for (const vk::PassTiming& pass : frame.passes)
             if (pass.switched_off) off.insert(pass.pass);
     EXPECT_EQ(off, (std::set<std::string>{"draw", "mist", "veil"}));
+}
+
+TEST_F(Switched, AValueStaysUntilTheNextOneOrUntilASwap) {
+    const std::unique_ptr<render::Session> live = begin(read_text), planned = begin(read_text);
+    ASSERT_TRUE(live && planned);
+    const auto expect_same = [&](const char* when) { EXPECT_EQ(picture(*live), picture(*planned)) << when; };
+    frame_of(*live).parameters = {{"glowOn", 0}, {"mistOn", 0}};
+    set_params(*planned, {"glowOn", "mistOn"}, 0);
+    expect_same("both are off");
+    frame_of(*live).parameters = {{"glowOn", 0.5}};
+    set_params(*planned, {"glowOn"}, 1);
+    expect_same("any number but 0 is on, and the other switch stays off");
+    frame_of(*live).parameters = {{"noSwitch", 1}};
+    const Status unknown = draw_frame(*live);
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.errors().front().code, "W242");
+    frame_of(*live).parameters.clear();
+    const std::vector<std::byte> off = picture(*live);
+    EXPECT_EQ(off, picture(*planned)) << "both values stay";
+    for (render::Session* session : {live.get(), planned.get()}) set_params(*session, kSwitchNames, 15);
+    expect_same("the values of the selection hold again");
+    EXPECT_NE(picture(*live), off);
 }
 
 }  // namespace

@@ -33,6 +33,12 @@ const std::map<std::string, std::string> kWithoutFile{
     {"W162", "a validation message is a fault of Weft or of the driver: plans are proved not to cause any"},
     {"W189", "a difference comes from a shader that reads more than its inputs, not from the graph file"},
     {"W193", "the program gives the views of a frame, not the graph file"},
+    {"W242", "the program gives the parameters of a frame, not the graph file"},
+    {"W243", "the program asks for exports, not the graph file"},
+    {"W244", "the program moves instances, not the graph file"},
+    {"W245", "the program offers imports and draw lists, not the graph file"},
+    {"W246", "the program offers descriptor sets, not the graph file"},
+    {"W247", "the program removes parts of the scene, not the graph file"},
     {"W177", "of files, W108 and W201 come first; a program may hand in shaders that it compiled itself"},
 };
 

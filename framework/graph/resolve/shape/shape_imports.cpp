@@ -67,6 +67,11 @@ void shape_import(const ResolveInput& input, const ImportDesc& desc, ResourceId 
     decl.lifetime = ResourceLifetime::imported;
     if (!decl.import) decl.import = ImportState{};
     if (import->kind == ImportKind::output) decl.extent = input.request.size;
+    if (const auto size = input.request.import_sizes.find(desc.name);
+        size != input.request.import_sizes.end()) {
+        decl.extent = size->second.extent;
+        decl.size_bytes = size->second.size_bytes;
+    }
     if (decl.kind == ResourceKind::image) {
         const FormatInfo& format = format_info(decl.format);
         decl.aspects = static_cast<AspectMask>((format.depth ? aspect::kDepth : 0) |

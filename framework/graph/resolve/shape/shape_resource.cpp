@@ -10,6 +10,7 @@
 #include "graph/parse/module_scope.h"
 #include "graph/resolve/evaluator.h"
 #include "graph/resolve/fault_text.h"
+#include "graph/resolve/shape/shape_export.h"
 
 namespace weft {
 namespace {
@@ -58,9 +59,12 @@ class ResourceShaper {
 
     void run() {
         decl_.pre_exposed = desc_.pre_exposed;
-        if (!desc_.textures.empty()) return shape_table();
+        const auto use = input_.request.exports.find(desc_.name);
+        if (use != input_.request.exports.end() && !shape_export(desc_, use->second, decl_, reporter_))
+            is_suspect_ = 1;
+        if (has_textures()) return shape_table();
         if (desc_.clear) decl_.clear = evaluator_.color(*desc_.clear);
-        if (!desc_.file.name.empty() && !import_file()) return;
+        if (has_file() && !import_file()) return;
         if (desc_.is_buffer) {
             shape_buffer();
         } else {
@@ -106,6 +110,7 @@ class ResourceShaper {
     std::string render_name() const { return render_size_name(input_.graph, desc_.name); }
 
     bool has_file() const { return !desc_.file.name.empty(); }
+    bool has_textures() const { return !desc_.textures.empty(); }
     bool has_picture() const { return desc_.file.width_px > 0; }
 
     void report_misfit(const SourceLoc& loc, const std::string& message, const std::string& help) {

@@ -1,14 +1,15 @@
-// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only switches
-// and scales of live sizes are among them: to change another parameter, swap the plan (Session::prepare()).
-// Units: seconds; exposure in EV (radiance is stored multiplied by 2^EV).
+// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only those
+// are among them whose change needs no new plan: to change another one, swap the plan (Session::prepare()).
+// Units: metres, seconds; exposure in EV (radiance is stored multiplied by 2^EV).
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "weft/live_value.h"
 #include "weft/pass.h"
 #include "weft/scene/scene.h"
 #include "weft/vulkan/frame_submit.h"
@@ -25,6 +26,21 @@ struct ViewInput {
 // Views by the name of an import of kind "views".
 using ViewLists = std::map<std::string, std::vector<ViewInput>, std::less<>>;
 
+// The number of a part of the scene that Session::add_part() has added. The scene with which the session was
+// created is the part kFirstPart.
+using PartId = uint64_t;
+inline constexpr PartId kFirstPart = 0;
+
+// A new transform of an instance. It stays until the next new transform.
+struct InstanceTransform {
+    uint32_t instance = 0;   // Index into Scene::instances of the part.
+    glm::mat4 transform{1};  // From object space to world space.
+    PartId part = kFirstPart;
+};
+
+// Values of the graph's parameters by name.
+using ParameterValues = std::map<std::string, double, std::less<>>;
+
 struct FrameInput {
     // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
@@ -35,15 +51,31 @@ struct FrameInput {
     // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
     // entry, the group itself chooses: its rounds run in turn.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
-    // Switches of this frame. Key: the name of a parameter that passes name in "switch". Value: false turns
-    // these passes off. Without an entry, the value of the parameter decides. Other names are ignored. Params
-    // blocks keep the value of the parameter.
-    std::map<std::string, bool, std::less<>> switches = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
-    // Scales of the graph's live sizes in this frame, by the name of the parameter. They are clamped to the
-    // ranges of the parameters. A scale that is not in the map has the value of its parameter.
-    Scales scales = {};
+    // Values of the graph's parameters. A value stays until the next value of the same parameter, or until
+    // Session::swap_in(), resize() or rebind(). Three kinds of parameters can change here, without a new plan
+    // and without a Vulkan object:
+    // - Parameters of cost `live`, as `weft plan` lists them: the expressions of the graph are evaluated
+    // once.
+    // - Switches: 0 turns the passes with this switch off, any other value turns them on. `Params` blocks
+    // keep
+    //   the value of the selection. The change allocates no memory.
+    // - Scales of live sizes, clamped to the range of the parameter. The change allocates no memory.
+    // Error: W242.
+    ParameterValues parameters = {};
+    // The lights of this frame; they replace the lights of the scene. Their `node` is ignored. The graph's
+    // buffer of lights has a fixed size: further lights are left out. Absent: the lights of the scene.
+    std::optional<std::vector<scene::Light>> lights = {};
+    // The instances that move in this frame. The part must have been made with `moves_instances`, and the
+    // instance must not follow a node. Error: W244.
+    std::vector<InstanceTransform> transforms = {};
+    // Called once in render_frame(), when the GPU no longer reads the buffers of the frame's slot: the
+    // program writes its own buffers of this slot here (ImportObject::slot_buffers). May be empty.
+    std::function<void(uint32_t slot)> fill_slot = {};
+    // Versions of the contents of the program's own imports, by name. Give an import a new number whenever
+    // its content changes. Passes with "rest" that read an import without a version run in every frame.
+    std::map<std::string, uint64_t, std::less<>> import_versions = {};
     // Values of the program for passes in C++, by name; may be null. Weft adds the value "lights".
     const HostInputs* host = nullptr;
     // How the frame reaches the GPU: semaphores of the program, or a command buffer of the program.

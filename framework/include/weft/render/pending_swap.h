@@ -12,6 +12,7 @@
 #include <string>
 
 #include "weft/graph_request.h"
+#include "weft/render/own_imports.h"
 #include "weft/result.h"
 
 namespace weft {
@@ -28,6 +29,9 @@ struct Selection {
     // queue find the image written, in the layout GraphRequest::output.final_layout. They may use it as
     // OutputFormat says, and must leave it in this layout. The image must outlive the session.
     VkImage output = VK_NULL_HANDLE;
+    // The Vulkan objects of the program's own imports; see SessionInput::imports. To exchange one, change it
+    // here, and give its size in GraphRequest::import_sizes if that changes, too.
+    ImportObjects imports = {};
 };
 
 // Tells which parts of a graph were compiled or created again for a swap.

@@ -1,6 +1,6 @@
 // Purpose: renders one scene with one graph: loads, compiles, checks and runs the graph. This is the simplest
 // way to embed Weft; `weft render` and the picture tests use it. Units: size in pixels. Threads: prepare()
-// may run on any thread, all other functions on the thread that submits.
+// and prepare_part() may run on any thread, all other functions on the thread that submits.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -9,13 +9,18 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "weft/load/load_graph.h"
+#include "weft/render/draw_list.h"
 #include "weft/render/frame_input.h"
+#include "weft/render/own_imports.h"
 #include "weft/render/pending_swap.h"
+#include "weft/render/scene_part.h"
 #include "weft/result.h"
 #include "weft/vulkan/frame_results.h"
 
@@ -46,6 +51,17 @@ struct SessionInput {
     // The program's own tables of textures, by name; see vk::ImportBindings::textures. A graph imports them
     // with the kind "textures". The views must outlive the session.
     std::map<std::string, std::vector<VkImageView>, std::less<>> textures = {};
+    // Images and buffers of the program that graphs may import, by name. Error: W245 the scene has an import
+    // of this name.
+    std::map<std::string, OwnImport, std::less<>> imports = {};
+    // Draw lists of the program, by name. Error: W245.
+    OwnDrawLists draw_lists = {};
+    // Descriptor sets 2 and 3 of the program. They replace those of the scene, so the scene must have no
+    // instances (W246).
+    OwnDrawSets draw_sets = {};
+    // True: FrameInput::transforms may move the instances of the scene. Their buffers are then in memory that
+    // the CPU writes, one for each frame slot.
+    bool moves_instances = false;
     // Number of logical queues. The device must have been created with at least as many.
     uint32_t queues = 1;
     bool check_plan = false;  // True: the plan is checked before it runs. Debug builds always check it.
@@ -71,6 +87,10 @@ class Session {
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, scene::Scene&& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
+    // Creates a session without a scene: the program draws its own draw lists.
+    [[nodiscard]] static Result<std::unique_ptr<Session>> create(
+        vk::Device& device, const SessionInput& input, Diagnostics& warnings,
+        std::set<std::filesystem::path>* files = nullptr);
     ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
@@ -91,6 +111,26 @@ class Session {
     // an error of the graph (W…, C…) or of memory, the running graph continues at the old size. `output`
     // replaces Selection::output; frames in flight may still use the old image. Errors: those of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
+    // Exchanges the object of one of the program's imports, for example because its size has changed. The
+    // loaded graph is prepared with it and swapped in, as resize() does. `size` may be the old one. Frames in
+    // flight may still use the old object: do not destroy it before two more frames have begun.
+    [[nodiscard]] Status rebind(const std::string& import, const ImportObject& object, const ImportSize& size,
+                                Diagnostics& warnings);
+    // Returns a resource in GraphRequest::exports of the running graph; nullopt if the graph does not have it
+    // or no pass writes it.
+    [[nodiscard]] std::optional<ExportedResource> exported(std::string_view name) const;
+
+    // Makes a part of a scene: allocates its memory and fills it. May be called from any thread, and submits
+    // nothing. Only meshes, textures, materials, instances and motion of `scene` are used. `moves_instances`
+    // is the same as in SessionInput. Errors: V409 to V421.
+    [[nodiscard]] Result<ScenePart> prepare_part(const scene::Scene& scene,
+                                                 bool moves_instances = false) const;
+    // Draws the part from the next frame on. The part belongs to the draw lists of the scene. It allocates no
+    // memory and waits for nothing. Returns the number of the part.
+    [[nodiscard]] Result<PartId> add_part(ScenePart part);
+    // Draws the part no longer. Frames in flight still use its memory, which is freed when they have
+    // finished. Error: W247 there is no such part.
+    [[nodiscard]] Status remove_part(PartId part);
     // Returns the number of pipelines that were created after create() returned, on the thread that called
     // create(). This thread renders the frames, so each of these pipelines delayed a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const;
@@ -118,6 +158,7 @@ class Session {
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, scene::Scene* owned, const SessionInput& input,
         Diagnostics& warnings, std::set<std::filesystem::path>* files);
+    [[nodiscard]] Status change_selection(const Selection& selection, Diagnostics& warnings);
 
     std::unique_ptr<SessionParts> parts_;
 };

@@ -3,6 +3,7 @@
 // draws when it records commands.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -24,6 +25,21 @@ inline constexpr uint32_t kViewStrideBytes = 512;
 // In the constants of a view, at binding 1 of descriptor set 0: the offset of the number of the view in its
 // list. Passes with layer output read it.
 inline constexpr uint32_t kViewNumberOffsetBytes = 424;
+
+// The attachments of a pass, as a pipeline that draws in the pass needs them.
+struct DrawTargets {
+    static constexpr uint32_t kMost = 8;
+    // Formats by the location of the fragment shader's output; VK_FORMAT_UNDEFINED: no attachment.
+    std::array<VkFormat, kMost> colors{};
+    uint32_t color_count = 0;
+    VkFormat depth = VK_FORMAT_UNDEFINED;
+    VkFormat stencil = VK_FORMAT_UNDEFINED;
+    VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+    uint32_t view_mask = 0;  // The views that each draw draws; 0 without multiview.
+    // The size of the area that the pass draws, at the top left of the attachments. For attachments with a
+    // live size it changes from frame to frame.
+    VkExtent2D extent{};
+};
 
 struct DrawContext {
     const DeviceFunctions* fn = nullptr;
@@ -58,6 +74,7 @@ struct DrawContext {
     std::span<const FrameRange> frame_ranges;  // The constants of set 0 that the shader reads.
     bool uses_materials = false;               // True: the pipeline layout has set 2 (material).
     bool uses_instances = false;               // True: the pipeline layout has set 3 (draw).
+    DrawTargets targets;
 };
 
 // A view whose constants are in a buffer of the graph, for the frames of one frame slot.
@@ -107,7 +124,8 @@ class DrawSource {
     // Returns true if the picture of the view is a mirror image in this frame, so that triangles have the
     // opposite winding.
     [[nodiscard]] virtual bool is_mirrored(std::string_view /*view*/) const { return false; }
-    // Records every draw of `context.list` that uses `context.variant`. The executor has bound sets 0 and 1.
+    // Records every draw of `context.list` that uses `context.variant`. The executor has bound sets 0 and 1,
+    // and binds all that it needs again afterwards, so the source may bind pipelines and sets of its own.
     // The source binds sets 2 and 3 if the pipeline layout has them. It binds vertex buffers in the order of
     // the streams in the import's vertex format. Returns how many draws were left out because they are
     // outside of the frustum.

@@ -1,0 +1,78 @@
+#include "render/imports/program_imports.h"
+
+#include <algorithm>
+
+#include "weft/render/import_catalog.h"
+
+namespace weft::render {
+namespace {
+
+// Sets 2 (material) and 3 (draw) belong to the draws. Sets 0 and 1 belong to Weft.
+constexpr uint32_t kFirstDrawSet = 2, kLastDrawSet = 3;
+
+Diagnostic fault(const char* code, const std::string& message, const std::string& help) {
+    Diagnostic d;
+    d.code = code;
+    d.message = message;
+    d.help = {help};
+    return d;
+}
+
+Diagnostic taken(const std::string& name, const char* member) {
+    return fault("W245",
+                 std::string("SessionInput::") + member + " contains \"" + name +
+                     "\", but there is already another import of this name",
+                 "choose another name, and use it in \"imports\" of the graph");
+}
+
+}  // namespace
+
+Diagnostics program_import_faults(const SessionInput& input, const scene::Scene& scene) {
+    const ImportCatalog offered = scene_imports(input.request.size, &scene);
+    const auto is_taken = [&](const std::string& name) {
+        return offered.imports.contains(name) || input.views.contains(name) || input.textures.contains(name);
+    };
+    Diagnostics faults;
+    for (const auto& [name, unused] : input.imports)
+        if (is_taken(name)) faults.push_back(taken(name, "imports"));
+    for (const auto& [name, own] : input.draw_lists) {
+        if (is_taken(name) || input.imports.contains(name)) faults.push_back(taken(name, "draw_lists"));
+        if (own.list == nullptr)
+            faults.push_back(fault("W245", "the draw list \"" + name + "\" has no DrawList",
+                                   "set OwnDrawList::list to an object that outlives the session"));
+    }
+    for (const auto& [set, unused] : input.draw_sets)
+        if (set < kFirstDrawSet || set > kLastDrawSet || !scene.instances.empty())
+            faults.push_back(
+                fault("W246",
+                      "SessionInput::draw_sets replaces set " + std::to_string(set) +
+                          (scene.instances.empty() ? ", which belongs to Weft"
+                                                   : ", but the scene has instances, which need it"),
+                      "replace only the sets 2 and 3, and only for a scene without instances"));
+    return faults;
+}
+
+void add_program_imports(const SessionInput& input, ImportCatalog& catalog) {
+    for (const auto& [name, own] : input.imports) {
+        ImportDecl decl = own.decl;
+        decl.name = decl.resource.name = name;
+        // The program can see what a frame writes, so the passes that write it must run.
+        decl.observed = !decl.read_only;
+        catalog.imports.insert_or_assign(name, decl);
+    }
+    for (const auto& [name, own] : input.draw_lists) {
+        ImportDecl list;
+        list.name = name;
+        list.kind = ImportKind::draw_list;
+        list.variants = own.variants;
+        list.vertex_format = own.vertex_format;
+        list.draws = static_cast<uint32_t>(std::max<uint64_t>(1, own.list->count()));
+        catalog.imports.insert_or_assign(name, list);
+    }
+    for (const auto& [set, own] : input.draw_sets) {
+        std::erase_if(catalog.bindings, [&](const OfferedBinding& offered) { return offered.set == set; });
+        catalog.bindings.insert(catalog.bindings.end(), own.bindings.begin(), own.bindings.end());
+    }
+}
+
+}  // namespace weft::render

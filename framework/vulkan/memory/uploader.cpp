@@ -1,0 +1,100 @@
+#include "vulkan/memory/uploader.h"
+
+#include <cstring>
+
+#include "vulkan/device/executor_errors.h"
+#include "vulkan/device/functions.h"
+#include "vulkan/memory/upload_copies.h"
+
+namespace weft::vk {
+
+Result<std::unique_ptr<UploadBatch>> UploadBatch::create(Device& device) {
+    std::unique_ptr<UploadBatch> batch(new UploadBatch(device));
+    if (const VkResult result = batch->open(); result != VK_SUCCESS)
+        return failed_call("V418", "beginning the upload of a part of the scene", result);
+    return batch;
+}
+
+VkResult UploadBatch::open() {
+    const DeviceFunctions& fn = device_.fn();
+    VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    pool_info.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
+    pool_info.queueFamilyIndex = device_.queue().family;
+    VkCommandPool pool = VK_NULL_HANDLE;
+    VkResult result = fn.vkCreateCommandPool(device_.handle(), &pool_info, nullptr, &pool);
+    if (result != VK_SUCCESS) return result;
+    pool_ = {device_, pool};
+    VkFenceCreateInfo fence_info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+    VkFence fence = VK_NULL_HANDLE;
+    result = fn.vkCreateFence(device_.handle(), &fence_info, nullptr, &fence);
+    if (result != VK_SUCCESS) return result;
+    fence_ = {device_, fence};
+    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+    allocate.commandPool = pool;
+    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+    allocate.commandBufferCount = 1;
+    result = fn.vkAllocateCommandBuffers(device_.handle(), &allocate, &commands_);
+    if (result != VK_SUCCESS) return result;
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    return fn.vkBeginCommandBuffer(commands_, &begin);
+}
+
+Result<const Buffer*> UploadBatch::add_staging(uint64_t size_bytes) {
+    Result<Buffer> staging = Buffer::create(device_, size_bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                            Buffer::Memory::upload, "staging memory of a part of the scene");
+    if (!staging) return staging.take_errors();
+    staging_.push_back(std::make_unique<Buffer>(std::move(*staging)));
+    return staging_.back().get();
+}
+
+Status UploadBatch::buffer(const Buffer& target, std::span<const std::byte> bytes) {
+    if (bytes.empty()) return Unit{};
+    if (bytes.size() > target.size_bytes())
+        return size_error("the data for the buffer", bytes.size(), target.size_bytes());
+    Result<const Buffer*> staging = add_staging(bytes.size());
+    if (!staging) return staging.take_errors();
+    std::memcpy((*staging)->mapped().data(), bytes.data(), bytes.size());
+    record_buffer_copy(device_.fn(), commands_, target, **staging, {0, 0, bytes.size()});
+    return Unit{};
+}
+
+Status UploadBatch::image(const Image& target, std::span<const std::span<const std::byte>> levels) {
+    Result<std::vector<VkBufferImageCopy>> copies = plan_copies(target.decl(), levels);
+    if (!copies) return copies.take_errors();
+    Result<const Buffer*> staging = add_staging(copies->back().bufferOffset + levels.back().size());
+    if (!staging) return staging.take_errors();
+    fill_staging((*staging)->mapped(), *copies, levels);
+    record_image_copy(device_.fn(), commands_, target, **staging, *copies);
+    return Unit{};
+}
+
+Status UploadBatch::end() {
+    const VkResult result = device_.fn().vkEndCommandBuffer(commands_);
+    if (result == VK_SUCCESS) return Unit{};
+    return failed_call("V418", "recording the upload of a part of the scene", result);
+}
+
+Status UploadBatch::submit() {
+    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &commands_;
+    const VkResult result = device_.fn().vkQueueSubmit(device_.queue().handle, 1, &submit, fence_.get());
+    if (result != VK_SUCCESS) return failed_call("V418", "uploading a part of the scene", result);
+    submitted_ = true;
+    return Unit{};
+}
+
+bool UploadBatch::is_over() const {
+    return device_.fn().vkGetFenceStatus(device_.handle(), fence_.get()) == VK_SUCCESS;
+}
+
+UploadBatch::~UploadBatch() {
+    if (!submitted_ || device_.abandoned()) return;
+    VkFence fence = fence_.get();
+    if (device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns()) !=
+        VK_SUCCESS)
+        device_.abandon();
+}
+
+}  // namespace weft::vk

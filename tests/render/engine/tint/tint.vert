@@ -1,0 +1,12 @@
+#version 460
+#include "frame_set.glsl"
+#include "shared/instance.glsl"
+layout(set = 3, binding = 0, std430) readonly buffer Instances { Instance items[]; } instances;
+layout(location = 0) in vec4 position;
+layout(location = 0) out vec3 world;
+
+void main() {
+    const vec4 at = instances.items[gl_InstanceIndex].object_to_world * vec4(position.xyz, 1);
+    world = at.xyz;
+    gl_Position = view.view_projection * at;
+}
