@@ -92,9 +92,10 @@ bool UploadBatch::is_over() const {
 UploadBatch::~UploadBatch() {
     if (!submitted_ || device_.abandoned()) return;
     VkFence fence = fence_.get();
-    if (device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns()) !=
-        VK_SUCCESS)
-        device_.abandon();
+    const VkResult wait =
+        device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns());
+    // A lost device runs nothing any more, so the objects can be destroyed.
+    if (wait != VK_SUCCESS && wait != VK_ERROR_DEVICE_LOST) device_.abandon();
 }
 
 }  // namespace weft::vk
