@@ -4,6 +4,7 @@
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
+#include "vulkan/device/queue_lock.h"
 #include "vulkan/memory/upload_copies.h"
 
 namespace weft::vk {
@@ -79,7 +80,10 @@ Status UploadBatch::submit() {
     VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands_;
-    const VkResult result = device_.fn().vkQueueSubmit(device_.queue().handle, 1, &submit, fence_.get());
+    const VkResult result = [&] {
+        const QueueLock lock(device_, device_.queue().handle);
+        return device_.fn().vkQueueSubmit(device_.queue().handle, 1, &submit, fence_.get());
+    }();
     if (result != VK_SUCCESS) return failed_call("V418", "uploading a part of the scene", result);
     submitted_ = true;
     return Unit{};

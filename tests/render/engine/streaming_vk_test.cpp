@@ -1,6 +1,7 @@
 // Purpose: tests that parts of a scene are added and removed while frames run: the picture is that of one
 // scene with all objects, frames in flight keep what they draw, and no frame allocates memory or waits.
 #include "tests/render/engine/engine_run.h"
+#include "weft/vulkan/native.h"
 
 namespace weft::test {
 namespace {
@@ -67,6 +68,34 @@ TEST_F(Streaming, APartThatIsNeverDrawnIsDestroyed) {
     const render::PartId removed = add(*session, part_scene(0));
     EXPECT_TRUE(session->remove_part(removed));
     (void)add(*session, part_scene(0));
+}
+
+// The session runs on a device that Weft has adopted, and whose program has locks for its queues.
+TEST_F(Streaming, ThePartIsSubmittedUnderTheLockOfTheProgram) {
+    const std::unique_ptr<vk::Device> own = std::move(device_);
+    const vk::NativeDevice handles = native(*own);
+    vk::FeatureChain supported, enabled;
+    own->instance_fn().vkGetPhysicalDeviceFeatures2(own->physical(), &supported.head());
+    vk::enable_features(supported, enabled);
+    uint32_t locks = 0, unlocks = 0;
+    vk::EmbedderCallbacks callbacks;
+    callbacks.lock_queue = [&](VkQueue) { ++locks; };
+    callbacks.unlock_queue = [&](VkQueue) { ++unlocks; };
+    Result<std::unique_ptr<vk::Device>> adopted = vk::Device::adopt(
+        {handles.instance, handles.physical, handles.device, {handles.queue}, &enabled, callbacks});
+    ASSERT_TRUE(adopted) << to_text(adopted.errors());
+    device_ = std::move(*adopted);
+    auto session = open(base_scene(), false);
+    ASSERT_TRUE(session);
+    render_one(*session);
+    const uint32_t before = locks;
+    (void)add(*session, part_scene(0));
+    EXPECT_EQ(locks, before + 1);
+    EXPECT_EQ(unlocks, locks);
+    render_one(*session);
+    session.reset();
+    device_.reset();
+    for (const vk::Message& m : own->messages().messages()) ADD_FAILURE() << m.id << ": " << m.text;
 }
 
 class EngineRun : public EngineRunTest {
