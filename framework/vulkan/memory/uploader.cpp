@@ -4,6 +4,7 @@
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
+#include "vulkan/device/queue_lock.h"
 #include "vulkan/memory/upload_copies.h"
 
 namespace weft::vk {
@@ -79,7 +80,10 @@ Status UploadBatch::submit() {
     VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
     submit.commandBufferCount = 1;
     submit.pCommandBuffers = &commands_;
-    const VkResult result = device_.fn().vkQueueSubmit(device_.queue().handle, 1, &submit, fence_.get());
+    const VkResult result = [&] {
+        const QueueLock lock(device_, device_.queue().handle);
+        return device_.fn().vkQueueSubmit(device_.queue().handle, 1, &submit, fence_.get());
+    }();
     if (result != VK_SUCCESS) return failed_call("V418", "uploading a part of the scene", result);
     submitted_ = true;
     return Unit{};
@@ -92,9 +96,10 @@ bool UploadBatch::is_over() const {
 UploadBatch::~UploadBatch() {
     if (!submitted_ || device_.abandoned()) return;
     VkFence fence = fence_.get();
-    if (device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns()) !=
-        VK_SUCCESS)
-        device_.abandon();
+    const VkResult wait =
+        device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns());
+    // A lost device runs nothing any more, so the objects can be destroyed.
+    if (wait != VK_SUCCESS && wait != VK_ERROR_DEVICE_LOST) device_.abandon();
 }
 
 }  // namespace weft::vk

@@ -8,7 +8,7 @@ namespace {
 
 // Global, because the counting functions are plain functions. They have no access to the CallCounter.
 std::thread::id counted_thread;
-std::atomic<int64_t> allocations = 0, idle_waits = 0, pipelines = 0, submissions = 0;
+std::atomic<int64_t> allocations = 0, idle_waits = 0, pipelines = 0, submissions = 0, command_pools = 0;
 
 template <auto Member, std::atomic<int64_t>* Count, class Function>
 struct Counted;
@@ -34,7 +34,7 @@ CallCounter::CallCounter(vk::Device& device) : device_(device), functions_(devic
     using Table = vk::DeviceFunctions;
     Table& table = device.fn();
     counted_thread = std::this_thread::get_id();
-    allocations = idle_waits = pipelines = submissions = 0;
+    allocations = idle_waits = pipelines = submissions = command_pools = 0;
     count<&Table::vkAllocateMemory, &allocations>(table);
     count<&Table::vkQueueWaitIdle, &idle_waits>(table);
     count<&Table::vkDeviceWaitIdle, &idle_waits>(table);
@@ -42,6 +42,7 @@ CallCounter::CallCounter(vk::Device& device) : device_(device), functions_(devic
     count<&Table::vkCreateComputePipelines, &pipelines>(table);
     count<&Table::vkQueueSubmit, &submissions>(table);
     count<&Table::vkQueueSubmit2, &submissions>(table);
+    count<&Table::vkCreateCommandPool, &command_pools>(table);
 }
 
 CallCounter::~CallCounter() {
@@ -49,7 +50,7 @@ CallCounter::~CallCounter() {
 }
 
 CallCounts CallCounter::counts() const {
-    return {allocations, idle_waits, pipelines, submissions};
+    return {allocations, idle_waits, pipelines, submissions, command_pools};
 }
 
 }  // namespace weft::test

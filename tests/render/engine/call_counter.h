@@ -15,6 +15,9 @@ struct CallCounts {
     int64_t idle_waits = 0;   // vkQueueWaitIdle, vkDeviceWaitIdle
     int64_t pipelines = 0;    // vkCreateGraphicsPipelines, vkCreateComputePipelines
     int64_t submissions = 0;  // vkQueueSubmit, vkQueueSubmit2
+    // vkCreateCommandPool. Each session creates pools of its own, so 0 also means that no session was
+    // created.
+    int64_t command_pools = 0;
     bool operator==(const CallCounts&) const = default;
 };
 

@@ -1,22 +1,10 @@
 // Purpose: tests that parts of a scene are added and removed while frames run: the picture is that of one
 // scene with all objects, frames in flight keep what they draw, and no frame allocates memory or waits.
-#include <cstdlib>
-#include <thread>
-
-#include "tests/render/engine/call_counter.h"
-#include "tests/render/engine/engine_fixture.h"
+#include "tests/render/engine/engine_run.h"
+#include "weft/vulkan/native.h"
 
 namespace weft::test {
 namespace {
-
-// A moving opaque square and a transparent one, with a texture.
-scene::Scene part_scene(float x) {
-    scene::Scene part = squares({{"solid", 0, 0, moved(x, 0.5f, -1)}, {"glass", 0, 1, moved(x, 0, 1)}});
-    part.materials[1].base_color = {0.9f, 0.1f, 0.1f, 0.5f};
-    part.textures = {{"blue", 1, 1, scene::ColorSpace::linear, {{0, 0, 255, 255}}}};
-    part.materials[1].base_color_texture.texture = 0;
-    return part;
-}
 
 scene::Scene joined(scene::Scene base, const scene::Scene& part) {
     const auto first_material = static_cast<uint32_t>(base.materials.size());
@@ -32,22 +20,6 @@ scene::Scene joined(scene::Scene base, const scene::Scene& part) {
     base.bounds = scene::world_bounds(base);
     return base;
 }
-
-scene::Scene base_scene() {
-    return squares(
-        {{"solid", 0, 0, glm::mat4(1)}, {"glass", 0, 1, moved(-1, 0, 0.5f)}, {"far", 0, 1, moved(0, 0, 2)}});
-}
-
-class Streaming : public EngineTest {
- protected:
-    static render::PartId add(render::Session& session, const scene::Scene& scene, bool moves = false) {
-        Result<render::ScenePart> part = session.prepare_part(scene, moves);
-        EXPECT_TRUE(part) << to_text(part.errors());
-        const Result<render::PartId> id = session.add_part(std::move(*part));
-        EXPECT_TRUE(id) << to_text(id.errors());
-        return *id;
-    }
-};
 
 TEST_F(Streaming, APartLooksLikeObjectsOfTheScene) {
     const scene::Scene part = part_scene(0.5f);
@@ -98,85 +70,45 @@ TEST_F(Streaming, APartThatIsNeverDrawnIsDestroyed) {
     (void)add(*session, part_scene(0));
 }
 
-struct LongRun {
-    std::map<std::string, std::vector<std::byte>> images;  // The observed images of some frames.
-    CallCounts counts;                                     // The calls after the first frames.
-    uint32_t parts = 0;                                    // Number of parts that were added.
-};
+// The session runs on a device that Weft has adopted, and whose program has locks for its queues.
+TEST_F(Streaming, ThePartIsSubmittedUnderTheLockOfTheProgram) {
+    const std::unique_ptr<vk::Device> own = std::move(device_);
+    const vk::NativeDevice handles = native(*own);
+    vk::FeatureChain supported, enabled;
+    own->instance_fn().vkGetPhysicalDeviceFeatures2(own->physical(), &supported.head());
+    vk::enable_features(supported, enabled);
+    uint32_t locks = 0, unlocks = 0;
+    vk::EmbedderCallbacks callbacks;
+    callbacks.lock_queue = [&](VkQueue) { ++locks; };
+    callbacks.unlock_queue = [&](VkQueue) { ++unlocks; };
+    Result<std::unique_ptr<vk::Device>> adopted = vk::Device::adopt(
+        {handles.instance, handles.physical, handles.device, {handles.queue}, &enabled, callbacks});
+    ASSERT_TRUE(adopted) << to_text(adopted.errors());
+    device_ = std::move(*adopted);
+    auto session = open(base_scene(), false);
+    ASSERT_TRUE(session);
+    render_one(*session);
+    const uint32_t before = locks;
+    (void)add(*session, part_scene(0));
+    EXPECT_EQ(locks, before + 1);
+    EXPECT_EQ(unlocks, locks);
+    render_one(*session);
+    session.reset();
+    device_.reset();
+    for (const vk::Message& m : own->messages().messages()) ADD_FAILURE() << m.id << ": " << m.text;
+}
 
-// Moves everything, and streams parts in and out behind the camera.
-class EngineRun : public Streaming {
+class EngineRun : public EngineRunTest {
  protected:
-    static uint32_t frame_count() { return std::getenv("WEFT_EXTENDED") != nullptr ? 1000 : 60; }
-
-    static void move_all(render::Session& session, uint32_t i) {
-        const float t = static_cast<float>(i) * 0.05f;
-        render::FrameInput& frame = frame_of(session);
-        frame.camera.transform = moved(std::sin(t), 0.5f, 6 + 0.5f * std::cos(t));
-        frame.exposure_ev = std::sin(t);
-        frame.transforms = {{0, moved(std::cos(t), 0, 0)}};
-        if (i % 3 == 0) frame.transforms.push_back({2, moved(0, std::sin(t), 2)});
-        frame.parameters["share"] = 0.25f + 0.25f * std::sin(t);
-        scene::Light sun = base_scene().lights[0], lamp;
-        sun.direction = glm::normalize(glm::vec3(-1, -1, std::sin(t)));
-        lamp.position = {std::cos(t), 1, std::sin(t)};
-        frame.lights = std::vector<scene::Light>(i % 4, lamp);
-        frame.lights->insert(frame.lights->begin(), sun);
-    }
-
-    static void keep(render::Session& session, LongRun& out) {
-        for (vk::ReadbackData& data : session.take_readbacks())
-            if (data.frame_index % (frame_count() / 20) == 0)
-                out.images[data.pass + " " + std::to_string(data.frame_index)] = std::move(data.bytes);
-    }
-
-    // Prepares parts on a thread of its own, as a program that loads files does.
-    LongRun run(bool streams) {
-        constexpr uint32_t kWarmUp = 4, kEach = 6;
-        LongRun out;
-        const auto session = open(base_scene(), true);
-        if (!session) return out;
-        std::optional<CallCounter> counter;
-        std::vector<render::PartId> added;
-        for (uint32_t i = 0; i < frame_count(); ++i) {
-            if (i == kWarmUp) counter.emplace(*device_);
-            if (streams && i > kWarmUp && i % kEach == 0) {
-                std::optional<Result<render::ScenePart>> part;
-                std::thread loader([&] { part.emplace(session->prepare_part(part_scene(0), true)); });
-                loader.join();
-                EXPECT_TRUE(*part);
-                const Result<render::PartId> id = session->add_part(std::move(**part));
-                EXPECT_TRUE(id);
-                added.push_back(*id);
-                ++out.parts;
-            }
-            if (streams && added.size() > 2) {
-                EXPECT_TRUE(session->remove_part(added.front()));
-                added.erase(added.begin());
-            }
-            move_all(*session, i);
-            for (const render::PartId part : added) {
-                frame_of(*session).transforms.push_back({0, moved(0, 0, 40 + static_cast<float>(i)), part});
-                frame_of(*session).transforms.push_back({1, moved(0, 0, 40), part});
-            }
-            const Status drawn = draw_frame(*session, 0.02 * i);
-            EXPECT_TRUE(drawn) << to_text(drawn.errors());
-            keep(*session, out);
-        }
-        out.counts = counter->counts();
-        counter.reset();
-        EXPECT_TRUE(session->finish());
-        keep(*session, out);
-        return out;
-    }
-
     // Compares a run that streams parts with one that does not.
     void expect_steady() {
-        const LongRun plain = run(false), streamed = run(true);
+        const LongRun plain = run({.end = frame_count()});
+        const LongRun streamed = run({.end = frame_count(), .streams = true});
         EXPECT_GE(streamed.parts, frame_count() / 6 - 2);
         EXPECT_EQ(streamed.counts.allocations, 0);
         EXPECT_EQ(streamed.counts.idle_waits, 0);
         EXPECT_EQ(streamed.counts.pipelines, 0);
+        EXPECT_EQ(streamed.counts.command_pools, 0) << "no new session";
         EXPECT_EQ(streamed.counts.submissions, plain.counts.submissions + streamed.parts)
             << "each part is one submission";
         uint32_t compared = 0;
