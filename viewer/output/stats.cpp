@@ -28,6 +28,15 @@ Json distribution(std::vector<double> values) {
     return {{"min", values.front()}, {"median", quantile(0.5)}, {"p99", quantile(0.99)}};
 }
 
+// Adds the numbers of a frame: `all` gets the number of the pass, `views` those of its views.
+void add_draws_left_out(const vk::PassTiming& timing, std::vector<double>& all,
+                        std::vector<std::vector<double>>& views) {
+    all.push_back(timing.draws_left_out);
+    views.resize(timing.view_draws_left_out.size());
+    for (size_t view = 0; view < views.size(); ++view)
+        views[view].push_back(timing.view_draws_left_out[view]);
+}
+
 Json passes_json(const StatsInput& input) {
     Json passes = Json::array();
     const ResolvedGraph& graph = input.plan.graph;
@@ -35,6 +44,7 @@ Json passes_json(const StatsInput& input) {
         const PassDecl& pass = graph.passes[input.plan.schedule.order[p]];
         std::vector<double> times;
         std::vector<double> left_out;
+        std::vector<std::vector<double>> view_left_out;
         uint32_t rested = 0, switched_off = 0;
         Json woken = Json::object();
         for (const vk::FrameTiming& frame : input.timings)
@@ -43,7 +53,7 @@ Json passes_json(const StatsInput& input) {
                 switched_off += timing.switched_off ? 1 : 0;
                 if (timing.switched_off) continue;
                 if (!timing.rested) times.push_back(timing.gpu_ms);
-                if (!timing.rested) left_out.push_back(timing.draws_left_out);
+                if (!timing.rested) add_draws_left_out(timing, left_out, view_left_out);
                 rested += timing.rested ? 1 : 0;
                 if (!timing.woken_by.empty()) woken[timing.woken_by] = woken.value(timing.woken_by, 0u) + 1;
             }
@@ -53,6 +63,10 @@ Json passes_json(const StatsInput& input) {
                           {"bytes", port_bytes(graph, pass)},
                           {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)}});
         if (pass.culls_draws) passes.back()["draws_left_out"] = distribution(std::move(left_out));
+        for (size_t view = 0; pass.culls_draws && view < view_left_out.size(); ++view)
+            passes.back()["views"].push_back(
+                {{"name", pass.views[view]},
+                 {"draws_left_out", distribution(std::move(view_left_out[view]))}});
         if (pass.switch_id != kNoId) passes.back()["switched_off_frames"] = switched_off;
         if (pass.rest_unit == kNoId) continue;
         passes.back()["rested_frames"] = rested;

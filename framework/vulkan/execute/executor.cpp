@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <numeric>
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
@@ -127,7 +128,13 @@ PassTiming ReplayExecutor::pass_timing(Position position, double gpu_ms, const I
     const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
     PassTiming timing{.pass = pass.name, .gpu_ms = gpu_ms};
     timing.switched_off = !has_combination(pass.runs_in, frame.switches);
-    if (position < frame.draws_left_out.size()) timing.draws_left_out = frame.draws_left_out[position];
+    if (!frame.draws_left_out.empty()) {
+        const std::span<const uint32_t> all(frame.draws_left_out);
+        const std::span<const uint32_t> of_pass =
+            all.subspan(first_view_[position], first_view_[position + 1] - first_view_[position]);
+        timing.draws_left_out = std::accumulate(of_pass.begin(), of_pass.end(), 0u);
+        if (of_pass.size() > 1) timing.view_draws_left_out.assign(of_pass.begin(), of_pass.end());
+    }
     if (pass.rest_unit == kNoId || frame.wakes.empty()) return timing;
     const Wake& wake = frame.wakes[pass.rest_unit];
     timing.rested = !wake.runs();
@@ -257,7 +264,7 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     if (frames_run_ == 0) record_start(slots_->prologue(slot));
     const std::vector<uint8_t> running = running_units();
-    in_flight_[slot].draws_left_out.assign(objects_->passes.size(), 0);
+    in_flight_[slot].draws_left_out.assign(first_view_.back(), 0);
     for (uint32_t i = 0; i < plan.submissions.batches.size(); ++i) {
         const Batch& batch = plan.submissions.batches[i];
         const BatchCommands place = slots_->batch(slot, i);
@@ -270,6 +277,7 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
                                     *objects_,
                                     {objects_->resources, frames_run_, slot},
                                     in_flight_[slot].draws_left_out,
+                                    first_view_,
                                     in_flight_[slot].switches};
         objects_->timer.record_batch_start(context.commands, slot, i);
         for (const FrameStep& step : frame_steps(plan, batch, running, chosen_.rounds))

@@ -24,6 +24,7 @@ class ReplayExecutor final : public Executor {
           objects_(std::move(objects)),
           slots_(std::make_unique<FrameSlots>(std::move(slots))),
           hooks_(hooks),
+          first_view_(count_recorded_views(objects_->plan)),
           rest_(objects_->plan) {}
     ~ReplayExecutor() override;
 
@@ -44,7 +45,7 @@ class ReplayExecutor final : public Executor {
     struct InFlight {
         uint64_t frame_index = 0;
         std::vector<Wake> wakes;               // Index: unit.
-        std::vector<uint32_t> draws_left_out;  // Index: position of the pass.
+        std::vector<uint32_t> draws_left_out;  // See RecordContext::draws_left_out.
         std::vector<Extent3D> areas;  // FrameAreas::all() of the frame; empty if the plan has no live sizes.
         Combination switches = kAllSwitchesOn;
         FrameTiming timing;
@@ -82,6 +83,7 @@ class ReplayExecutor final : public Executor {
     std::unique_ptr<PlanObjects> objects_;
     std::unique_ptr<FrameSlots> slots_;
     ExecutorHooks hooks_;
+    std::vector<uint32_t> first_view_;  // See RecordContext::first_view.
     RestState rest_;
     // The inputs of the units in the frame that is being recorded (index: unit), and the units that run in
     // it.

@@ -181,16 +181,25 @@ void record_lists(const RecordContext& context, Position position, const PassDec
     DrawTargets targets = draw_targets(context.objects.plan.graph, pass);
     targets.extent = area.extent;
     bool first = true;
+    const std::span<const std::string> views = recorded_views(pass);
     for (const DrawPipeline& draw : prepared.pipelines_of(variant_in(pass, context.switches)))
-        for (const std::string& view : recorded_views(pass)) {
+        for (size_t view = 0; view < views.size(); ++view) {
             // A list of the program may have bound a pipeline without this dynamic state.
             if (!first) set_draw_state(context.device, context.commands, area.extent, area.state);
             first = false;
-            context.draws_left_out[position] += draw_list(context, pass, prepared, draw, view, targets);
+            context.draws_left_out[context.first_view[position] + view] +=
+                draw_list(context, pass, prepared, draw, views[view], targets);
         }
 }
 
 }  // namespace
+
+std::vector<uint32_t> count_recorded_views(const FramePlan& plan) {
+    std::vector<uint32_t> first{0};
+    for (const PassId id : plan.schedule.order)
+        first.push_back(first.back() + static_cast<uint32_t>(recorded_views(plan.graph.passes[id]).size()));
+    return first;
+}
 
 void record_compute(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared) {
     const DeviceFunctions& fn = context.device.fn();

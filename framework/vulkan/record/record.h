@@ -15,10 +15,16 @@ struct RecordContext {
     const FrameInput& frame;
     const PlanObjects& objects;
     FrameResources resources;
-    // For each pass, by its position: the number of draws that were left out.
+    // The number of draws that were left out for each recorded view of each pass. `first_view` is the index
+    // of the first view of the pass at a position; see count_recorded_views().
     std::vector<uint32_t>& draws_left_out;
+    std::span<const uint32_t> first_view;
     Combination switches = kAllSwitchesOn;  // The switches that are on in the frame.
 };
+
+// Counts the views for which the passes record their draws: by position, the number of these views of all
+// earlier passes. The last element is the number of the views of all passes.
+[[nodiscard]] std::vector<uint32_t> count_recorded_views(const FramePlan& plan);
 
 // Records the pass at index `position` of the execution order, without its barriers. Calls one of the
 // functions below, or for readback and custom passes ReadbackMemory::record() or record_custom().

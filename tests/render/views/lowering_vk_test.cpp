@@ -68,8 +68,9 @@ const std::vector<std::string> kObserved{
     "ownPast", "roof",     "told",      "toldPast",         "pondPast.layer(1..6)"};
 
 struct Rendered {
-    std::vector<vk::ReadbackData> readbacks;   // Of all frames.
-    std::map<std::string, uint64_t> left_out;  // Number of draws, by the name of the pass in the graph.
+    std::vector<vk::ReadbackData> readbacks;        // Of all frames.
+    std::map<std::string, uint64_t> left_out;       // Number of draws, by the name of the pass in the graph.
+    std::map<std::string, uint64_t> view_left_out;  // The same for each view: "cube#2".
     uint32_t passes = 0, barriers = 0;
 };
 
@@ -113,6 +114,15 @@ class Lowerings : public SessionTest {
         input.views["mine"][1].projection[0] *= -1.0f;
         return input;
     }
+    // Counts the draws that a pass left out, also for each view: view 2 of a pass that draws several views is
+    // that of the pass "name#2" otherwise.
+    static void add_left_out(const vk::PassTiming& pass, Rendered& rendered) {
+        const size_t mark = pass.pass.find('#');
+        rendered.left_out[pass.pass.substr(0, mark)] += pass.draws_left_out;
+        if (mark != std::string::npos) rendered.view_left_out[pass.pass] += pass.draws_left_out;
+        for (size_t view = 0; view < pass.view_draws_left_out.size(); ++view)
+            rendered.view_left_out[pass.pass + "#" + std::to_string(view)] += pass.view_draws_left_out[view];
+    }
     Rendered render(const std::string& graph, bool culls = true) {
         const std::unique_ptr<render::Session> session = open(graph);
         if (!session) return {};
@@ -125,8 +135,7 @@ class Lowerings : public SessionTest {
         Rendered rendered;
         rendered.readbacks = session->take_readbacks();
         for (const vk::FrameTiming& frame : session->take_timings())
-            for (const vk::PassTiming& pass : frame.passes)
-                rendered.left_out[pass.pass.substr(0, pass.pass.find('#'))] += pass.draws_left_out;
+            for (const vk::PassTiming& pass : frame.passes) add_left_out(pass, rendered);
         rendered.passes = static_cast<uint32_t>(session->plan().schedule.order.size());
         rendered.barriers = session->plan().barriers.emitted;
         return rendered;
@@ -176,6 +185,7 @@ TEST_F(Lowerings, GiveTheSameBytesWithLayerOutput) {
     EXPECT_GT(many.left_out.at("cube"), 0u);
     EXPECT_EQ(many.left_out.at("pond"), 0u) << "\"frustum\" is false";
     EXPECT_EQ(one.left_out, many.left_out) << "draws are left out for each view";
+    EXPECT_EQ(one.view_left_out, many.view_left_out);
     expect_same(one, render(graph_with("layerOutput", "layerOutput"), false), "without culling");
 }
 

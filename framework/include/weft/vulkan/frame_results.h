@@ -21,8 +21,12 @@ struct PassTiming {
     // For a pass with `rest` or in a group that ran: the reason, such as `pass "table" ran`. Empty for all
     // other passes.
     std::string woken_by;
-    // Number of draws that were not recorded because they are outside of the frustum of the view.
+    // Number of draws that were not recorded because they are outside of the frustum of the view. With
+    // several views: the sum of the next member.
     uint32_t draws_left_out = 0;
+    // The same number for each view of PassDecl::views, if the pass records its draws for each of them. Else
+    // empty.
+    std::vector<uint32_t> view_draws_left_out = {};
 };
 
 struct FrameTiming {
