@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "graph/builder/graph_text.h"
+#include "weft/syntax/json_doc.h"
 
 namespace weft {
 namespace {
@@ -15,26 +16,42 @@ JsonNode empty_node(JsonKind kind) {
     return node;
 }
 
-}  // namespace
-
-GraphValue::GraphValue(double value) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    node_.kind = JsonKind::number;
-    node_.string.assign(digits.data(), end);
+// The text of a number is written without quotes.
+JsonNode text_node(JsonKind kind, std::string text) {
+    JsonNode node = empty_node(kind);
+    node.string = std::move(text);
+    return node;
 }
 
+// Returns the shortest text that is read as exactly this number.
+std::string shortest_text(double value) {
+    std::array<char, 32> digits;
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+}  // namespace
+
+GraphValue::GraphValue(JsonNode node) : node_(std::make_shared<const JsonNode>(std::move(node))) {}
+
+GraphValue::GraphValue(Unquoted, std::string text)
+    : GraphValue(text_node(JsonKind::number, std::move(text))) {}
+
+GraphValue::GraphValue(std::string text) : GraphValue(text_node(JsonKind::string, std::move(text))) {}
+
+GraphValue::GraphValue(double value) : GraphValue(Unquoted{}, shortest_text(value)) {}
+
 GraphValue::GraphValue(std::initializer_list<GraphValue> items) {
-    node_.kind = JsonKind::array;
-    for (const GraphValue& item : items) node_.items.push_back(item.node_);
+    JsonNode list = empty_node(JsonKind::array);
+    for (const GraphValue& item : items) list.items.push_back(item.node());
+    node_ = std::make_shared<const JsonNode>(std::move(list));
 }
 
 GraphValue GraphValue::json(const std::string& text) {
     SourceMap sources;
     Result<JsonNode> node = read_json_file(sources, {}, text, {});
     if (node) return GraphValue(std::move(*node));
-    // The text of a number is written unchanged. So the reader of the graph finds the fault again.
-    return {JsonKind::number, text};
+    // The text is written as it is. So the reader of the graph finds the fault again.
+    return {Unquoted{}, text};
 }
 
 JsonNode& GraphObject::node() const {
@@ -55,13 +72,13 @@ size_t GraphObject::section_index(const std::string& section) {
     return static_cast<size_t>(found - members.begin());
 }
 
-void GraphObject::add(const std::string& key, GraphValue value) {
-    node().members.push_back({key, {}, std::move(value).take()});
+void GraphObject::add(const std::string& key, const GraphValue& value) {
+    node().members.push_back({key, {}, value.node()});
 }
 
-void GraphObject::add_to(const std::string& section, const std::string& key, GraphValue value) {
+void GraphObject::add_to(const std::string& section, const std::string& key, const GraphValue& value) {
     const size_t index = section_index(section);
-    node().members[index].value.members.push_back({key, {}, std::move(value).take()});
+    node().members[index].value.members.push_back({key, {}, value.node()});
 }
 
 GraphObject GraphObject::add_object(const std::string& section, const std::string& key) {
@@ -74,9 +91,9 @@ GraphObject GraphObject::add_object(const std::string& section, const std::strin
 }
 
 GraphBuilder::GraphBuilder(std::string name)
-    : GraphBuilder(std::move(name), std::make_unique<JsonNode>(empty_node(JsonKind::object))) {}
+    : GraphBuilder(std::move(name), std::make_shared<JsonNode>(empty_node(JsonKind::object))) {}
 
-GraphBuilder::GraphBuilder(std::string name, std::unique_ptr<JsonNode> root)
+GraphBuilder::GraphBuilder(std::string name, std::shared_ptr<JsonNode> root)
     : GraphKeys(GraphObject(*root)), name_(std::move(name)), root_(std::move(root)) {
     set("version", 1);
     set("name", name_);
@@ -85,7 +102,7 @@ GraphBuilder::GraphBuilder(std::string name, std::unique_ptr<JsonNode> root)
 GraphBuilder& GraphBuilder::include(const std::string& file) {
     for (JsonMember& member : root_->members)
         if (member.key == "include" && member.value.kind == JsonKind::array) {
-            member.value.items.push_back(GraphValue(file).take());
+            member.value.items.push_back(GraphValue(file).node());
             return *this;
         }
     return set("include", {file});

@@ -19,49 +19,44 @@
 #include <utility>
 #include <vector>
 
-#include "weft/syntax/json_doc.h"
-
 namespace weft {
+
+struct JsonNode;
 
 // A value of a key: a boolean, a number, a string, a list such as {1, "output.x"}, or a JSON value.
 class GraphValue {
  public:
     template <std::same_as<bool> T>
-    GraphValue(T value) {
-        node_.kind = JsonKind::boolean;
-        node_.boolean = value;
-    }
+    GraphValue(T value) : GraphValue(Unquoted{}, value ? "true" : "false") {}
     template <std::integral T>
-    requires(!std::same_as<T, bool>) GraphValue(T value)
-        : GraphValue(JsonKind::number, std::to_string(value)) {}
+    requires(!std::same_as<T, bool>) GraphValue(T value) : GraphValue(Unquoted{}, std::to_string(value)) {}
     GraphValue(double value);
-    GraphValue(const char* text) : GraphValue(JsonKind::string, text) {}
-    GraphValue(std::string text) : GraphValue(JsonKind::string, std::move(text)) {}
+    GraphValue(const char* text) : GraphValue(std::string(text)) {}
+    GraphValue(std::string text);
     GraphValue(std::initializer_list<GraphValue> items);
     // A value that was read from a file.
-    explicit GraphValue(JsonNode node) : node_(std::move(node)) {}
+    explicit GraphValue(JsonNode node);
     // Reads a value from JSON text, for example {"cull": "none"}. A text with a fault is added unchanged, so
     // that the error appears at its place when the graph is loaded.
     [[nodiscard]] static GraphValue json(const std::string& text);
 
-    [[nodiscard]] JsonNode take() && { return std::move(node_); }
+    [[nodiscard]] const JsonNode& node() const { return *node_; }
 
  private:
-    GraphValue(JsonKind kind, std::string text) {
-        node_.kind = kind;
-        node_.string = std::move(text);
-    }
+    struct Unquoted {};
+    // A text that is written without quotes.
+    GraphValue(Unquoted unquoted, std::string text);
 
-    JsonNode node_;
+    std::shared_ptr<const JsonNode> node_;
 };
 
 // An object of the graph to which keys are added. It stays valid as long as its GraphBuilder, also if the
 // builder is moved.
 class GraphObject {
  public:
-    void add(const std::string& key, GraphValue value);
+    void add(const std::string& key, const GraphValue& value);
     // Adds a key to the object that is the value of `section`. Makes the section if it does not exist yet.
-    void add_to(const std::string& section, const std::string& key, GraphValue value);
+    void add_to(const std::string& section, const std::string& key, const GraphValue& value);
     // Adds an empty object to a section, and returns the new object.
     GraphObject add_object(const std::string& section, const std::string& key);
 
@@ -174,6 +169,8 @@ class PassBuilder : public GraphKeys<PassBuilder> {
 class GraphBuilder : public GraphKeys<GraphBuilder> {
  public:
     explicit GraphBuilder(std::string name);
+    GraphBuilder(GraphBuilder&&) = default;
+    GraphBuilder& operator=(GraphBuilder&&) = default;
 
     GraphBuilder& include(const std::string& file);
     GraphBuilder& import(const std::string& name, const std::string& kind) {
@@ -205,10 +202,10 @@ class GraphBuilder : public GraphKeys<GraphBuilder> {
     [[nodiscard]] std::string file_name() const { return name_ + " (made in C++)"; }
 
  private:
-    GraphBuilder(std::string name, std::unique_ptr<JsonNode> root);
+    GraphBuilder(std::string name, std::shared_ptr<JsonNode> root);
 
     std::string name_;
-    std::unique_ptr<JsonNode> root_;
+    std::shared_ptr<JsonNode> root_;
 };
 
 }  // namespace weft

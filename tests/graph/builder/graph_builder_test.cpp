@@ -91,7 +91,7 @@ TEST(GraphBuilderText, HasOneKeyPerLine) {
     graph.entry("views", "mirror").set("of", "camera");
     graph.set("frames", 8u);
     halve.in("src", "far[-1]").out("tiles").after({"a", "b"}).repeat("i", "0..3").set("rest", true);
-    EXPECT_EQ(graph.to_json(), R"({
+    EXPECT_EQ(graph.to_json(), R"json({
   "version": 1,
   "name": "fog",
   "imports": {
@@ -121,24 +121,28 @@ TEST(GraphBuilderText, HasOneKeyPerLine) {
     "tiles": {
       "buffer": "u32",
       "count": "ceil(output.x / 16)"
-}
-}
-, "passes" : {
-    "halve" : {
-        "type" : "compute",
-        "shader" : "halve.comp",
-        "threads" : [ "output.x", 4, 1 ],
-        "in" : {"src" : "far[-1]"},
-        "out" : {"tiles" : "tiles"},
-        "after" : [ "a", "b" ],
-        "repeat" : {"i" : "0..3"},
-        "rest" : true
     }
-},
-             "views" : {"mirror" : {"of" : "camera"}},
-                       "frames" : 8
+  },
+  "passes": {
+    "halve": {
+      "type": "compute",
+      "shader": "halve.comp",
+      "threads": ["output.x", 4, 1],
+      "in": { "src": "far[-1]" },
+      "out": { "tiles": "tiles" },
+      "after": ["a", "b"],
+      "repeat": { "i": "0..3" },
+      "rest": true
+    }
+  },
+  "views": {
+    "mirror": {
+      "of": "camera"
+    }
+  },
+  "frames": 8
 }
-)");
+)json");
 }
 
 TEST(GraphBuilderText, KeepsEveryCharacterAndDigit) {
