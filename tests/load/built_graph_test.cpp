@@ -65,36 +65,28 @@ GraphBuilder fog(const std::string& shader) {
 }
 
 TEST_F(BuiltGraph, HasTheSamePlanAsTheGraphInAFile) {
-    const Result<PlannedGraph> file = plan("fog.json", R"({
+    const Result<PlannedGraph> file = plan("fog.json", R"json({
       "version": 1, "name": "fog", "imports": { "backbuffer": "output" },
       "params": { "reach": { "default": 12, "range": [1, 100] } },
       "resources": { "made": { "format": "r32f", "size": "output / 2", "mips": 2 } },
       "passes": {
         "show": { "type": "fullscreen", "shader": "show.frag", "in": { "far": "made.mip(1)" },
-                  "out": {
-    "color" : "backbuffer"
-}
-}
-, "make" : {
-    "type" : "compute",
-             "shader" : "make.comp",
-                        "out" : {"made" : "made.mip(1)"},
-                                "threads" : [ "output.x / 4", "output.y / 4", 1 ]
-}
-}
-})");
+                  "out": { "color": "backbuffer" } },
+        "make": { "type": "compute", "shader": "make.comp", "out": { "made": "made.mip(1)" },
+                  "threads": ["output.x / 4", "output.y / 4", 1] }
+      } })json");
     ASSERT_TRUE(file) << to_text(file.errors());
-const GraphBuilder graph = fog("make.comp");
-const Result<PlannedGraph> built = plan(graph.file_name(), graph.to_json());
-ASSERT_TRUE(built) << to_text(built.errors()) << graph.to_json();
-EXPECT_EQ(plan_hash(built->plan), plan_hash(file->plan));
-GraphBuilder other = fog("make.comp");
-other.set_json("tests", "{}").image("unused", "r32f");
-other.compute("again", "make.comp").out("made", "made.mip(0)");
-other.pass("read", "readback").set("in", {"made.mip(0)"});
-const Result<PlannedGraph> more = plan(other.file_name(), other.to_json());
-ASSERT_TRUE(more) << to_text(more.errors()) << other.to_json();
-EXPECT_NE(plan_hash(more->plan), plan_hash(file->plan));
+    const GraphBuilder graph = fog("make.comp");
+    const Result<PlannedGraph> built = plan(graph.file_name(), graph.to_json());
+    ASSERT_TRUE(built) << to_text(built.errors()) << graph.to_json();
+    EXPECT_EQ(plan_hash(built->plan), plan_hash(file->plan));
+    GraphBuilder other = fog("make.comp");
+    other.set_json("tests", "{}").image("unused", "r32f");
+    other.compute("again", "make.comp").out("made", "made.mip(0)");
+    other.pass("read", "readback").set("in", {"made.mip(0)"});
+    const Result<PlannedGraph> more = plan(other.file_name(), other.to_json());
+    ASSERT_TRUE(more) << to_text(more.errors()) << other.to_json();
+    EXPECT_NE(plan_hash(more->plan), plan_hash(file->plan));
 }
 
 TEST_F(BuiltGraph, AMissingShaderIsAnErrorAtItsLine) {
