@@ -13,7 +13,7 @@ PUBLIC = "framework/include/weft"
 FLOW = [
     # Public headers with the types that the stages exchange.
     PUBLIC,
-    "framework/graph/diagnostics", "framework/graph/model", "framework/graph/live", "framework/graph/syntax", "framework/graph/parse",
+    "framework/graph/diagnostics", "framework/graph/model", "framework/graph/live", "framework/graph/syntax", "framework/graph/builder", "framework/graph/parse",
     "framework/graph/resolve", "framework/graph/plan", "framework/graph/cook", "framework/graph/rest", "framework/graph/schedule", "framework/graph/sync",
     "framework/graph/memory", "framework/graph/compile", "framework/graph/report", "framework/graph/report/html",
     "framework/check/faults", "framework/check/structure", "framework/check", "framework/null", "framework/file",
