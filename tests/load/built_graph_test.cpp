@@ -81,7 +81,6 @@ TEST_F(BuiltGraph, HasTheSamePlanAsTheGraphInAFile) {
     ASSERT_TRUE(built) << to_text(built.errors()) << graph.to_json();
     EXPECT_EQ(plan_hash(built->plan), plan_hash(file->plan));
     GraphBuilder other = fog("make.comp");
-    other.set_json("tests", "{}").image("unused", "r32f");
     other.compute("again", "make.comp").out("made", "made.mip(0)");
     other.pass("read", "readback").set("in", {"made.mip(0)"});
     const Result<PlannedGraph> more = plan(other.file_name(), other.to_json());
@@ -104,13 +103,24 @@ TEST_F(BuiltGraph, AMissingShaderIsAnErrorAtItsLine) {
 TEST_F(BuiltGraph, IncludesFilesInMemory) {
     files_.put((base_ / "graph/part.json").string(), fog("make.comp").to_json());
     GraphBuilder graph("whole");
-    graph.include("part.json").set_json("passes", "{}");
+    graph.include({"part.json"}).set_json("passes", "{}");
     graph.param("reach", 13);
     const Result<PlannedGraph> built = plan(graph.file_name(), graph.to_json());
     ASSERT_TRUE(built) << to_text(built.errors());
     ASSERT_EQ(built->loaded.graph.params.size(), 1u);
     EXPECT_EQ(built->loaded.graph.passes.size(), 2u);
     EXPECT_EQ(built->plan.graph.passes.at(0).params.at(0).value[0], 13);
+}
+
+TEST_F(BuiltGraph, ReadsFilesOfResourcesInMemory) {
+    files_.put((base_ / "graph/ramp.txt").string(), "sixteen letters.");
+    GraphBuilder graph("ramp");
+    graph.entry("resources", "ramp").set("file", "ramp.txt").set("buffer", "u32");
+    graph.pass("read", "readback").set("in", {"ramp"});
+    const Result<PlannedGraph> built = plan(graph.file_name(), graph.to_json());
+    ASSERT_TRUE(built) << to_text(built.errors());
+    ASSERT_EQ(built->plan.graph.resources.size(), 1u);
+    EXPECT_EQ(built->plan.graph.resources[0].size_bytes, 16u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Purpose: writes a JSON value as the text of a graph file.
+// Purpose: writes JSON values as text on one line.
 #pragma once
 
 #include <string>
@@ -7,8 +7,9 @@
 
 namespace weft {
 
-// Writes each key of the graph, of its sections, and of the entries of sections on a line of its own, so that
-// the line of an error shows the faulty key. Deeper values are on one line.
-[[nodiscard]] std::string graph_text(const JsonNode& root);
+// Returns a JSON string with its quotes.
+[[nodiscard]] std::string json_string(const std::string& text);
+// Returns the text of a value. Numbers keep their text, for example 1.50.
+[[nodiscard]] std::string json_text(const JsonNode& node);
 
 }  // namespace weft

@@ -8,95 +8,62 @@
 //   graph.image("depth", "d32f");
 //   graph.raster("surfaces", "surface").draws({"opaque"}).depth("depth");
 //   graph.fullscreen("show", "fog.frag").in("depth").out("color", "backbuffer");
-// A call never replaces what an earlier call added. If a pass, a resource or a key is added twice, the error
+// A call never replaces the key of an earlier call. If a pass, a resource or a key is added twice, the error
 // is W003, as in a file.
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace weft {
 
-struct JsonNode;
+struct GraphObject;
 
-// A value of a key: a boolean, a number, a string, a list such as {1, "output.x"}, or a JSON value.
+// A value of a key: a boolean, a number, a string, a list such as {1, "output.x"}, or JSON text.
 class GraphValue {
  public:
     template <std::same_as<bool> T>
-    GraphValue(T value) : GraphValue(Unquoted{}, value ? "true" : "false") {}
+    GraphValue(T value) : json_(value ? "true" : "false") {}
     template <std::integral T>
-    requires(!std::same_as<T, bool>) GraphValue(T value) : GraphValue(Unquoted{}, std::to_string(value)) {}
+    requires(!std::same_as<T, bool>) GraphValue(T value) : json_(std::to_string(value)) {}
     GraphValue(double value);
     GraphValue(const char* text) : GraphValue(std::string(text)) {}
-    GraphValue(std::string text);
-    GraphValue(std::initializer_list<GraphValue> items);
-    // A value that was read from a file.
-    explicit GraphValue(JsonNode node);
-    // Reads a value from JSON text, for example {"cull": "none"}. A text with a fault is added unchanged, so
+    GraphValue(const std::string& text);
+    GraphValue(std::initializer_list<GraphValue> items) : GraphValue(std::vector<GraphValue>(items)) {}
+    GraphValue(const std::vector<GraphValue>& items);
+    // Makes a value from JSON text, for example {"cull": "none"}. A text with a fault is added unchanged, so
     // that the error appears at its place when the graph is loaded.
     [[nodiscard]] static GraphValue json(const std::string& text);
 
-    [[nodiscard]] const JsonNode& node() const { return *node_; }
+    // Returns the value as JSON text on one line.
+    [[nodiscard]] const std::string& to_json() const { return json_; }
 
  private:
-    struct Unquoted {};
-    // A text that is written without quotes.
-    GraphValue(Unquoted unquoted, std::string text);
-
-    std::shared_ptr<const JsonNode> node_;
+    std::string json_;
 };
 
-// An object of the graph to which keys are added. It stays valid as long as its GraphBuilder, also if the
-// builder is moved.
-class GraphObject {
- public:
-    void add(const std::string& key, const GraphValue& value);
-    // Adds a key to the object that is the value of `section`. Makes the section if it does not exist yet.
-    void add_to(const std::string& section, const std::string& key, const GraphValue& value);
-    // Adds an empty object to a section, and returns the new object.
-    GraphObject add_object(const std::string& section, const std::string& key);
-
- private:
-    friend class GraphBuilder;
-    explicit GraphObject(JsonNode& root) : root_(&root) {}
-    // The members may move in memory when others are added, so the object is found again by its indices.
-    [[nodiscard]] JsonNode& node() const;
-    [[nodiscard]] size_t section_index(const std::string& section);
-
-    JsonNode* root_;
-    std::vector<size_t> path_;  // The indices of the members that lead from the root to this object.
-};
-
-// Adds the functions set() and set_json() to the class `Derived`.
+// An object of the graph, such as a pass, to which keys are added. The GraphBuilder owns the object. This
+// class only points to it: copies add keys to the same object. It is valid until the builder is destroyed,
+// also if the builder is moved. `Derived` is the class that the functions return.
 template <class Derived>
 class GraphKeys {
  public:
-    explicit GraphKeys(GraphObject object) : object_(std::move(object)) {}
+    explicit GraphKeys(GraphObject& object) : object_(&object) {}
     // Adds any key of the format by its name.
-    Derived& set(const std::string& key, GraphValue value) {
-        object_.add(key, std::move(value));
-        return self();
-    }
+    Derived set(const std::string& key, const GraphValue& value) const;
     // Adds a key whose value is JSON text. See GraphValue::json().
-    Derived& set_json(const std::string& key, const std::string& text) {
+    Derived set_json(const std::string& key, const std::string& text) const {
         return set(key, GraphValue::json(text));
     }
-
-    // Adds an entry to a section of this object: set_in("debug", "Depth", "depth").
-    Derived& set_in(const std::string& section, const std::string& key, GraphValue value) {
-        object_.add_to(section, key, std::move(value));
-        return self();
-    }
-
- protected:
-    GraphObject object_;
+    // Adds a key to an object that is the value of `section`: set_in("state", "cull", "none").
+    Derived set_in(const std::string& section, const std::string& key, const GraphValue& value) const;
 
  private:
-    Derived& self() { return static_cast<Derived&>(*this); }
+    GraphObject* object_;
 };
 
 // An entry of a section that has no class of its own, such as a list of views, a group or a tier.
@@ -108,8 +75,8 @@ class EntryBuilder : public GraphKeys<EntryBuilder> {
 class ParamBuilder : public GraphKeys<ParamBuilder> {
  public:
     using GraphKeys::GraphKeys;
-    ParamBuilder& range(GraphValue least, GraphValue most) {
-        return set("range", {std::move(least), std::move(most)});
+    ParamBuilder range(const GraphValue& least, const GraphValue& most) const {
+        return set("range", {least, most});
     }
 };
 
@@ -117,76 +84,83 @@ class ParamBuilder : public GraphKeys<ParamBuilder> {
 class ResourceBuilder : public GraphKeys<ResourceBuilder> {
  public:
     using GraphKeys::GraphKeys;
-    ResourceBuilder& size(GraphValue side) { return set("size", std::move(side)); }
-    ResourceBuilder& size(GraphValue width, GraphValue height) {
-        return set("size", {std::move(width), std::move(height)});
+    ResourceBuilder size(const GraphValue& side) const { return set("size", side); }
+    ResourceBuilder size(const GraphValue& width, const GraphValue& height) const {
+        return set("size", {width, height});
     }
-    ResourceBuilder& mips(GraphValue count) { return set("mips", std::move(count)); }
-    ResourceBuilder& layers(GraphValue count) { return set("layers", std::move(count)); }
-    ResourceBuilder& history(uint32_t frames) { return set("history", frames); }
-    ResourceBuilder& keep() { return set("keep", true); }
+    ResourceBuilder mips(const GraphValue& count) const { return set("mips", count); }
+    ResourceBuilder layers(const GraphValue& count) const { return set("layers", count); }
+    ResourceBuilder history(uint32_t frames) const { return set("history", frames); }
+    ResourceBuilder keep() const { return set("keep", true); }
 };
 
 // A pass of any type. The loader reports keys that do not fit the type.
 class PassBuilder : public GraphKeys<PassBuilder> {
  public:
     using GraphKeys::GraphKeys;
-    PassBuilder& in(const std::string& port, GraphValue reference) {
-        return set_in("in", port, std::move(reference));
+    PassBuilder in(const std::string& port, const GraphValue& reference) const {
+        return set_in("in", port, reference);
     }
-    PassBuilder& in(const std::string& name) { return in(name, name); }  // The port has the resource's name.
-    PassBuilder& out(const std::string& port, GraphValue reference) {
-        return set_in("out", port, std::move(reference));
+    // The port has the name of the resource.
+    PassBuilder in(const std::string& name) const { return in(name, name); }
+    PassBuilder out(const std::string& port, const GraphValue& reference) const {
+        return set_in("out", port, reference);
     }
-    PassBuilder& out(const std::string& name) { return out(name, name); }
-    PassBuilder& depth(GraphValue reference) { return set("depth", std::move(reference)); }
-    PassBuilder& draws(std::initializer_list<GraphValue> lists) { return set("draws", lists); }
-    PassBuilder& view(const std::string& reference) { return set("view", reference); }
-    PassBuilder& views(const std::string& list, const std::string& into) {
+    PassBuilder out(const std::string& name) const { return out(name, name); }
+    PassBuilder depth(const GraphValue& reference) const { return set("depth", reference); }
+    PassBuilder draws(const std::vector<GraphValue>& lists) const { return set("draws", lists); }
+    PassBuilder view(const std::string& reference) const { return set("view", reference); }
+    PassBuilder views(const std::string& list, const std::string& into) const {
         return set("views", list).set("into", into);
     }
-    PassBuilder& param(const std::string& name, GraphValue value) {
-        return set_in("params", name, std::move(value));
+    PassBuilder param(const std::string& name, const GraphValue& value) const {
+        return set_in("params", name, value);
     }
-    PassBuilder& constant(const std::string& name, GraphValue value) {
-        return set_in("constants", name, std::move(value));
+    PassBuilder constant(const std::string& name, const GraphValue& value) const {
+        return set_in("constants", name, value);
     }
     // Number of shader invocations.
-    PassBuilder& threads(GraphValue x, GraphValue y = 1, GraphValue z = 1) {
-        return set("threads", {std::move(x), std::move(y), std::move(z)});
+    PassBuilder threads(const GraphValue& x, const GraphValue& y = 1, const GraphValue& z = 1) const {
+        return set("threads", {x, y, z});
     }
     // Number of workgroups.
-    PassBuilder& groups(GraphValue x, GraphValue y = 1, GraphValue z = 1) {
-        return set("groups", {std::move(x), std::move(y), std::move(z)});
+    PassBuilder groups(const GraphValue& x, const GraphValue& y = 1, const GraphValue& z = 1) const {
+        return set("groups", {x, y, z});
     }
-    PassBuilder& clear(GraphValue color) { return set("clear", std::move(color)); }
-    PassBuilder& after(std::initializer_list<GraphValue> passes) { return set("after", passes); }
-    PassBuilder& repeat(const std::string& index, const std::string& range) {
+    PassBuilder clear(const GraphValue& color) const { return set("clear", color); }
+    PassBuilder after(const std::vector<GraphValue>& passes) const { return set("after", passes); }
+    PassBuilder repeat(const std::string& index, const std::string& range) const {
         return set_in("repeat", index, range);
     }
 };
 
-class GraphBuilder : public GraphKeys<GraphBuilder> {
+class GraphBuilder {
  public:
-    explicit GraphBuilder(std::string name);
-    GraphBuilder(GraphBuilder&&) = default;
-    GraphBuilder& operator=(GraphBuilder&&) = default;
+    explicit GraphBuilder(const std::string& name);
+    ~GraphBuilder();
+    GraphBuilder(GraphBuilder&&) noexcept;
+    GraphBuilder& operator=(GraphBuilder&&) noexcept;
 
-    GraphBuilder& include(const std::string& file);
+    // These three functions are as in GraphKeys: set_in("debug", "Depth", "depth").
+    GraphBuilder& set(const std::string& key, const GraphValue& value);
+    GraphBuilder& set_json(const std::string& key, const std::string& text);
+    GraphBuilder& set_in(const std::string& section, const std::string& key, const GraphValue& value);
+
+    GraphBuilder& include(const std::vector<GraphValue>& files) { return set("include", files); }
     GraphBuilder& import(const std::string& name, const std::string& kind) {
         return set_in("imports", name, kind);
     }
-    GraphBuilder& constant(const std::string& name, GraphValue value) {
-        return set_in("consts", name, std::move(value));
+    GraphBuilder& constant(const std::string& name, const GraphValue& value) {
+        return set_in("consts", name, value);
     }
-    GraphBuilder& size(const std::string& name, GraphValue value) {
-        return set_in("sizes", name, std::move(value));
+    GraphBuilder& size(const std::string& name, const GraphValue& value) {
+        return set_in("sizes", name, value);
     }
-    ParamBuilder param(const std::string& name, GraphValue default_value);
+    ParamBuilder param(const std::string& name, const GraphValue& default_value);
     // `format` may contain alternatives: "rg16_snorm|rg16f".
     ResourceBuilder image(const std::string& name, const std::string& format);
     // `type` is the type of the elements, such as "u32".
-    ResourceBuilder buffer(const std::string& name, const std::string& type, GraphValue count);
+    ResourceBuilder buffer(const std::string& name, const std::string& type, const GraphValue& count);
     PassBuilder compute(const std::string& name, const std::string& shader);
     PassBuilder fullscreen(const std::string& name, const std::string& shader);
     PassBuilder raster(const std::string& name, const std::string& shader);
@@ -202,10 +176,8 @@ class GraphBuilder : public GraphKeys<GraphBuilder> {
     [[nodiscard]] std::string file_name() const { return name_ + " (made in C++)"; }
 
  private:
-    GraphBuilder(std::string name, std::shared_ptr<JsonNode> root);
-
     std::string name_;
-    std::shared_ptr<JsonNode> root_;
+    std::unique_ptr<GraphObject> root_;  // Not a member by value, so that its address stays the same.
 };
 
 }  // namespace weft

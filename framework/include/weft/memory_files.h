@@ -3,17 +3,22 @@
 // shader compiler reads them from disk.
 #pragma once
 
-#include <memory>
+#include <map>
+#include <mutex>
 #include <string>
 
 #include "weft/file_reader.h"
 
 namespace weft {
 
-// All copies of an object and all its readers share the same files. Every thread may use them at any time.
+// The object must live longer than all its readers, so also longer than the sessions that have one. All
+// threads may call its functions and its readers at the same time.
 class MemoryFiles {
  public:
-    MemoryFiles();
+    MemoryFiles() = default;
+    MemoryFiles(const MemoryFiles&) = delete;
+    MemoryFiles& operator=(const MemoryFiles&) = delete;
+
     // Adds a file, or replaces its text. Its shaders and included files are searched in the folder of `path`.
     void put(const std::string& path, std::string text);
     // Returns a reader for LoadSettings::reader. It calls `others` for all paths that are not in memory.
@@ -21,8 +26,8 @@ class MemoryFiles {
     [[nodiscard]] FileReader reader(FileReader others) const;
 
  private:
-    struct Texts;
-    std::shared_ptr<Texts> texts_;
+    mutable std::mutex mutex_;
+    std::map<std::string, std::string> texts_;  // Key: normalised path.
 };
 
 }  // namespace weft

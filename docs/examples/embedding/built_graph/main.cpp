@@ -31,7 +31,7 @@ void draw(OwnDevice& own) {
 
     const weft::GraphBuilder graph = make_graph(0);
     weft::render::SessionInput input = session_input(graph.file_name(), passes);
-    weft::MemoryFiles files;
+    weft::MemoryFiles files;  // Must live longer than the session.
     files.put(input.request.path, graph.to_json());
     input.load.reader = files.reader(read_file);
     input.output = target.image;
