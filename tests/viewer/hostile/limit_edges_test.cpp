@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "weft/graph_builder.h"
 #include "weft/limits.h"
 
 namespace weft::test {
@@ -122,25 +123,22 @@ TEST_F(LimitEdges, HoldForPlansOfManyParts) {
 // of the resources, and another pass writes mip level 1.
 TEST_F(LimitEdges, HoldForManyResourcesInOneMemory) {
     constexpr int kGroups = 1300, kEach = 12;
-    std::string resources, passes;
+    GraphBuilder graph("many");
+    graph.import("backbuffer", "output");
     for (int group = 0; group < kGroups; ++group) {
-        std::string names[2];
+        const std::string number = std::to_string(group);
+        std::vector<GraphValue> parts[2];
         for (int i = 0; i < kEach; ++i) {
             const std::string name = "r" + std::to_string(group * kEach + i);
-            resources += "\"" + name + R"(": { "format": "r8", "size": 4, "mips": 2 },)" + "\n";
-            for (int mip : {0, 1})
-                names[mip] += (i == 0 ? "\"" : ", \"") + name + ".mip(" + std::to_string(mip) + ")\"";
+            graph.image(name, "r8").size(4).mips(2);
+            for (int mip : {0, 1}) parts[mip].push_back(name + ".mip(" + std::to_string(mip) + ")");
         }
-        const std::string number = std::to_string(group);
         for (int mip : {0, 1})
-            passes += "\"p" + number + "_" + std::to_string(mip) + R"(": { "type": "clear", "out": [)" +
-                      names[mip] + "] },\n";
-        passes += "\"q" + number + R"(": { "type": "readback", "in": ["r)" + std::to_string(group * kEach) +
-                  "\"] },\n";
+            graph.pass("p" + number + "_" + std::to_string(mip), "clear").set("out", parts[mip]);
+        graph.pass("q" + number, "readback").set("in", {"r" + std::to_string(group * kEach)});
     }
-    scratch_.write("graph.json", R"({ "version": 1, "imports": { "backbuffer": "output" }, "resources": { )" +
-                                     resources + R"("last": "r8" }, "passes": { )" + passes +
-                                     R"("show": { "type": "clear", "out": ["backbuffer"] } } })");
+    graph.pass("show", "clear").set("out", {"backbuffer"});
+    scratch_.write("graph.json", graph.to_json());
     EXPECT_EQ(check().exit_code, 0);
 }
 
