@@ -26,7 +26,8 @@ void draw(OwnDevice& own) {
     const std::unique_ptr<weft::vk::Device> device = take(weft::vk::Device::adopt(
         {own.instance, own.physical, own.device, {{own.queue, own.family}}, &own.enabled}));
     const OwnImage target = make_image(own, weft::render::output_create_info(*device, kSize_px));
-    const weft::scene::Scene scene = take(weft::scene::make_builtin("spheres"));
+    // The camera of this scene looks at the horizon.
+    const weft::scene::Scene scene = take(weft::scene::make_builtin("mirror"));
     const weft::PassCatalog passes = weft::registered_passes();
 
     const weft::GraphBuilder graph = make_graph(0);
