@@ -82,8 +82,11 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
 }
 
 // Counts the views of the scene's lamps. Returns 1 if `scene` is null.
+// The number of views of a point light and of two spot lights.
+constexpr uint32_t kAssumedLampViews = 8;
+
 uint32_t count_all_lamp_views(const scene::Scene* scene) {
-    if (scene == nullptr) return 1;
+    if (scene == nullptr) return kAssumedLampViews;
     uint32_t count = 0;
     for (const shared::Light& light : gpu_lights(scene->lights, 0, scene->light_functions.size()))
         count += count_lamp_views(light);
@@ -156,7 +159,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.imports.emplace("backbuffer", output(output_extent));
     catalog.views = {"camera", "sun"};
     catalog.imports.emplace("sun", view_list("sun", shared::kMostSunCascades));
-    catalog.imports.emplace(kLampViews, view_list(kLampViews, count_all_lamp_views(scene)));
+    ImportDecl lamps = view_list(kLampViews, count_all_lamp_views(scene));
+    lamps.assumes_views = scene == nullptr;
+    catalog.imports.emplace(kLampViews, std::move(lamps));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0},
                        {"outputIsLinear", 0}};

@@ -22,14 +22,20 @@ layout(push_constant) uniform Params {
     // log2(1 + distance in metres), and `black`, the nearer one, is shown as white.
     float black, white;
     vec2 shownUv;  // The part of `shown` that has content; `surface` has the same size.
+    vec2 size_px;  // The size of the debug view.
 } params;
 
 float ranged(float x) { return (x - params.black) / (params.white - params.black); }
 
-// Converts reversed depth (near plane / distance) to grey, on a logarithmic scale of the distance in metres.
+// Converts the depth of the view that drew `shown` to grey, on a logarithmic scale of the distance in metres. The
+// inverse of the projection also works for mirrors, whose near plane is the mirror. A parallel projection has no
+// viewpoint, so the distance is that from its near plane.
 vec3 depth_color(float z) {
     if (z <= 0.0) return nothing_color(ivec2(gl_FragCoord.xy));
-    return vec3(1.0 - ranged(log2(1.0 + view.near_m / z)));
+    const mat4 to_view = inverse(view.projection);
+    const vec4 place = to_view * vec4(uv * 2.0 - 1.0, z, 1.0);
+    const float origin = view.projection[2][3] == 0.0 ? (to_view * vec4(uv * 2.0 - 1.0, 1.0, 1.0)).z : 0.0;
+    return vec3(1.0 - ranged(log2(1.0 + max(origin - place.z / place.w, 0.0))));
 }
 
 vec3 decoded(vec4 x) {
@@ -56,5 +62,5 @@ void main() {
     const bool nothing = HAS_surface && textureLod(surface, uv * params.shownUv, 0.0).r <= 0.0;
     // NaN and infinity are shown in magenta, because they are usually errors.
     const vec3 picked = odd ? vec3(1.0, 0.0, 1.0) : nothing ? nothing_color(ivec2(gl_FragCoord.xy)) : clamp(decoded(x), 0.0, 1.0);
-    color = vec4(with_legend(picked, DECODE, params.black, params.white), 1.0);
+    color = vec4(with_legend(picked, DECODE, params.black, params.white, params.size_px), 1.0);
 }

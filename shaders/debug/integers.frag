@@ -3,7 +3,6 @@
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
-#include "frame_set.glsl"
 #include "debug_legend.glsl"
 
 layout(constant_id = 0) const uint DECODE = 12;
@@ -18,6 +17,7 @@ uniform sampler2D surface;  // Depth attachment drawn with `shown`. Pixels with 
 layout(push_constant) uniform Params {
     float black, white;  // The values that are shown as black and as white.
     vec2 shownUv;        // The part of `shown` that has content; `surface` has the same size.
+    vec2 size_px;  // The size of the debug view.
 } params;
 
 void main() {
@@ -32,5 +32,5 @@ void main() {
                                        : y.rgb;
     const bool nothing = HAS_surface && textureLod(surface, uv * params.shownUv, 0.0).r <= 0.0;
     const vec3 seen = nothing ? nothing_color(ivec2(gl_FragCoord.xy)) : clamp(picked, 0.0, 1.0);
-    color = vec4(with_legend(seen, DECODE, params.black, params.white), 1.0);
+    color = vec4(with_legend(seen, DECODE, params.black, params.white, params.size_px), 1.0);
 }

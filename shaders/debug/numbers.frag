@@ -3,7 +3,6 @@
 #version 460
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
-#include "frame_set.glsl"
 #include "debug_legend.glsl"
 
 layout(constant_id = 0) const uint DECODE = 11;
@@ -15,6 +14,7 @@ readonly buffer Shown { float items[]; } shown;
 
 layout(push_constant) uniform Params {
     float black, white;  // The values that are shown as black and as white.
+    vec2 size_px;        // The size of the debug view.
 } params;
 
 void main() {
@@ -30,5 +30,5 @@ void main() {
     const vec3 picked = DECODE == 12 ? index_color(uint(shown.items[i])) : DECODE == 11 ? heat_color(y) : vec3(y);
     // Choose the legend. Decoder 12 ("index") shows index colours, decoder 11 heat colours, all others grey.
     const uint legend = DECODE == 12 || DECODE == 11 ? DECODE : kFirstChannel;
-    color = vec4(with_legend(clamp(picked, 0.0, 1.0), legend, params.black, params.white), 1.0);
+    color = vec4(with_legend(clamp(picked, 0.0, 1.0), legend, params.black, params.white, params.size_px), 1.0);
 }

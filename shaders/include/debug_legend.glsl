@@ -4,7 +4,6 @@
 #define WEFT_DEBUG_LEGEND
 #include "debug_colors.glsl"
 #include "debug_digits.glsl"
-#include "frame_set.glsl"
 
 // Indices into debug_decoders() in C++.
 const uint kDepth = 5u, kVector = 6u, kFirstChannel = 7u, kHeat = 11u;
@@ -55,9 +54,10 @@ vec3 wheel_legend(ivec2 at, float white) {
     return vec3(is_decimal(white, at - ivec2(left, 2 * kWheelRadius + 10)) ? 1.0 : 0.0);
 }
 
-vec3 with_legend(vec3 color, uint decode, float black, float white) {
+// `size_px` is the size of the debug view.
+vec3 with_legend(vec3 color, uint decode, float black, float white, vec2 size_px) {
     const bool wheel = decode == kVector, bar = decode == kDepth || decode >= kFirstChannel && decode <= kHeat;
-    const ivec2 size = ivec2(view.viewport_px);
+    const ivec2 size = ivec2(size_px);
     if (!wheel && !bar || size.x < 160 || size.y < 90) return color;
     const int scale = max(1, size.y / 360), margin = 6 * scale;
     const ivec2 panel = wheel ? kWheelPanel : kBarPanel;

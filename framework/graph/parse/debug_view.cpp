@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/parse/drawn_view.h"
 #include "graph/parse/expression.h"
 #include "graph/parse/module_scope.h"
 #include "graph/parse/reference.h"
@@ -130,6 +131,10 @@ std::optional<RefDesc> drawn_depth(const GraphDesc& graph, const RefDesc& shown)
     return depth;
 }
 
+Expr output_size(SourceLoc loc) {
+    return {{ExprNode{ExprOp::name, 0, "output", loc}}, "output", loc};
+}
+
 ParamValueDesc number_param(const char* name, Expr value, SourceLoc loc) {
     return {name, {std::move(value)}, loc};
 }
@@ -162,11 +167,13 @@ PassDesc view_pass(const GraphDesc& graph, const DebugViewDesc& view, const Show
     const auto named = std::ranges::find(kNames, view.decode);
     const Decoder decoder =
         named != kNames.end() ? static_cast<Decoder>(named - kNames.begin()) : usual_decoder(shown);
+    if (decoder == Decoder::depth) set_drawn_view(graph, view.show, pass);
     const std::array<double, 2> usual = usual_range(shown, decoder);
     for (size_t i = 0; i < 2; ++i)
         pass.params.push_back(
             number_param(i == 0 ? "black" : "white",
                          view.range ? (*view.range)[i] : number_expression(usual[i], view.loc), view.loc));
+    pass.params.push_back(number_param("size_px", output_size(view.loc), view.loc));
     pass.constants.push_back(
         number_param("DECODE", number_expression(static_cast<double>(decoder), view.loc), view.loc));
     return pass;
@@ -248,8 +255,7 @@ Status add_debug_view(GraphDesc& graph, const ImportCatalog& imports, const std:
     ResourceDesc image;
     image.name = kDebugView;
     image.formats = {"rgba8"};
-    image.size.postfix = {ExprNode{ExprOp::name, 0, "output", view->loc}};
-    image.size.text = "output";
+    image.size = output_size(view->loc);
     image.loc = view->loc;
     graph.resources.emplace(kDebugView, std::move(image));
     graph.passes.emplace(kDebugView, view_pass(graph, *view, shown));

@@ -291,6 +291,25 @@ void read_names(ParseContext& context, const JsonNode& node, std::vector<std::st
     }
 }
 
+namespace {
+
+// Reports a name such as "glass::blur" if no module has the name "glass".
+void unknown_module(ParseContext& context, std::string_view what, const std::string& name,
+                    const std::string& module, SourceLoc loc) {
+    const std::vector<std::string> known =
+        context.modules() != nullptr ? context.modules()->names() : std::vector<std::string>();
+    const std::string near = did_you_mean_text(module, known);
+    context.error(loc, "W109",
+                  "\"" + name + "\" is not a valid name for " + std::string(what) +
+                      ": no module has the name \"" + module + "\"",
+                  !near.empty() ? near
+                  : known.empty()
+                      ? "a name with :: belongs to a module: include its file with \"as\": \"" + module + "\""
+                      : "the modules are " + quoted_list(known));
+}
+
+}  // namespace
+
 bool check_identifier(ParseContext& context, std::string_view what, const std::string& name, SourceLoc loc) {
     if (name.size() > context.limits().name_bytes) {
         context.error(loc, "W004",
@@ -300,6 +319,10 @@ bool check_identifier(ParseContext& context, std::string_view what, const std::s
         return false;
     }
     if (is_identifier(name)) return true;
+    if (const size_t owner = name.rfind(kInGroup); owner != std::string::npos) {
+        unknown_module(context, what, name, name.substr(0, owner), loc);
+        return false;
+    }
     context.error(loc, "W109", "\"" + name + "\" is not a valid name for " + std::string(what),
                   "use only letters, digits and _, and begin with a letter or _");
     return false;

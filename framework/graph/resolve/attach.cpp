@@ -30,7 +30,7 @@ class PassAttacher : PassStage<Attachments> {
         check_agreement();
         check_stencil();
         check_viewport();
-        if (desc().view_target == ViewTarget::rects) find_rect();
+        if (desc().view_target == ViewTarget::rects && !suspects_.passes[pass_]) find_rect();
         for (const ResolveDesc& resolve : desc().resolves) add_resolve(resolve);
     }
 

@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "graph/diagnostics/quantity_text.h"
+#include "graph/parse/expression.h"
 #include "graph/resolve/evaluator.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/views/view_lists.h"
+#include "graph/syntax/reference_name.h"
 
 namespace weft {
 namespace {
@@ -28,6 +30,25 @@ bool allows(const ParamDesc& param, double value) {
     return !param.range || (value >= (*param.range)[0] && value <= (*param.range)[1]);
 }
 
+// Returns true if the name has the form of a name of a part of the graph, also of a module: "near::radius".
+bool is_part_name(const std::string& name) {
+    const size_t owner = name.rfind(kInGroup);
+    return is_identifier(owner == std::string::npos ? name : name.substr(owner + kInGroup.size()));
+}
+
+// Returns a help text if the name is a port of a module that "with" replaces, else an empty text.
+std::string replaced_port_help(const GraphDesc& graph, const std::string& name) {
+    const size_t owner = name.rfind(kInGroup);
+    if (owner == std::string::npos) return {};
+    const auto module = graph.modules.find(name.substr(0, owner));
+    if (module == graph.modules.end()) return {};
+    const auto value = module->second.values.find(name.substr(owner + kInGroup.size()));
+    if (value == module->second.values.end()) return {};
+    const std::string text = "\"with\" replaces this port of the module by " + quote(value->second);
+    return graph.params.contains(value->second) ? text + ": set this parameter"
+                                                : text + ", which is not a parameter: change it in the graph";
+}
+
 void add_unknown_params(const GraphDesc& graph, const std::map<std::string, double>& params,
                         Diagnostics& faults) {
     std::vector<std::string> known;
@@ -37,7 +58,9 @@ void add_unknown_params(const GraphDesc& graph, const std::map<std::string, doub
         Diagnostic& d =
             faults.emplace_back(graph.sources.error({}, "W120", "the graph has no parameter " + quote(name)));
         const std::string near = did_you_mean_text(name, known);
-        if (!near.empty()) {
+        if (const std::string replaced = replaced_port_help(graph, name); !replaced.empty()) {
+            add_help(d, replaced);
+        } else if (!near.empty()) {
             add_help(d, near);
         } else {
             add_help(d, known.empty() ? "this graph has no parameters"
@@ -59,6 +82,11 @@ void add_scale(const GraphDesc& graph, const SizeScaleDesc& scale, std::set<std:
         add_help(reporter.error(loc, "W236", message), help);
     };
     const auto param = graph.params.find(scale.param);
+    if (param == graph.params.end() && !is_part_name(scale.param))
+        return refuse(
+            scale.loc, "the scale of a size is an expression: " + quote(scale.param),
+            "write only the name of a parameter, whose \"range\" gives the possible scales; a constant "
+            "factor belongs to the \"size\"");
     if (param == graph.params.end()) {
         std::vector<std::string> known;
         for (const auto& [name, unused] : graph.params) known.push_back(name);
@@ -73,6 +101,12 @@ void add_scale(const GraphDesc& graph, const SizeScaleDesc& scale, std::set<std:
         scales.insert(scale.param);
         return;
     }
+    if (param->second.is_bool)
+        return refuse(
+            param->second.loc,
+            "parameter " + quote(scale.param) + " is the scale of a size, but it is true or false",
+            "make it a number: { \"default\": 1, \"range\": [0.5, 1] }; a pass with \"switch\" can be "
+            "turned on and off");
     refuse(param->second.loc,
            "parameter " + quote(scale.param) + " is the scale of a size, but " +
                (range ? "its range is from " + number_text((*range)[0]) + " to " + number_text((*range)[1])

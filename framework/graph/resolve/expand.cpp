@@ -123,7 +123,7 @@ Expansion expand(const ResolveInput& input, const Values& values, const Shapes& 
                 expansion);
     if (!input.graph.groups.empty()) expand_groups(input, evaluator, expansion);
     PassReporter report(shapes, expansion, expansion.suspects, reporter);
-    find_switches(input, expansion, report);
+    find_switches(input, expansion, report, reporter);
     for (PassId id(0); id < expansion.passes.size(); ++id) {
         PassDraft& draft = expansion.passes[id];
         const Evaluator in_pass = evaluator.in_repeat(draft.indices, draft.instance > 0);

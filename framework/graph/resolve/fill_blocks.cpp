@@ -300,6 +300,23 @@ class BlockFiller : PassStage<Blocks> {
         result_.params.push_back(write);
     }
 
+    // Returns the help for a member with the ending of a value of a port, such as "pictureUv", if the pass
+    // has no port of this name. Else returns an empty text.
+    std::string port_help(const std::string& member) const {
+        for (const std::string_view suffix :
+             {kUvMostSuffix, kUvSuffix, kSizeSuffix, kBitsSuffix, kValidSuffix, kCountSuffix}) {
+            if (!member.ends_with(suffix) || member.size() == suffix.size()) continue;
+            const std::string port = member.substr(0, member.size() - suffix.size());
+            std::vector<std::string> ports;
+            for (const UseDecl& use : bound_.uses)
+                if (std::ranges::find(ports, use.port) == ports.end()) ports.push_back(use.port);
+            if (ports.empty() || std::ranges::find(ports, port) != ports.end()) return {};
+            return "Weft sets " + member + " if the pass has a port " + quote(port) + "; its ports are " +
+                   quote_all(ports);
+        }
+        return {};
+    }
+
     void report_unknown(const BlockMember& member) {
         std::vector<std::string> known;
         for (const auto& [name, unused] : declared_.input.graph.params) known.push_back(name);
@@ -314,11 +331,14 @@ class BlockFiller : PassStage<Blocks> {
             known.push_back(use.port + "ValidBits");
             if (use.each != EachPart::none || table_size(use) > 0) known.push_back(use.port + "Count");
         }
+        std::string zeros = "0";
+        for (uint32_t row = 1; row < member.rows; ++row) zeros += ", 0";
+        if (member.rows > 1) zeros = "[" + zeros + "]";
         error(shader_loc(),
               "pass " + quote(draft_.decl.name) + " gives no value to Params." + member.name + " of shader " +
                   quote(draft_.desc->shader),
-              {did_you_mean_text(member.name, known),
-               "set the value in the pass: \"params\": { " + quote(member.name) + ": 0 }"});
+              {did_you_mean_text(member.name, known), port_help(member.name),
+               "set the value in the pass: \"params\": { " + quote(member.name) + ": " + zeros + " }"});
     }
 
     Combination combination_;

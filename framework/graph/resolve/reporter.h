@@ -36,6 +36,11 @@ class Reporter {
     // of that search, and is counted with spend().
     Diagnostic& add_once(Diagnostic fault, SourceLoc loc, uint64_t search_steps);
 
+    // Adds a help text to the last error, if it is one of those after the first `count` errors.
+    void help_last(size_t count, std::string help) {
+        if (errors_.size() > count) errors_.back().help.push_back(std::move(help));
+    }
+
     void warn(SourceLoc loc, std::string code, std::string message, std::string help);
 
     // Counts steps of work. Called before the work is done, wherever the content of the graph file determines

@@ -119,7 +119,9 @@ class ItemReader {
         if (node.kind != JsonKind::object)
             return wrong_type(node, "an object", "write { \"name of the port\": \"name in this graph\" }");
         for (const JsonMember& member : node.members)
-            if (expect_string(member.value, "the name of a part of this graph"))
+            if (member.value.kind == JsonKind::number)
+                wrong_type(member.value, "the name of a part of this graph", kNumberHelp);
+            else if (expect_string(member.value, "the name of a part of this graph"))
                 item.with[member.key] = {member.value.string, member.key_loc, member.value.loc};
     }
 

@@ -11,6 +11,12 @@
 
 namespace weft {
 
+// The help if "with" gives a number for a port.
+inline constexpr const char* kNumberHelp =
+    "name a parameter or constant that has this value; or leave the port out of \"with\" and, if the module "
+    "declares "
+    "it as a parameter, set it: \"params\": { \"module::port\": 0.5 }";
+
 // One item of "include": "fog.json", or { "file": "fog.json", "as": "near", "with": { "depth": "depth" } }.
 struct IncludeItem {
     std::string file;

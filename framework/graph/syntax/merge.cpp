@@ -8,6 +8,7 @@
 #include "graph/syntax/json_patch.h"
 #include "graph/syntax/merge.h"
 #include "graph/syntax/module_names.h"
+#include "graph/syntax/port_kinds.h"
 #include "graph/syntax/reference_name.h"
 
 namespace weft {
@@ -218,11 +219,20 @@ Result<JsonDoc> merge(JsonDoc document, const std::string& tier) {
     PatchLog log{document.sources, {}};
     for (IncludedJson& included : document.included) expand(included.root, document.sources, log.errors);
     expand(document.root, document.sources, log.errors);
-    for (IncludedJson& included : document.included)
-        if (!document.modules.empty())
-            qualify_names(included.root, document.modules[document.module_of_file[included.file]]);
+    PortKinds kinds;
+    for (IncludedJson& included : document.included) {
+        if (document.modules.empty()) break;
+        const uint32_t module = document.module_of_file[included.file];
+        find_declared_kinds(included.root, document.modules[module], kinds[module]);
+        qualify_names(included.root, document.modules[module]);
+    }
     merge_files(document, log);
-    if (!document.modules.empty()) ModuleNames(document).check(document, log.errors);
+    if (!document.modules.empty()) {
+        find_used_kinds(document, kinds);
+        const ModuleNames names(document);
+        names.check(document, log.errors);
+        check_port_kinds(document, names, kinds, log.errors);
+    }
     if (!tier.empty()) merge_tier(document, tier, log);
     if (!log.errors.empty()) return std::move(log.errors);
     return document;

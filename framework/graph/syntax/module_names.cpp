@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graph/diagnostics/quoted_list.h"
+#include "graph/syntax/include_item.h"
 #include "graph/syntax/reference_name.h"
 
 namespace weft {
@@ -161,6 +162,14 @@ bool ModuleNames::is_declared(uint32_t module, std::string_view name) const {
     return imports_.contains(look_up(NameKind::resource, module, name));
 }
 
+std::optional<NameKind> ModuleNames::kind_of(uint32_t module, std::string_view name, NameKind wanted) const {
+    if (name == "output" || name == "camera") return std::nullopt;
+    if (imports_.contains(look_up(NameKind::resource, module, name))) return std::nullopt;
+    for (const NameKind kind : {wanted, NameKind::value, NameKind::resource, NameKind::view})
+        if (has(kind, look_up(kind, module, name))) return kind;
+    return std::nullopt;
+}
+
 Diagnostic ModuleNames::without_target(const JsonDoc& merged, uint32_t module, const std::string& port,
                                        const ModulePort& desc) const {
     const ModuleInstance& owner = modules_[module];
@@ -183,6 +192,10 @@ Diagnostic ModuleNames::unknown_target(const JsonDoc& merged, uint32_t module,
             if (module_of(name) == modules_[module].name) known.emplace_back(own_part(name));
     Diagnostic d = merged.sources.error(
         target.loc, "W240", "the file that includes the module has no \"" + target.name + "\" for this port");
+    if (!target.name.empty() && target.name.find_first_not_of("+-.0123456789") == std::string::npos) {
+        d.help.emplace_back(kNumberHelp);
+        return d;
+    }
     const std::string near = did_you_mean_text(target.name, known);
     d.help.push_back(near.empty() ? "name a resource, import, parameter, constant, size or list of views"
                                   : near);

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "weft/result.h"
 #include "weft/source.h"
@@ -38,8 +40,17 @@ class ModuleNames {
     [[nodiscard]] std::string_view own_part(std::string_view full) const;
     // Returns the name of the module of a part: "glass" for "glass::cull"; empty for a part of the graph.
     [[nodiscard]] std::string_view module_of(std::string_view full) const;
+    // Returns the full names of all modules.
+    [[nodiscard]] std::vector<std::string> names() const {
+        return {module_names_.begin(), module_names_.end()};
+    }
     // Returns the full name of the value that replaces a port, for use in the module that includes `module`.
     [[nodiscard]] std::string target_value(const ModuleInstance& module, const PortTarget& target) const;
+
+    // Returns the kind of what `name` means in the module: `wanted` if it can be of this kind. Returns
+    // nullopt if it is of no kind, or if the program provides it.
+    [[nodiscard]] std::optional<NameKind> kind_of(uint32_t module, std::string_view name,
+                                                  NameKind wanted) const;
 
     // Checks the ports of all modules: each is replaced by a name that the including graph has, or the module
     // itself declares it. Errors: W239 a module has the name of a group, W240 a port has no target.

@@ -52,6 +52,8 @@ struct ImportDecl {
     // The members `views` and `rects` describe a list of views: the number of its views, and for each view
     // its rectangle in pixels for passes with "into": "rects". If `rects` is empty, the views form a grid.
     uint32_t views = 0;
+    // True: there is no scene, so `views` is not the number of its views, but a number that Weft assumes.
+    bool assumes_views = false;
     std::vector<RectPx> rects;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "graph/parse/debug_view.h"
+
 namespace weft::render {
 namespace {
 
@@ -49,9 +51,11 @@ void FrameViews::set_plan(const FramePlan& plan) {
     for (const PassId id : plan.schedule.order) {
         const PassDecl& pass = plan.graph.passes[id];
         if (is_in_buffer(pass.view)) continue;
+        // A debug view draws nothing from the view, so it must not change the view's size.
+        const glm::uvec2 size_px = pass.name == kDebugView ? glm::uvec2(0) : size_of(pass);
         for (const std::string& view : pass.drawn_views()) {
             glm::uvec2& size = used[view];
-            size = glm::max(size, size_of(pass));
+            size = glm::max(size, size_px);
         }
         if (pass.lowering == ViewLowering::multiview) united.insert(pass.views);
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "graph/parse/debug_view.h"
+
 namespace weft::render {
 namespace {
 
@@ -190,7 +192,9 @@ std::string sun_view_name(uint32_t cascade) {
 
 SunMaps sun_maps_of(const FramePlan& plan) {
     SunMaps maps;
-    for (const PassDecl& pass : plan.graph.passes)
+    for (const PassDecl& pass : plan.graph.passes) {
+        // A debug view draws no shadow map, so it must not change the cascades.
+        if (pass.name == kDebugView) continue;
         for (const std::string& view : pass.drawn_views()) {
             const uint32_t i = cascade_of(plan.graph, view);
             if (i == kNoId) continue;
@@ -199,6 +203,7 @@ SunMaps sun_maps_of(const FramePlan& plan) {
                 maps.size_px[i] = std::max(maps.size_px[i], pass.state.viewport ? pass.state.viewport->width
                                                                                 : pass.render_extent.width);
         }
+    }
     return maps;
 }
 

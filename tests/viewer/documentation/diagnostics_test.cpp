@@ -4,6 +4,7 @@
 //   // ^ W103 is expected here               W103 in the line above, in the column of the caret
 //   // the line above has the error W204     W204 in the line above, in column 1
 //   // nowhere: W120                         W120 without a place in a file
+//   // help: did you mean "a"?               a help of the messages contains this text
 // A first line "// args: …" gives further arguments of `weft check`.
 #include <gtest/gtest.h>
 
@@ -26,6 +27,7 @@ using Json = nlohmann::json;
 
 const fs::path kFolder = WEFT_SOURCE_DIR "/tests/diagnostics";
 constexpr std::string_view kGood = ".good.json";
+constexpr std::string_view kHelp = "// help: ";
 constexpr size_t kCodeLength = 4;
 
 // Diagnostic codes that no graph file can cause, each with the reason.
@@ -96,10 +98,19 @@ std::set<Place> marks_in(const fs::path& path) {
             marks.insert({*whole, file, last, 1});
         else if (comment && line.find("^ W") != std::string::npos)
             add_carets(line, file, last, marks);
-        else
+        else if (!comment || !after_mark(line, kHelp))
             last = number;
     }
     return marks;
+}
+
+// Returns the texts that the help of the messages must contain.
+std::vector<std::string> helps_in(const fs::path& path) {
+    std::istringstream lines(read_text(path));
+    std::vector<std::string> helps;
+    for (std::string line; std::getline(lines, line);)
+        if (const auto help = after_mark(line, kHelp)) helps.push_back(*help);
+    return helps;
 }
 
 std::vector<std::string> arguments_of(const fs::path& path) {
@@ -153,7 +164,9 @@ TEST_P(Diagnosed, AtTheMarkedPlacesAndNowhereElse) {
     ASSERT_TRUE(list.is_array()) << run.text();
     std::set<Place> wanted = marks_in(failing()), found;
     bool fails = false;
+    std::string helps;
     for (const Json& d : list) {
+        for (const Json& help : d.at("help")) helps += help.get<std::string>() + "\n";
         const fs::path file = d.at("file").get<std::string>();
         const uint32_t line = d.at("line");
         found.insert({d.at("code"), line == 0 ? "" : file.filename().string(), line, d.at("column")});
@@ -162,6 +175,8 @@ TEST_P(Diagnosed, AtTheMarkedPlacesAndNowhereElse) {
         if (line > 0) wanted.merge(marks_in(file.is_absolute() ? file : kFolder / file));
     }
     EXPECT_EQ(found, wanted) << "found\n" << text_of(found) << "wanted\n" << text_of(wanted) << run.text();
+    for (const std::string& help : helps_in(failing()))
+        EXPECT_NE(helps.find(help), std::string::npos) << help << "\n" << run.text();
     EXPECT_EQ(list.size(), found.size()) << "one message for one cause\n" << run.text();
     const auto is_its_own = [](const Place& p) { return p.code == code_of(GetParam()); };
     EXPECT_TRUE(std::ranges::any_of(found, is_its_own)) << text_of(found);

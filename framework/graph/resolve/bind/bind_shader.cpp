@@ -254,8 +254,11 @@ class ShaderBinder {
                                   "shader " + quote(desc().shader) + " has no binding " + quote(use.port) +
                                       " for the port of this name in pass " + quote(at_.draft.decl.name));
         add_help(d, did_you_mean_text(use.port, names));
-        add_help(d, names.empty() ? "the shader has no bindings"
+        add_help(d, names.empty() ? "the shader uses no bindings"
                                   : "the bindings of the shader are " + quote_all(names));
+        if (!use.is_output)
+            add_help(d,
+                     "the compiler removes an image or a buffer that the shader declares but does not use");
     }
 
     bool has_optional_switch(const std::string& binding) const {

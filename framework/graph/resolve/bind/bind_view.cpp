@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "graph/resolve/bind/bind_pass.h"
 #include "graph/resolve/fault_text.h"
@@ -33,6 +34,15 @@ void report_number(PassBinding& pass, const ViewList& list) {
                     desc.view + "(0)\"");
 }
 
+// Returns the number of the view whose depth a debug view shows. An image can have more layers than its list
+// has views, so the number is limited to those that exist.
+double shown_number(const PassBinding& pass, const ViewList& list) {
+    const Expr& asked = pass.draft.desc->view_number;
+    if (asked.empty()) return 0;
+    const std::optional<ExprValue> number = pass.evaluator.value(asked);
+    return number ? std::clamp(std::floor(number->x), 0.0, list.count - 1.0) : 0;
+}
+
 }  // namespace
 
 const ShaderBinding* find_view_block(const ShaderInterface& shader) {
@@ -52,7 +62,10 @@ std::optional<BufferView> bind_view(PassBinding& pass) {
     }
     const bool all = desc.view_target != ViewTarget::one;
     double number = 0;
-    if (!list->single || !all) {
+    if (desc.observes) {
+        if (list->count == 0) return std::nullopt;
+        number = shown_number(pass, *list);
+    } else if (!list->single || !all) {
         const bool one_of_many = desc.view_number.empty() && !list->single && list->count != 1;
         const bool numbered_single = !desc.view_number.empty() && list->single;
         if (one_of_many || numbered_single || list->count == 0) {
@@ -60,10 +73,12 @@ std::optional<BufferView> bind_view(PassBinding& pass) {
             return std::nullopt;
         }
         if (!desc.view_number.empty()) {
+            const size_t errors = pass.reporter.error_count();
             const std::optional<double> found =
                 pass.evaluator.number(desc.view_number, "the index of view " + quote(desc.view), 0,
                                       std::max(list->count, 1u) - 1.0);
             if (!found) {
+                help_with_count(*list, errors, pass.reporter);
                 pass.suspects.passes[pass.id] = 1;
                 return std::nullopt;
             }

@@ -166,6 +166,7 @@ void Presence::report_switched_off(PassId pass, const PortDesc& port, Combinatio
         add_help(d, "or keep the last content: add \"keep\": true to " + quote(port.ref.name));
         return;
     }
+    if (port.otherwise) return report_replacement_off(draft, pass, port, absent);
     Diagnostic& d =
         report_.error(pass, port.ref.loc, "W234",
                       name_reader(draft) + " reads " + quote(port.ref.text) + ", but in frames in which " +
@@ -180,6 +181,20 @@ void Presence::report_switched_off(PassId pass, const PortDesc& port, Combinatio
     add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
 }
 
+void Presence::report_replacement_off(const PassDraft& draft, PassId pass, const PortDesc& port,
+                                      CombinationSet absent) const {
+    const RefDesc& other = *port.otherwise;
+    Diagnostic& d = report_.error(pass, other.loc, "W234",
+                                  name_reader(draft) + " reads " + quote(other.text) + " if no pass writes " +
+                                      quote(port.ref.text) + ", but in frames in which " +
+                                      switches_text(declared_.expansion.switches, absent) +
+                                      ", no pass writes either of the two");
+    add_help(d, "name another replacement in \"else\": a resource that is written whenever " +
+                    quote(port.ref.text) + " is not");
+    add_help(d, "or keep the last content: add \"keep\": true to " + quote(other.name));
+    add_help(d, "or declare HAS_" + port.port + " in the shader and make the port \"optional\": true");
+}
+
 void Presence::report_absent(PassId pass, const PortDesc& port) const {
     const Expansion& expansion = declared_.expansion;
     const bool pinned = expansion.dropped.contains(port.ref.pass);
@@ -190,7 +205,10 @@ void Presence::report_absent(PassId pass, const PortDesc& port) const {
     if (writer) {
         why = (pinned ? ", but " : ", which only ") + quote(writer->name) +
               (pinned ? " is removed" : " writes, and that pass is removed");
-        why += writer->condition.empty() ? ": its repeat is empty" : ": its \"if\" is false";
+        why += !writer->condition.empty() ? ": its \"if\" is false"
+               : writer->view_target == ViewTarget::one
+                   ? ": its repeat is empty"
+                   : ": its list of views " + quote(writer->view) + " is empty";
     }
     Diagnostic& d = report_.error(pass, port.ref.loc, "W123",
                                   name_reader(draft) + " reads " + quote(port.ref.text) + why);

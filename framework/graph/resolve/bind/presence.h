@@ -47,6 +47,10 @@ class Presence {
     void report_switched_off(PassId pass, const PortDesc& port, CombinationSet absent) const;
 
  private:
+    // Reports that neither the reference nor the "else" of the port has something to read in the combinations
+    // `absent`.
+    void report_replacement_off(const PassDraft& draft, PassId pass, const PortDesc& port,
+                                CombinationSet absent) const;
     // Returns the names of all passes that write a resource, except the pass `except` and the other passes of
     // its repeat.
     [[nodiscard]] std::set<std::string> writers_of(const std::string& resource, PassId except) const;

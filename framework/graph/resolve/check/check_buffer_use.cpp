@@ -9,6 +9,7 @@ namespace {
 
 // Clears and indirect commands need offsets that are a multiple of a 32-bit word.
 constexpr uint64_t kWordBytes = 4;
+constexpr uint32_t kVectorBytes = 16;  // The size of a vec4.
 
 class BufferUseCheck {
  public:
@@ -83,14 +84,27 @@ class BufferUseCheck {
         check_elements(binding);
     }
 
+    // Returns true if the elements of the buffer are structs that C++ and GLSL share, such as ViewConstants.
+    // This is unknown for imports.
+    bool has_structs() const {
+        const ResourceDesc* desc = declared_.shapes.origins[use_.resource].desc;
+        return desc != nullptr && declared_.input.imports.strides.contains(desc->element);
+    }
+
     void check_elements(const ShaderBinding& binding) {
         if (binding.members.empty() || !binding.members.back().is_runtime_array || buffer_.stride_bytes == 0)
             return;
         // The shader may declare elements of another size than those of the buffer, for example read a buffer
         // of vec4 as floats. But one of the two sizes must be a multiple of the other, so that no element
         // crosses the border of another element.
+        // If the elements of the buffer are structs, the shader may declare them as words or vectors, but not
+        // as another struct or as matrices.
         const uint32_t step = binding.members.back().array_stride_bytes;
-        if (step == 0 || step % buffer_.stride_bytes == 0 || buffer_.stride_bytes % step == 0) return;
+        if (step == 0) return;
+        const bool parts = buffer_.stride_bytes % step == 0 && (!has_structs() || step <= kVectorBytes);
+        const bool wholes =
+            step % buffer_.stride_bytes == 0 && (!has_structs() || step == buffer_.stride_bytes);
+        if (parts || wholes) return;
         error("W166",
               port_text() + " has elements of " + std::to_string(step) +
                   " bytes in the shader, but elements of " + quote(buffer_.name) + " have " +

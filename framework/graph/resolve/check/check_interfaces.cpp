@@ -76,13 +76,14 @@ class InterfaceCheck {
     void check_writable(const UseDecl& use, const ResourceDecl& resource) {
         if (!writes(use.access)) return;
         const auto import = declared_.input.imports.imports.find(resource.name);
-        if (resource.lifetime != ResourceLifetime::imported || import == declared_.input.imports.imports.end() ||
-            !import->second.read_only)
+        if (resource.lifetime != ResourceLifetime::imported ||
+            import == declared_.input.imports.imports.end() || !import->second.read_only)
             return;
         error(use, "W147",
               "pass " + quote(declared_.pass_name(pass_)) + " writes " + quote(resource.name) +
                   ", which the program only lets passes read",
-              "copy the import to a resource of the graph with a pass of type \"copy\", and write that resource");
+              "copy the import to a resource of the graph with a pass of type \"copy\", and write that "
+              "resource");
     }
 
     void error(const UseDecl& use, const char* code, const std::string& message, const std::string& help) {
@@ -194,7 +195,9 @@ class InterfaceCheck {
             error(use, "W173",
                   port_text(use) + " is a storage image, which must be one mip, but " + quote(resource.name) +
                       " has " + std::to_string(part.mips),
-                  "select one mip: " + quote(resource.name + ".mip(0)"));
+                  use.each == EachPart::layer && element_count(use) == 1
+                      ? "write \"each\": \"mip\": then each element of the array in the shader is one mip"
+                      : "select one mip: " + quote(resource.name + ".mip(0)"));
             return;
         }
         const bool is_cube =

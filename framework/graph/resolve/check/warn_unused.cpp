@@ -18,6 +18,8 @@ void warn_unused(const Declared& declared, Reporter& reporter) {
         add_inputs(desc, used);
         for (const PortDesc* port : written_ports(desc)) add_names(*port, used);
     }
+    for (const auto& [name, list] : declared.input.graph.views)
+        if (list.buffer) add_names(*list.buffer, used);
     const Shapes& shapes = declared.shapes;
     for (ResourceId id(0); id < shapes.resources.size(); ++id) {
         const ResourceDecl& resource = shapes.resources[id];

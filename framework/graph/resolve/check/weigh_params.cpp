@@ -7,6 +7,7 @@
 #include "graph/resolve/checks.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/pass_ports.h"
+#include "graph/syntax/reference_name.h"
 
 namespace weft {
 namespace {
@@ -41,8 +42,10 @@ class ParamCosts {
         if (is_unknown_ || reporter.has_errors()) return;
         for (const auto& [name, param] : graph_.params)
             if (!costs_.contains(name) && !is_included(graph_.sources, param.loc))
-                reporter.warn(param.loc, "W132", "no pass or expression uses parameter " + quote(name),
-                              "remove the parameter, or use it in an expression or in Params of a shader");
+                reporter.warn(
+                    param.loc, "W132", "no pass or expression uses parameter " + quote(name),
+                    unused_help(name,
+                                "remove the parameter, or use it in an expression or in Params of a shader"));
         for (const auto* named : {&graph_.consts, &graph_.sizes})
             for (const auto& [name, expression] : *named)
                 if (!costs_.contains(name) && !is_included(graph_.sources, expression.loc))
@@ -50,7 +53,7 @@ class ParamCosts {
                                   "no expression uses " +
                                       std::string(named == &graph_.consts ? "constant " : "size ") +
                                       quote(name),
-                                  "remove this line, or use the name in an expression");
+                                  unused_help(name, "remove this line, or use the name in an expression"));
         const ResourceNames named = named_resources();
         // An output import that no pass writes is an error, W184, so it needs no warning.
         const char* output = import_kind_name(ImportKind::output);
@@ -68,6 +71,17 @@ class ParamCosts {
     }
 
  private:
+    // Returns the help for a name that nothing uses. If the name belongs to a module, it may be the misspelt
+    // name of a part that this module declares.
+    std::string unused_help(const std::string& name, const std::string& usual) const {
+        if (name.find(kInGroup) == std::string::npos) return usual;
+        std::vector<std::string> used;
+        for (const auto& [other, cost] : costs_)
+            if (other != name && other.find(kInGroup) != std::string::npos) used.push_back(other);
+        const std::string near = did_you_mean_text(name, used);
+        return near.empty() ? usual : near;
+    }
+
     // Records that `name` is used at a place where a change has the given cost. If `name` is a constant or
     // size, the same holds for all names in its definition.
     void add_name(const std::string& name, ParamCost cost) {

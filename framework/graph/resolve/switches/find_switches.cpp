@@ -27,6 +27,20 @@ void check_switch_keys(PassId id, const PassDraft& draft, PassReporter& report) 
                     ": then a change of the parameter makes a new plan");
 }
 
+// Warns about a pass whose "if" depends on the parameter of its "switch": a change of the parameter makes a
+// new plan, so the switch saves nothing.
+void warn_of_condition(const PassDesc& desc, Reporter& reporter) {
+    const bool named = std::ranges::any_of(desc.condition.postfix, [&](const ExprNode& node) {
+        return node.op == ExprOp::name && node.name == desc.switch_param;
+    });
+    if (!named) return;
+    reporter.warn(
+        desc.switch_loc, "W235",
+        "pass " + quote(desc.name) + " has both \"switch\" and \"if\" with the parameter " +
+            quote(desc.switch_param) + ", so a change of this parameter makes a new plan",
+        "remove \"if\", so that the switch turns the pass off without a new plan; or remove \"switch\"");
+}
+
 // Returns true if the name is a parameter. Otherwise reports an error.
 bool check_is_param(const ResolveInput& input, PassId id, const PassDesc& desc, PassReporter& report) {
     if (input.graph.params.contains(desc.switch_param)) return true;
@@ -78,7 +92,11 @@ void follow_switch(const ResolveInput& input, Expansion& expansion, PassDraft& l
 
 }  // namespace
 
-void find_switches(const ResolveInput& input, Expansion& expansion, PassReporter& report) {
+void find_switches(const ResolveInput& input, Expansion& expansion, PassReporter& report,
+                   Reporter& reporter) {
+    // A pass that its "if" removes is not among the passes of the expansion.
+    for (const auto& [name, desc] : input.graph.passes)
+        if (!desc.switch_param.empty()) warn_of_condition(desc, reporter);
     for (PassId id(0); id < expansion.passes.size(); ++id) {
         const PassDesc& desc = *expansion.passes[id].desc;
         if (desc.switch_param.empty() || expansion.passes[id].instance > 0) continue;

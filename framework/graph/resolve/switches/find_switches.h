@@ -8,6 +8,6 @@
 
 namespace weft {
 
-void find_switches(const ResolveInput& input, Expansion& expansion, PassReporter& report);
+void find_switches(const ResolveInput& input, Expansion& expansion, PassReporter& report, Reporter& reporter);
 
 }  // namespace weft

@@ -61,7 +61,9 @@ class RestUnitFinder {
         return draft(pass).group == kNoId ? nullptr : &declared_.expansion.groups[draft(pass).group];
     }
     [[nodiscard]] bool says_rest(PassId pass) const {
-        return draft(pass).desc->rests && declared_.input.request.rests;
+        // A pass with "switch" and "rest" has an error already.
+        return draft(pass).desc->rests && draft(pass).desc->switch_param.empty() &&
+               declared_.input.request.rests;
     }
     // Returns true if the pass belongs to a unit.
     [[nodiscard]] bool has_unit(PassId pass) const { return says_rest(pass) || group_of(pass); }

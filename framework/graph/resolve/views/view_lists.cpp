@@ -205,14 +205,21 @@ class ListMaker {
     std::optional<ViewList> shown(const ViewListDesc& desc) {
         const ViewList* other = make(desc.of);
         if (other == nullptr) return std::nullopt;
+        const size_t errors = reporter_.error_count();
+        std::optional<ViewList> list = part_of(*other, desc);
+        if (!list) help_with_count(*other, errors, reporter_);
+        return list;
+    }
+
+    std::optional<ViewList> part_of(const ViewList& other, const ViewListDesc& desc) {
         uint32_t first = 0;
         if (!desc.first.empty()) {
             const std::optional<double> asked = evaluator_.number(
-                desc.first, "\"first\" of " + quote(desc.name), 0, std::max(other->count, 1u) - 1.0);
+                desc.first, "\"first\" of " + quote(desc.name), 0, std::max(other.count, 1u) - 1.0);
             if (!asked) return std::nullopt;
             first = static_cast<uint32_t>(*asked);
         }
-        uint32_t count = other->count - std::min(first, other->count);
+        uint32_t count = other.count - std::min(first, other.count);
         if (!desc.count.empty()) {
             const std::optional<double> asked =
                 evaluator_.number(desc.count, "\"count\" of " + quote(desc.name), 0, count);
@@ -220,15 +227,15 @@ class ListMaker {
             count = static_cast<uint32_t>(*asked);
         }
         if (!desc.plane) {
-            ViewList part = *other;
+            ViewList part = other;
             part.first += first;
             part.count = count;
             return part;
         }
         ViewList list = named(desc.name, count);
         list.decl.source = ViewSource::mirror;
-        list.decl.of = other->base;
-        list.decl.first = other->first + first;
+        list.decl.of = other.base;
+        list.decl.first = other.first + first;
         return set_plane(desc, list) ? std::optional(list) : std::nullopt;
     }
 
@@ -343,6 +350,13 @@ const ViewList* find_view_list(const ResolveInput& input, const Values& values, 
 
 std::string view_name(const ViewList& list, uint32_t number) {
     return list.single ? list.base : list.base + "(" + std::to_string(list.first + number) + ")";
+}
+
+void help_with_count(const ViewList& list, size_t errors, Reporter& reporter) {
+    if (list.import == nullptr || !list.import->assumes_views) return;
+    reporter.help_last(errors, "there is no scene, so Weft assumes that " + quote(list.base) + " has " +
+                                   std::to_string(list.import->views) +
+                                   " views; \"weft render\" knows their number");
 }
 
 const PortDesc* find_view_buffer(const ResolveInput& input, const ViewList& list) {

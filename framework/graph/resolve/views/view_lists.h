@@ -23,6 +23,9 @@ namespace weft {
                                              const PassDesc& pass, Reporter& reporter);
 // Returns the name of a view of a list: "sun(1)", or "camera".
 [[nodiscard]] std::string view_name(const ViewList& list, uint32_t number);
+// If the list is a part of a list of the program whose number of views is only assumed, adds a help text
+// about this to the last error, if it is one of those after the first `errors` errors.
+void help_with_count(const ViewList& list, size_t errors, Reporter& reporter);
 // Returns the buffer from which passes read the views of the list, as an input of these passes; null if the
 // views do not come from a buffer.
 [[nodiscard]] const PortDesc* find_view_buffer(const ResolveInput& input, const ViewList& list);

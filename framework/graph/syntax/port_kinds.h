@@ -1,0 +1,27 @@
+// Purpose: finds out which kind of part each port of a module is, from the declaration that "with" replaces
+// and from the places in the module that name the port. So a target of another kind is an error at the
+// "with".
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "graph/syntax/module_names.h"
+
+namespace weft {
+
+// For the modules of a document, by their index: the kinds of those ports whose kind is known.
+using PortKinds = std::map<uint32_t, std::map<std::string, NameKind>>;
+
+// Finds the kinds of those replaced ports that a file of the module declares itself. Call it before
+// qualify_names(), which removes these declarations.
+void find_declared_kinds(const JsonNode& root, const ModuleInstance& module,
+                         std::map<std::string, NameKind>& kinds);
+// Finds the kinds of those replaced ports that ports of passes name. They are resources. `merged` is the
+// document after all files were merged.
+void find_used_kinds(const JsonDoc& merged, PortKinds& kinds);
+// Checks that the name in "with" is of the kind of the port. `names` are the names of `merged`. Errors: W240.
+void check_port_kinds(const JsonDoc& merged, const ModuleNames& names, const PortKinds& kinds,
+                      Diagnostics& errors);
+
+}  // namespace weft
