@@ -8,7 +8,7 @@ readonly buffer Histogram { uint counts[kBins]; } histogram;
 buffer Adaptation { AdaptationState state; } adaptation;
 
 layout(push_constant) uniform Params {
-    float deltaTime;  // In seconds.
+    float deltaTime;  // In seconds. 0: the program gives no times, so each frame adapts at once.
     float compensation, nightDarkening;
     float meterFrom, meterTo;  // Ranks in [0, 1].
     float leastEv, mostEv;
@@ -48,7 +48,7 @@ float metered(float all) {
 float adapted(float before, float metered_ev) {
     const float time_s = metered_ev > before ? params.brighter_s : params.darker_s;
     const float rest = time_s > 0.0 ? exp(-params.deltaTime / time_s) : 0.0;
-    return mix(metered_ev, before, rest);
+    return metered_ev + (before - metered_ev) * rest;
 }
 
 float exposure_ev(float adapted_ev) {
@@ -66,8 +66,8 @@ void main() {
     // A picture without light has no EV, so the eye keeps its adaptation.
     if (all > 0u) {
         const float metered_ev = metered(float(all));
-        const bool first = adaptation.state.adapted == 0.0;
-        adaptation.state.adapted_ev = first ? metered_ev : adapted(adaptation.state.adapted_ev, metered_ev);
+        const bool at_once = adaptation.state.adapted == 0.0 || params.deltaTime <= 0.0;
+        adaptation.state.adapted_ev = at_once ? metered_ev : adapted(adaptation.state.adapted_ev, metered_ev);
         adaptation.state.metered_ev = metered_ev;
         adaptation.state.adapted = 1.0;
     }

@@ -12,8 +12,8 @@ constexpr float kLanternY = 3.05f;  // Height of the middle of the lantern's gla
 // Distance from the arcade's centre line to a lantern in the walkway, in metres. The lantern is near enough
 // to the outer wall to light the wall. The four lanterns in the corners have other places.
 constexpr float kLanternAcross = 2.35f;
-// 110 cd in all directions are 1,400 lm, the light of a bright household lamp. The spots have the reflectors of
-// small garden spots.
+// 110 cd in all directions are 1,400 lm, the light of a bright household lamp. The spots have the reflectors
+// of small garden spots.
 constexpr float kLantern_cd = 110, kSpot_cd = 45;
 
 // Makes the iron frame of a lantern: a cage for six panes, a pointed hood, and a chain up to the ceiling.

@@ -43,7 +43,8 @@ constexpr std::array kKeys{
     Key{24, kMoonlight, 3.75f, {0.19f, 0.38f, 1}, {0.75f, 1.06f, 1.9f}, -4.3f, 1},
 };
 
-// Interpolates the logarithms, because the light of the sky falls by nearly equal factors in equal times at dusk.
+// Interpolates the logarithms, because the light of the sky falls by nearly equal factors in equal times at
+// dusk.
 glm::vec3 mix_by_factors(const glm::vec3& a, const glm::vec3& b, float t) {
     return glm::exp2(glm::mix(glm::log2(a), glm::log2(b), t));
 }

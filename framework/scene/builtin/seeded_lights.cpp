@@ -11,8 +11,8 @@ namespace {
 constexpr float kTau = 6.283185307f;
 // Mean number of lights that reach a point of the scene.
 constexpr float kOverlap = 24;
-// Illuminance of a light at a quarter of its mean range. There a surface with an albedo of 50 % has a luminance of
-// 3.7 cd/m², as a wall in a room with lamps at night.
+// Illuminance of a light at a quarter of its mean range. There a surface with an albedo of 50 % has a
+// luminance of 3.7 cd/m², as a wall in a room with lamps at night.
 constexpr float kIlluminance_lx = 23;
 // Factor for the intensity of moving lights. The built-in scene "lights" has no other lights, and its default
 // hour is at night, so its lights are brighter.
