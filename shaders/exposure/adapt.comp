@@ -66,7 +66,7 @@ void main() {
     // A picture without light has no EV, so the eye keeps its adaptation.
     if (all > 0u) {
         const float metered_ev = metered(float(all));
-        const bool at_once = adaptation.state.adapted == 0.0 || params.deltaTime <= 0.0;
+        const bool at_once = adaptation.state.adapted == 0.0 || !(params.deltaTime > 0.0);
         adaptation.state.adapted_ev = at_once ? metered_ev : adapted(adaptation.state.adapted_ev, metered_ev);
         adaptation.state.metered_ev = metered_ev;
         adaptation.state.adapted = 1.0;

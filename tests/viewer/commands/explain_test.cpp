@@ -103,8 +103,8 @@ TEST(Explain, WithoutABarrierItSaysWhyThereIsNone) {
 
 TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
     expect_parts(ask({"alias", "hdr", "albedo"}),
-                 {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"),
-                  " has bytes ", "Both are alive from ", " \"gbuffer\" to "});
+                 {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"), " has bytes ",
+                  "Both are alive from ", " \"gbuffer\" to "});
     expect_parts(ask({"alias", "velocity", "lights"}),
                  {"They share memory", "\"lights\" (" + place_of(kDeferredGraph, "\"lights\":"),
                   "takes over the memory from \"velocity\""});
