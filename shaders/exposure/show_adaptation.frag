@@ -1,6 +1,6 @@
-// Debug view of the buffer `adaptation`: the histogram of the picture over EV. Bright bars are the pixels that the meter
-// takes. The white line is the metered EV and the orange line the EV to which the eye has adapted; the number at the
-// upper left is the exposure of the picture. Below the bars is the scale in EV.
+// Debug view of the buffer `adaptation`: the histogram of the picture over EV. Bright bars are the pixels that the
+// meter takes. The white line is the metered EV and the orange line the EV to which the eye has adapted; the number at
+// the upper left is the exposure of the picture. Below the bars is the scale in EV.
 #version 460
 #include "adaptation.glsl"
 #include "debug_digits.glsl"
@@ -50,7 +50,8 @@ void main() {
     const int scale = max(1, size.y / 270), floor_px = size.y - 9 * scale;
     const float ev = kLeastEv + uv.x * kStops, line = 0.75 * float(scale) * kStops / params.colorSize.x;
     if (is_decimal(shown.state.exposure_ev, pixel / scale - 3)) color = vec4(1.0);
-    else if (pixel.y >= floor_px) color = vec4(vec3(is_scale((pixel - ivec2(0, floor_px + 2 * scale)) / scale, size.x / scale)), 1.0);
+    else if (pixel.y >= floor_px)
+        color = vec4(vec3(is_scale((pixel - ivec2(0, floor_px + 2 * scale)) / scale, size.x / scale)), 1.0);
     else if (abs(ev - shown.state.adapted_ev) < line) color = vec4(kOrange, 1.0);
     else if (abs(ev - shown.state.metered_ev) < line) color = vec4(1.0);
     else color = vec4(bar_color(uint(uv.x * float(kBins)), 1.05 * (1.0 - float(pixel.y) / float(floor_px))), 1.0);

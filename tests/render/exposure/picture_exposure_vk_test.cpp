@@ -111,23 +111,20 @@ TEST_F(PictureExposure, LampsAddLittleToSunlitWallsAtNoon) {
     lights[0] = scene->lights[0];
     for (size_t i = 1; i < lights.size(); ++i)
         EXPECT_TRUE(scene->lights[i].intensity == 0 || scene->lights[i].intensity == lights[i].intensity);
-    for (size_t i = 0; i < 2; ++i) {
-        const scene::Camera& camera = scene->cameras.at(i);
-        scene->lights = lights;
-        const Rendered lamps = render(*scene, camera, kSize, scene->exposure_ev, {"hdr"});
-        scene->lights.resize(1);
-        const Rendered sun = render(*scene, camera, kSize, scene->exposure_ev, {"hdr"});
-        ASSERT_TRUE(lamps.images.contains("hdr") && sun.images.contains("hdr"));
-        const std::vector<double> parts = parts_of_lamps(lamps.images.at("hdr"), sun.images.at("hdr"), least);
-        ASSERT_GT(parts.size(), 2000u);
-        const double most = parts[parts.size() * 99 / 100];
-        std::printf(
-            "%s: lamps add at most %.2f %% to 99 %% of %zu sunlit pixels, and %.2f %% beside a lamp\n",
-            camera.name.c_str(), 100 * most, parts.size(), 100 * parts.back());
-        EXPECT_LT(most, 0.02);
-        EXPECT_GT(most, 0) << "the lamps are on";
-        EXPECT_LT(parts.back(), 0.1) << "a candle on the rim of the pool, 0.1 m from the stone";
-    }
+    const scene::Camera& court = scene->cameras.at(0);
+    scene->lights = lights;
+    const Rendered lamps = render(*scene, court, kSize, scene->exposure_ev, {"hdr"});
+    scene->lights.resize(1);
+    const Rendered sun = render(*scene, court, kSize, scene->exposure_ev, {"hdr"});
+    ASSERT_TRUE(lamps.images.contains("hdr") && sun.images.contains("hdr"));
+    const std::vector<double> parts = parts_of_lamps(lamps.images.at("hdr"), sun.images.at("hdr"), least);
+    ASSERT_GT(parts.size(), 2000u);
+    const double most = parts[parts.size() * 99 / 100];
+    std::printf("lamps add at most %.2f %% to 99 %% of %zu sunlit pixels, and %.2f %% beside a lamp\n",
+                100 * most, parts.size(), 100 * parts.back());
+    EXPECT_LT(most, 0.02);
+    EXPECT_GT(most, 0) << "the lamps are on";
+    EXPECT_LT(parts.back(), 0.1) << "a candle on the rim of the pool, 0.1 m from the stone";
 }
 
 }  // namespace
