@@ -1,5 +1,6 @@
 // Draws lines over a pale version of the picture: black lines at jumps of depth, red lines at creases of surfaces.
 #version 460
+#include "exposure.glsl"
 #include "srgb.glsl"
 
 layout(location = 0) in vec2 uv;
@@ -11,6 +12,7 @@ uniform sampler2D lines;
 layout(push_constant) uniform Params {
     float faint;  // Strength of the picture below the lines: 0 shows white paper, 1 the full picture.
     float exposure;
+    float preExposure, adaptationValid;
     float lineWidth;  // Width of the lines, in pixels.
 } params;
 
@@ -34,7 +36,8 @@ float crowding() {
 }
 
 void main() {
-    const vec3 scene = filmic(textureLod(hdr, uv, 0.0).rgb * exp2(params.exposure));
+    const float ev = params.exposure + automatic_ev(params.adaptationValid, params.preExposure);
+    const vec3 scene = filmic(textureLod(hdr, uv, 0.0).rgb * exp2(ev));
     const vec2 line = smooth_lines();
     vec3 color = kPaper * mix(vec3(1.0), scene, params.faint);
     color = mix(color, kRed, line.g * 0.7 * (1.0 - line.r));

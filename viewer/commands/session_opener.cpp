@@ -18,14 +18,27 @@
 namespace weft::viewer {
 namespace {
 
-// Warns if the environment picture is more than 6 stops too dark or too bright for the exposure. Texels of
-// the picture are luminances in cd/m².
-void warn_of_exposure(const scene::Scene& scene, float exposure_ev) {
-    constexpr float kMiddleGrey = 0.18f, kMostStops = 6;
+// The name of the parameter of modules/exposure.json that turns the automatic exposure on and off.
+constexpr std::string_view kAutoExposure = "autoExposure";
+
+// Returns the parameters with this name: that of the graph and those of its modules.
+std::vector<std::string> auto_exposure_params(const GraphDesc& graph) {
+    std::vector<std::string> names;
+    for (const auto& [name, param] : graph.params)
+        if (name == kAutoExposure || name.ends_with("::" + std::string(kAutoExposure))) names.push_back(name);
+    return names;
+}
+
+// Warns if the environment picture is so dark or so bright that the picture is black or white. With automatic
+// exposure, this is so only if the values exceed what an image with half floats can store. Texels of the
+// picture are luminances in cd/m².
+void warn_of_exposure(const scene::Scene& scene, float exposure_ev, bool automatic) {
+    constexpr float kMiddleGrey = 0.18f;
+    const float most_stops = automatic ? 10 : 6;
     const float mean = mean_luminance(scene.environment);
     if (mean <= 0) return;
     const float stops = std::log2(mean / kMiddleGrey) + exposure_ev;
-    if (std::abs(stops) <= kMostStops) return;
+    if (std::abs(stops) <= most_stops) return;
     Diagnostic d;
     d.code = "S182";
     d.severity = Severity::warning;
@@ -108,14 +121,14 @@ Result<ParsedGraph> SessionOpener::parse_checked() {
     return good ? std::move(parsed) : good.take_errors();
 }
 
-Status SessionOpener::load_scene() {
+Status SessionOpener::load_scene(bool automatic_exposure) {
     Diagnostics warnings;
     Result<scene::Scene> scene =
         open_scene({options_.scene, options_.env, options_.hour, options_.lights, options_.seed},
                    options_.limits.scene, warnings);
     if (!options_.quiet) report(warnings);
     if (!scene) return scene.take_errors();
-    warn_of_exposure(*scene, options_.exposure_ev.value_or(scene->exposure_ev));
+    warn_of_exposure(*scene, options_.exposure_ev.value_or(scene->exposure_ev), automatic_exposure);
     const float aspect = aspect_of(options_.request.size);
     Result<scene::Camera> camera = choose_camera(*scene, {options_.scene, options_.camera, aspect});
     if (!camera) return camera.take_errors();
@@ -125,8 +138,9 @@ Status SessionOpener::load_scene() {
 }
 
 Result<OpenSession> SessionOpener::open_parsed(const ParsedGraph& parsed) {
+    const std::vector<std::string> automatic = auto_exposure_params(parsed.desc);
     if (!scene_)
-        if (Status s = load_scene(); !s) return s.take_errors();
+        if (Status s = load_scene(!automatic.empty() && !options_.exposure_ev); !s) return s.take_errors();
     if (!device_) {
         Result<std::unique_ptr<vk::Device>> device = open_device(options_);
         if (!device) return device.take_errors();
@@ -135,6 +149,9 @@ Result<OpenSession> SessionOpener::open_parsed(const ParsedGraph& parsed) {
     Diagnostics warnings;
     render::SessionInput input = input_;
     input.parsed = &parsed;
+    // --exposure fixes the exposure, unless --param says otherwise.
+    if (options_.exposure_ev)
+        for (const std::string& name : automatic) input.request.params.emplace(name, 0);
     Result<std::unique_ptr<render::Session>> session =
         attempts_ == Attempts::one
             ? render::Session::create(*device_, std::move(*scene_), input, warnings, &files_)

@@ -35,7 +35,7 @@ class SessionOpener {
 
  private:
     [[nodiscard]] Result<ParsedGraph> parse_checked();
-    [[nodiscard]] Status load_scene();
+    [[nodiscard]] Status load_scene(bool automatic_exposure);
     [[nodiscard]] Result<OpenSession> open_parsed(const ParsedGraph& parsed);
 
     const RenderOptions& options_;

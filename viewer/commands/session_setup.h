@@ -22,7 +22,7 @@ struct OpenSession {
 // Converts the options of the command line to the input of a session.
 [[nodiscard]] render::SessionInput session_input(const RenderOptions& options, const PassCatalog& passes);
 // Returns the input of a frame: the camera, and the exposure of the options. Without --exposure, the exposure
-// of the scene is used.
+// of the scene is used; a graph with automatic exposure uses it only to store values.
 [[nodiscard]] render::FrameInput frame_input(const RenderOptions& options, const scene::Scene& scene,
                                              const scene::Camera& camera);
 [[nodiscard]] Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options);

@@ -98,7 +98,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->capture_default_str();
     command
         .add_option("--exposure", raw.exposure,
-                    "exposure of the camera in EV [default: the exposure of the scene]")
+                    "fixed exposure of the picture in EV [default: automatic, or the exposure of the scene "
+                    "if the graph has "
+                    "no automatic exposure]")
         ->transform(number_in({-40, 40, "EV"}));
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());

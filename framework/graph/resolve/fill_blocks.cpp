@@ -144,7 +144,15 @@ class BlockFiller : PassStage<Blocks> {
         const auto is_used = [&](const UseDecl& u) {
             return is_port(u) && has_combination(u.used_in, combination_);
         };
-        return std::ranges::any_of(bound_.uses, is_port) && std::ranges::none_of(bound_.uses, is_used);
+        if (std::ranges::none_of(bound_.uses, is_port)) return may_omit(name);
+        return std::ranges::none_of(bound_.uses, is_used);
+    }
+
+    // Returns true if the shader has the constant HAS_<port>, so that a pass may omit the port.
+    bool may_omit(std::string_view port) const {
+        return std::ranges::any_of(draft_.shader->spec_constants, [&](const SpecConstant& constant) {
+            return constant.type == ScalarType::boolean && constant.name == "HAS_" + std::string(port);
+        });
     }
 
     // Fills a member such as "colorValid". It is 1 if a frame has written the content that the port "color"

@@ -12,6 +12,9 @@ constexpr float kHookY = 4.72f;
 constexpr float kSag = 0.75f;
 constexpr uint32_t kWireParts = 10;
 constexpr float kBulbRadius = 0.045f;
+// A bulb of 10 cd has 130 lm, as a small bulb of 15 W. A candle in a wide bowl is brighter than the 1 cd of a
+// thin one.
+constexpr float kBulb_cd = 10, kCandle_cd = 4;
 constexpr uint32_t kCandlesAlongSide = 8, kCandlesAcross = 4;
 
 // Returns a point on the wire that hangs between two hooks. `share` is 0 at the first hook and 1 at the
@@ -25,12 +28,12 @@ float garland_z(uint32_t garland) {
     return (static_cast<float>(garland) + 0.5f - kGarlands * 0.5f) * 2 * (kCourtHalfZ - 0.8f) / kGarlands;
 }
 
-void add_lamp(Parts& parts, const std::string& name, glm::vec3 at, float displayed, float range_m) {
+void add_lamp(Parts& parts, const std::string& name, glm::vec3 at, float intensity_cd, float range_m) {
     Light light;
     light.name = name + "_" + std::to_string(parts.scene.lights.size());
     light.type = LightType::point;
     light.color = glm::vec3(1, 0.66f, 0.34f);
-    light.intensity = parts.daylight.lamps * lamp_intensity(parts, displayed);
+    light.intensity = parts.daylight.lamps * intensity_cd;
     light.position = at;
     light.range_m = range_m;
     parts.scene.lights.push_back(light);
@@ -69,7 +72,7 @@ void add_garlands(Parts& parts) {
             const glm::vec3 at =
                 on_wire(z, (static_cast<float>(i) + 0.5f) / kBulbs) - glm::vec3(0, kBulbRadius, 0);
             place_copy(parts, bulb_mesh, parts.materials.bulb, moved(at));
-            add_lamp(parts, "bulb", at, 0.5f, 7);
+            add_lamp(parts, "bulb", at, kBulb_cd, 7);
         }
     }
 }
@@ -88,7 +91,7 @@ void add_candles(Parts& parts) {
         place_copy(parts, wax, parts.materials.marble, moved(at));
         if (parts.daylight.lamps > 0)
             place_copy(parts, flame, parts.materials.bulb, moved(at + glm::vec3(0, 0.095f, 0)));
-        add_lamp(parts, "candle", at + glm::vec3(0, 0.12f, 0), 0.2f, 4);
+        add_lamp(parts, "candle", at + glm::vec3(0, 0.12f, 0), kCandle_cd, 4);
     }
 }
 

@@ -12,6 +12,9 @@ constexpr float kLanternY = 3.05f;  // Height of the middle of the lantern's gla
 // Distance from the arcade's centre line to a lantern in the walkway, in metres. The lantern is near enough
 // to the outer wall to light the wall. The four lanterns in the corners have other places.
 constexpr float kLanternAcross = 2.35f;
+// 110 cd in all directions are 1,400 lm, the light of a bright household lamp. The spots have the reflectors
+// of small garden spots.
+constexpr float kLantern_cd = 110, kSpot_cd = 45;
 
 // Makes the iron frame of a lantern: a cage for six panes, a pointed hood, and a chain up to the ceiling.
 Mesh lantern_frame() {
@@ -71,7 +74,7 @@ void add_spot(Parts& parts, const char* name, glm::vec3 from, glm::vec3 to, floa
     light.name = name;
     light.type = LightType::spot;
     light.color = glm::vec3(1, 0.72f, 0.42f);
-    light.intensity = lamp_intensity(parts, 2.2f);
+    light.intensity = kSpot_cd;
     light.position = from;
     light.direction = glm::normalize(to - from);
     light.range_m = 14;
@@ -117,7 +120,7 @@ void add_lights(Parts& parts) {
         light.name = "lantern_" + std::to_string(scene.lights.size());
         light.type = LightType::point;
         light.color = glm::vec3(1, 0.62f, 0.28f);
-        light.intensity = lamp_intensity(parts, 5.4f);
+        light.intensity = kLantern_cd;
         light.position = at;
         light.range_m = 7;
         scene.lights.push_back(light);
@@ -129,10 +132,6 @@ void add_lights(Parts& parts) {
     scene.sky_zenith = day.sky_zenith;
     scene.sky_horizon = day.sky_horizon;
     scene.exposure_ev = day.exposure_ev;
-}
-
-float lamp_intensity(const Parts& parts, float displayed) {
-    return displayed * std::exp2(-parts.daylight.exposure_ev);
 }
 
 void add_cameras(Parts& parts) {

@@ -8,6 +8,9 @@ namespace weft::scene::atrium {
 namespace {
 
 constexpr uint32_t kSmallTextureSize = 256;
+// Luminance of the brightest point of a lantern's panes and of the glass of a bulb. Both are lower than the
+// light of the lamp inside would give, so that they keep their colour in pictures of the night.
+constexpr float kPane_cd_per_m2 = 45, kBulb_cd_per_m2 = 60;
 
 Surface bronze(const NoiseBank& bank) {
     return make_surface(kTextureSize, 1, [&](uint32_t x, uint32_t y) {
@@ -109,13 +112,13 @@ void make_metal_materials(Parts& parts) {
     m.iron = add_material(parts, "wrought_iron", iron(bank));
     m.glass = add_material(parts, "lantern_glass", glass(bank));
     Material& pane = parts.scene.materials[m.glass];
-    pane.emissive = lamp_intensity(parts, 2.2f) * glm::vec3(1, 0.82f, 0.62f);
+    pane.emissive = kPane_cd_per_m2 * glm::vec3(1, 0.82f, 0.62f);
     pane.emissive_texture.texture = glow_texture(parts);
     pane.emissive_texture.wrap_u = Wrap::clamp_to_edge;
     pane.emissive_texture.wrap_v = Wrap::clamp_to_edge;
     m.bulb = add_material(parts, "bulb_glass", bulb(bank));
     parts.scene.materials[m.bulb].emissive =
-        parts.daylight.lamps * lamp_intensity(parts, 3) * glm::vec3(1, 0.72f, 0.4f);
+        parts.daylight.lamps * kBulb_cd_per_m2 * glm::vec3(1, 0.72f, 0.4f);
 }
 
 }  // namespace weft::scene::atrium

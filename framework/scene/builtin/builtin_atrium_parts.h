@@ -98,10 +98,6 @@ uint32_t place(Parts& parts, Mesh mesh, uint32_t material);
 uint32_t add_mesh(Parts& parts, Mesh mesh);
 void place_copy(Parts& parts, uint32_t mesh, uint32_t material, const glm::mat4& transform);
 
-// Returns the intensity (cd or cd/m²) of a lamp whose intensity after exposure is `displayed`. The function
-// divides `displayed` by the exposure of the hour, so that lamps look the same by day and by night.
-[[nodiscard]] float lamp_intensity(const Parts& parts, float displayed);
-
 // Adds a beam along x without its top face: two sides, the underside and both ends.
 void add_beam(MeshBuilder& builder, glm::vec3 low, glm::vec3 high);
 

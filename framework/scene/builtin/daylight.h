@@ -1,6 +1,6 @@
 // Purpose: light of the built-in scenes "atrium" and "lights" at an hour of the day: sun or moon, sky, lamps,
 // and a suitable exposure. The aim is a pleasing picture, not astronomy: at night the moon and the sky are
-// much brighter than in reality, as in films. Units: hours from 0 to 24, lux, cd/m², EV.
+// about 15 times as bright as in reality, as in films. Units: hours from 0 to 24, lux, cd/m², EV.
 #pragma once
 
 #include <glm/glm.hpp>

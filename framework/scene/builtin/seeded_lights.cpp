@@ -11,6 +11,9 @@ namespace {
 constexpr float kTau = 6.283185307f;
 // Mean number of lights that reach a point of the scene.
 constexpr float kOverlap = 24;
+// Illuminance of a light at a quarter of its mean range. There a surface with an albedo of 50 % has a
+// luminance of 3.7 cd/m², as a wall in a room with lamps at night.
+constexpr float kIlluminance_lx = 23;
 // Factor for the intensity of moving lights. The built-in scene "lights" has no other lights, and its default
 // hour is at night, so its lights are brighter.
 constexpr float kNightGain = 6;
@@ -50,9 +53,6 @@ std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t se
     LightRandom random(seed);
     const glm::vec3 size = scene.bounds.max - scene.bounds.min;
     const float range_m = range_for(size, count);
-    // Illuminance of a light in lux at the distance range_m / 4. There a surface with an albedo of 50 %
-    // appears as middle grey (0.18).
-    const float illuminance_lx = 0.18f * kTau * std::exp2(-scene.exposure_ev);
     std::vector<Light> lights(count);
     for (uint32_t i = 0; i < count; ++i) {
         Light& light = lights[i];
@@ -62,7 +62,7 @@ std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t se
         light.color = hue(random.unit());
         light.direction = random.direction();
         light.range_m = range_m * (0.5f + random.unit());
-        light.intensity = illuminance_lx * range_m * range_m / 16;
+        light.intensity = kIlluminance_lx * range_m * range_m / 16;
         if (i % 2 == 0) continue;
         light.type = LightType::spot;
         light.outer_cone_rad = 0.3f + 0.6f * random.unit();

@@ -9,8 +9,8 @@
 
 namespace weft::scene {
 
-// Makes point lights and spots in turn. Each light visibly lights its surroundings at `scene.exposure_ev`.
-// The ranges are limited, so that only a few tens of lights reach any point.
+// Makes point lights and spots in turn. The illuminance at a quarter of the mean range is that of lamps at
+// night, whatever else lights the scene. The ranges are limited, so that only a few tens of lights reach any point.
 [[nodiscard]] std::vector<Light> seeded_lights(const Scene& scene, uint32_t count, uint32_t seed);
 
 // Makes the lights of seeded_lights(), but brighter. Each light moves on its own horizontal ellipse within

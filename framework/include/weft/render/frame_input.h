@@ -44,6 +44,8 @@ using ParameterValues = std::map<std::string, double, std::less<>>;
 struct FrameInput {
     // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
+    // The pre-exposure. It is also the exposure of the picture, unless the graph has automatic exposure
+    // (modules/exposure.json) and its parameter `autoExposure` is not 0.
     float exposure_ev = 0;
     double time_s = 0;
     double delta_time_s = 0;  // Time since the previous frame.
