@@ -1,7 +1,5 @@
 #include "graph/sync/skipped_reads.h"
 
-#include <algorithm>
-
 #include "graph/model/rows.h"
 
 namespace weft {
@@ -18,17 +16,9 @@ ResourceId whole_ring(const ResolvedGraph& graph, ResourceId resource) {
     return ring == kNoId ? resource : ring;
 }
 
-bool is_read_between(const ResourceDecl& resource) {
-    return resource.between.has_value();
-}
-
-// Returns the states of all reads that may not happen. The row of a resource is that of its ring. The program
-// need not read its exports in each frame.
+// Returns the states of all reads that may not happen. The row of a resource is that of its ring.
 Rows<AccessState> skipped_reads(const ResolvedGraph& graph, const BarrierPlan& plan) {
     return make_rows<AccessState>(graph.resources.size(), [&](const auto& add) {
-        for (ResourceId id(0); id < graph.resources.size(); ++id)
-            if (is_read_between(graph.resources[id]))
-                add(whole_ring(graph, id), *graph.resources[id].between);
         for (const PassStep& step : plan.steps)
             for (const UseDecl& use : graph.passes[step.pass].uses)
                 if (may_be_skipped(graph.passes[step.pass], use))
@@ -63,7 +53,7 @@ class ReadNamer {
 }  // namespace
 
 void name_skipped_reads(const ResolvedGraph& graph, BarrierPlan& plan) {
-    if (graph.switches.empty() && std::ranges::none_of(graph.resources, is_read_between)) return;
+    if (graph.switches.empty()) return;
     const ReadNamer namer(graph, plan);
     for (PassStep& step : plan.steps) {
         namer.name(step.barriers);

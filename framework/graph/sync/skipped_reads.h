@@ -1,16 +1,16 @@
 // Purpose: names reads that may not happen in the barriers that wait for them. A barrier after a read needs
-// no access in its source scope. But if the pass that reads is switched off, or if the program does not read
-// its export between two frames, the barrier orders the write before instead, through a chain with the
-// barrier between that write and the read. The validation layer of Vulkan 1.3.239 follows such a chain only
-// if the later barrier names an access to which the earlier barrier has made the write visible.
+// no access in its source scope. But if the pass that reads is switched off, the barrier orders the write
+// before instead, through a chain with the barrier between that write and the read. The validation layer of
+// Vulkan 1.3.239 follows such a chain only if the later barrier names an access to which the earlier barrier
+// has made the write visible.
 #pragma once
 
 #include "weft/plan.h"
 
 namespace weft {
 
-// Adds the reads of passes with switches, of inputs that depend on switches, and of the program between
-// frames (ResourceDecl::between) to the source scopes of the barriers on the resources that they read.
+// Adds the reads of passes with switches, and of inputs that depend on switches, to the source scopes of the
+// barriers on the resources that they read.
 void name_skipped_reads(const ResolvedGraph& graph, BarrierPlan& plan);
 
 }  // namespace weft

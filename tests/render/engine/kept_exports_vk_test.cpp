@@ -155,6 +155,28 @@ TEST_F(KeptExportsVk, AViewOfTheExportShowsWhatAPassAtRestHasWritten) {
     EXPECT_NE(session->exported("trail")->view, VK_NULL_HANDLE);
 }
 
+// Then only a chain of two barriers orders the writes of two frames.
+TEST_F(KeptExportsVk, TheProgramNeedNotReadItsExports) {
+    for (const ExportUse& use : {ExportUse{Access::copy_read}, ExportUse{Access::sampled_read}}) {
+        const bool copied = use.access == Access::copy_read;
+        OwnCommands own(*device_);  // Outlives the session, which waits for the tickets.
+        const auto session =
+            open(scene::Scene{}, input_with({{"sum", use},
+                                             {"trail", use},
+                                             {"table", use},
+                                             {"count", {copied ? use.access : Access::storage_read}}}));
+        ASSERT_TRUE(session);
+        for (uint32_t i = 0; i < 6; ++i) {
+            // The commands of two frames are in one command buffer.
+            if (i % 2 == 0) frame_of(*session).submit = own.begin();
+            frame_of(*session).parameters["weight"] = i;  // The table is written in each frame.
+            frame(*session);
+            if (i % 2 == 1) own.submit();
+        }
+        idle();
+    }
+}
+
 // Frames in command buffers of the program, with the program's copies in the same command buffer.
 TEST_F(KeptExportsVk, TheFrameAndTheCopiesAreInOneCommandBuffer) {
     OwnCommands own(*device_);  // Outlives the session, which waits for the tickets.
