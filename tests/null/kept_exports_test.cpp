@@ -104,8 +104,13 @@ class KeptExports : public ResolveTest {
     }
 
     void judge(const ResolvedGraph& graph, uint32_t seed, uint32_t mutants_every) {
+        DeviceProfile device;
+        // The queues are of one family, or each of another one.
+        if (seed % 4 > 1)
+            device.queue_families = {
+                {QueueKind::graphics, 1}, {QueueKind::compute, 1}, {QueueKind::transfer, 1}};
         CompileOptions options;
-        options.queues = logical_queues({}, 1 + seed % 3);
+        options.queues = logical_queues(device, 1 + seed % 3);
         const FramePlan plan = compile(graph, content_needs(graph), options);
         ASSERT_TRUE(check_plan(plan).empty()) << to_text(check_plan(plan));
         note(plan);

@@ -51,8 +51,8 @@ void add_block(const PassBlock& block, PassDecl& pass) {
     pass.params_push = block.push_constants;
 }
 
-// Returns true if the pass writes an import or an export that the program uses. For exports that keep their
-// content, cull() finds the writers: such a pass has no effect that a rest unit must not have.
+// Returns true if the pass writes an import that the program uses. Exports that live within one frame are
+// imports. For other exports, cull() finds the passes, because a pass with side effects cannot rest.
 bool writes_for_program(const Declared& declared, const std::vector<ResourceDecl>& resources,
                         const PassDecl& pass) {
     return std::ranges::any_of(pass.uses, [&](const UseDecl& use) {
