@@ -148,6 +148,22 @@ class KeptExports : public ResolveTest {
     Tallies tallies_{};
 };
 
+// The oldest copy of a history is used again for the new frame. Its layers that no pass writes still have
+// their first value, although the program reads them in another layout.
+TEST_F(KeptExports, LayersThatNoPassWritesKeepTheirFirstValue) {
+    shaders = rest_shaders();
+    exports = {{"h", {Access::copy_read}}};
+    const ResolvedGraph graph = good(R"j("resources": {
+            "h": {"format": "rgba16f", "size": 64, "layers": 2, "history": 1},
+            "x": {"format": "rgba16f", "size": 64}},
+        "passes": {
+            "make": {"type": "compute", "shader": "s0.comp", "out": {"dst": "h.layer(0)"}},
+            "look": {"type": "compute", "shader": "s1.comp", "in": {"a": "h[-1].layer(1)"}, "out": {"dst": "x"}},
+            "see": {"type": "readback", "in": ["x"]}})j");
+    for (const uint32_t queues : {0u, 1u, 2u}) judge(graph, queues, 1);
+    EXPECT_EQ(found_.rings, 3u);
+}
+
 TEST_F(KeptExports, TheProgramSeesHistoryAndKeptContent) {
     const uint32_t seeds = extended() ? 1500 : 60;
     for (uint32_t seed = 0; seed < seeds && !HasFailure(); ++seed) {
