@@ -60,15 +60,21 @@ class TransitionCheck {
                 "gets its content " + std::to_string(times) + " times in the transition, not once",
                 "the transition must either copy each old content or clear the resource, once");
         if (is_shared(id)) return;
-        const bool image = new_.graph.resources[id].kind == ResourceKind::image;
+        const ResourceDecl& decl = new_.graph.resources[id];
+        const bool image = decl.kind == ResourceKind::image;
         const AccessState writing = writing_state(id);
         const auto opens = [&](const BarrierDecl& b) {
-            return b.dst.layout == writing.layout && (writing.stages & ~b.dst.stages) == 0 &&
-                   (writing.access & ~b.dst.access) == 0;
+            const bool waits = (kEveryStage & ~b.src.stages) == 0 && (kEveryWrite & ~b.src.access) == 0;
+            return (waits || !decl.shared) && b.dst.layout == writing.layout &&
+                   (writing.stages & ~b.dst.stages) == 0 && (writing.access & ~b.dst.access) == 0;
         };
-        if (image && !covered_by(transition_.before, id, new_.graph.resources[id].whole(), opens))
-            add("C371", id, "is written before a barrier changes its layout for the write",
-                "record a barrier from the undefined layout before the write");
+        // Frames of a plan before the old one may still use shared memory.
+        if ((image || decl.shared) && !covered_by(transition_.before, id, decl.whole(), opens))
+            add("C371", id,
+                decl.shared ? "is written while frames of earlier plans may still use its memory"
+                            : "is written before a barrier changes its layout for the write",
+                decl.shared ? "record a barrier from all stages before the write"
+                            : "record a barrier from the undefined layout before the write");
         for (const BoundaryState& boundary : new_.boundary) {
             if (boundary.resource != id) continue;
             const auto closes = [&](const BarrierDecl& b) {

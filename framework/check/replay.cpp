@@ -60,6 +60,7 @@ void Replay::run(uint32_t frames) {
         for (uint32_t i = 0; i < plan_.submissions.batches.size(); ++i) batch(i);
         clock_.look_from(kGraphicsQueue);
         leave_imports();
+        read_kept();
         seal_rings();
     }
 }

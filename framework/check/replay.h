@@ -30,6 +30,7 @@ class Replay {
     void seal_rings();
     void enter_imports();
     void leave_imports();
+    void read_kept();
     void batch(uint32_t index);
     // Simulates a pass with its barriers. `scope_continues` is true if the next pass draws into the same
     // rendering scope.
@@ -47,6 +48,7 @@ class Replay {
     // Returns " in frames in which "fog" is off", or an empty text if all switches are on.
     [[nodiscard]] std::string switches_text() const;
     void expect_written_output(ResourceId id, const Cell& cell);
+    void expect_kept(ResourceId id, const Cell& cell);
 
     void barriers(const std::vector<BarrierDecl>& batch, PassId before);
     void transition(const BarrierDecl& barrier, const Scopes& scopes, PassId before);

@@ -1,4 +1,5 @@
-// Simulates how the program outside the graph hands imports to the frame and gets them back.
+// Simulates how the program outside the graph hands imports to the frame and gets them back, and how it reads
+// persistent resources between two frames.
 #include <vector>
 
 #include "check/replay.h"
@@ -55,6 +56,40 @@ void Replay::leave_imports() {
             if (touched) expect_order(actor(kNoId), outside, cell, exit, writes_next);
         }
     }
+}
+
+// The program reads persistent resources after all work of queue 0 in this frame, and before that of the next
+// frame.
+void Replay::read_kept() {
+    for (ResourceId id(0); id < cells_.size(); ++id) {
+        const ResourceDecl& resource = plan_.graph.resources[id];
+        if (!resource.between || !plan_.live.live_resources[id]) continue;
+        const Actor outside{
+            kNoId, frame_, false, kGraphicsQueue, clock_.batches_begun(kGraphicsQueue), 0, logs_[0].count()};
+        UseDecl use;
+        use.resource = id;
+        use.access = Access::copy_read;
+        use.loc = resource.loc;
+        for (Cell& cell : cells_[id]) {
+            expect_owner(actor(kNoId), use, cell);
+            expect_order(actor(kNoId), use, cell, *resource.between, false);
+            expect_kept(id, cell);
+            note_read(cell, AccessRecord(outside, resource.between->stages, resource.between->access, false));
+        }
+    }
+}
+
+// Checks that a resource with a single copy has content when the program reads it. In a ring, a part that no
+// pass writes in this frame has none.
+void Replay::expect_kept(ResourceId id, const Cell& cell) {
+    const ResourceDecl& resource = plan_.graph.resources[id];
+    const bool lost =
+        cell.content.kind == Content::Kind::undefined || cell.content.kind == Content::Kind::overwritten;
+    if (resource.history > 0 || !lost) return;
+    faults_.add("C330", resource.loc,
+                "the program reads " + faults_.part_name(id, cell.range) +
+                    " after the frame, but the resource has lost its content",
+                "the store operation of an attachment, or the sharing of memory is wrong");
 }
 
 }  // namespace weft::check

@@ -87,7 +87,8 @@ bool Memory::exclusive(ResourceId object) const {
 
 uint32_t Memory::family_of(uint32_t node) const {
     const Node& at = timeline_.nodes[node];
-    if (at.kind == NodeKind::import_leave) return plan_.graph.resources[at.resource].import->family;
+    if (at.kind == NodeKind::import_leave && plan_.graph.resources[at.resource].import)
+        return plan_.graph.resources[at.resource].import->family;
     return plan_.schedule.queues[at.queue].family;
 }
 

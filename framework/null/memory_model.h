@@ -77,8 +77,8 @@ class Memory {
     // Returns the value that the accessor sees. An invalid access gives poison and a fault message, but the
     // cell keeps its value.
     [[nodiscard]] CellValue read(ResourceId object, uint32_t cell, const Accessor& accessor);
-    // Reads an import after the frame. `overwrites` is true if the import's owner may write it next; then the
-    // owner must also wait for all readers.
+    // Reads an import, or a persistent resource, after the frame. `overwrites` is true if the import's owner
+    // may write it next; then the owner must also wait for all readers.
     [[nodiscard]] CellValue leave(ResourceId object, uint32_t cell, const Accessor& accessor,
                                   bool overwrites);
     void write(ResourceId object, uint32_t cell, const Accessor& accessor, CellValue value);

@@ -152,11 +152,12 @@ class Execution {
 
     void leave(uint32_t id, const Node& node) {
         const ResourceDecl& decl = plan_.graph.resources[node.resource];
-        const AccessState& exit = decl.import->exit;
+        const AccessState& exit = decl.import ? decl.import->exit : *decl.between;
         const bool overwrites = (exit.access & access::kAllWrites) != 0;
         const Accessor accessor{id, node.stage, exit.access & ~access::kAllWrites, exit.layout};
+        const ResourceId object = memory_.object_of(node.resource, node.frame);
         for_each_cell(decl, [&](uint32_t cell, const SubresourceRange& range) {
-            const CellValue value = memory_.leave(node.resource, cell, accessor, overwrites);
+            const CellValue value = memory_.leave(object, cell, accessor, overwrites);
             run_.observed.push_back({node.frame, kNoId, 0, node.resource, range, value});
         });
     }

@@ -58,7 +58,8 @@ using CellValue = uint64_t;
 inline constexpr CellValue kUndefinedValue = 0;
 
 // The value of one subresource seen by an observer: a pass with side effects, the owner of an import after a
-// frame (pass kNoId), or a reader of a persistent resource after the last frame (pass kNoId).
+// frame (pass kNoId), the program that reads a persistent resource between frames (pass kNoId), or a reader
+// of a persistent resource after the last frame (pass kNoId).
 struct ObservedCell {
     uint32_t frame = 0;
     PassId pass = kNoId;

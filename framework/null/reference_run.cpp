@@ -135,7 +135,7 @@ class Reference {
             for (ResourceId id(0); id < cells_.size(); ++id) {
                 const ResourceLifetime lifetime = graph_.resources[id].lifetime;
                 const bool last = frame_ + 1 == frames;
-                const bool seen = lifetime == ResourceLifetime::imported ||
+                const bool seen = lifetime == ResourceLifetime::imported || graph_.resources[id].between ||
                                   (lifetime == ResourceLifetime::persistent && last);
                 if (seen && used_[id]) observe_after_frame(id);
             }

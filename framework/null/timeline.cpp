@@ -73,6 +73,8 @@ class Unroller {
         for (const PassId pass : plan.schedule.order)
             for (const UseDecl& use : plan.graph.passes[pass].uses)
                 if (plan.graph.resources[use.resource].import) imports_.push_back(use.resource);
+        for (ResourceId id(0); id < plan.graph.resources.size(); ++id)
+            if (plan.graph.resources[id].between && plan.live.live_resources[id]) kept_.push_back(id);
         std::sort(imports_.begin(), imports_.end());
         imports_.erase(std::unique(imports_.begin(), imports_.end()), imports_.end());
     }
@@ -85,6 +87,7 @@ class Unroller {
             signals_.assign(plan_.submissions.batches.size(), kNoNode);
             for (uint32_t b = 0; b < plan_.submissions.batches.size(); ++b) batch(b);
             for (const ResourceId import : imports_) leave(import);
+            for (const ResourceId kept : kept_) read_kept(kept);
         }
         return std::move(timeline_);
     }
@@ -273,12 +276,13 @@ class Unroller {
     }
 
     // Adds the accesses of the program that owns the imported resources. They happen between two frames on
-    // queue 0. A queue that waits for the last batch of the previous frame also waits for them. In the first
-    // frame, all other queues wait for them.
+    // queue 0. A queue that waits for the last batch of the previous frame also waits for them, and for the
+    // program's reads of persistent resources. In the first frame, all other queues wait for them.
     void enter_imports() {
         Node node;
         node.kind = NodeKind::signal;
-        NodeSet before;
+        NodeSet before = std::move(kept_reads_);
+        kept_reads_ = {};
         for (const ResourceId import : imports_) {
             const uint32_t access = enter(import);
             if (access != kNoNode) include(before, access);
@@ -323,6 +327,18 @@ class Unroller {
         });
     }
 
+    // Adds the program's reads of a persistent resource after the frame, on queue 0. Only the plan orders
+    // them.
+    void read_kept(ResourceId id) {
+        Node node;
+        node.kind = NodeKind::import_leave;
+        node.resource = id;
+        for_each_stage(plan_.graph.resources[id].between->stages, [&](size_t s) {
+            node.stage = 1u << s;
+            include(kept_reads_, add_work(node, required(node.queue, node.stage)));
+        });
+    }
+
     const FramePlan& plan_;
     uint64_t choice_;
     const RestChoice& resting_;
@@ -333,6 +349,8 @@ class Unroller {
     Timeline timeline_;
     std::vector<QueueProgress> queues_;
     std::vector<ResourceId> imports_;  // Imports that at least one live pass uses.
+    std::vector<ResourceId> kept_;     // Persistent resources that the program reads between frames.
+    NodeSet kept_reads_;               // The program's reads of these resources after the previous frame.
     uint32_t owners_signal_ = kNoNode;
     // Index: ResourceId. The node after which passes of this frame may use the import: from then on, the
     // import belongs to the frame and not to the program.

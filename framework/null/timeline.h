@@ -27,7 +27,8 @@ enum class NodeKind : uint8_t {
     wait,           // A semaphore wait, for example at the beginning of a batch.
     import_enter,   // The program passes an import to the frame.
     import_access,  // The program accesses an import before the frame, in one stage of the entry state.
-    // The program accesses an import after the frame, in one stage of the exit state (kNone if it has none).
+    // The program accesses an import after the frame, in one stage of the exit state (kNone if it has none),
+    // or it reads a persistent resource in one stage of ResourceDecl::between.
     import_leave,
 };
 

@@ -92,17 +92,22 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
 }
 
 std::optional<ExportedResource> FrameLoop::exported(std::string_view name) const {
-    const auto found = stage_.exports.find(name);
     const ResourceId id = find_resource(plan().graph, name);
-    if (found == stage_.exports.end() || id == kNoId) return std::nullopt;
+    if (id == kNoId) return std::nullopt;
     const ResourceDecl& decl = plan().graph.resources[id];
-    const AccessState& state = decl.import->exit;
+    const bool kept = decl.between.has_value();
+    // Of a resource with history, the object changes from frame to frame.
+    const ResourceId copy = kept ? stage_.executor->last_copy(id) : id;
+    const auto found = stage_.exports.find(plan().graph.resources[copy].name);
+    const VkBuffer kept_buffer = kept ? stage_.executor->native(copy).buffer : VK_NULL_HANDLE;
+    if (found == stage_.exports.end() && kept_buffer == VK_NULL_HANDLE) return std::nullopt;
+    const AccessState& state = kept ? *decl.between : decl.import->exit;
     ExportedResource out;
     out.layout = vk::to_vk(state.layout);
     out.stages = vk::stages_to_vk(state.stages);
     out.access = vk::access_to_vk(state.access);
     if (decl.kind == ResourceKind::buffer) {
-        out.buffer = found->second.buffer.handle();
+        out.buffer = kept ? kept_buffer : found->second.buffer.handle();
         out.size_bytes = decl.size_bytes;
         return out;
     }

@@ -25,7 +25,9 @@ inline constexpr bool kAlwaysCheck = false;
 inline constexpr bool kAlwaysCheck = true;
 #endif
 
-// The object of a resource that the program uses between frames. One of the members is set.
+// The object of a resource that the program uses between frames. One of the members is set. If the resource
+// keeps its content, the executor owns its memory: each copy of an image with history has an entry with its
+// own name here, whose image is only a view of that copy. Buffers that keep their content have no entry.
 struct ExportObject {
     vk::Image image;
     vk::Buffer buffer;

@@ -62,6 +62,21 @@ Result<ExportObject> make_export(vk::Device& device, const ResourceDecl& decl) {
     return object;
 }
 
+// Makes the views of exported images that keep their content.
+Status view_kept_exports(vk::Device& device, RenderStage& stage) {
+    const std::vector<ResourceDecl>& resources = stage.executor->plan().graph.resources;
+    for (ResourceId id(0); id < resources.size(); ++id) {
+        const ResourceDecl& decl = resources[id];
+        if (decl.ring == kNoId || !resources[decl.ring].between) continue;
+        const VkImage image = stage.executor->native(id).image;
+        if (image == VK_NULL_HANDLE) continue;
+        Result<vk::Image> viewed = vk::Image::adopt(device, image, decl);
+        if (!viewed) return viewed.take_errors();
+        stage.exports[decl.name].image = std::move(*viewed);
+    }
+    return Unit{};
+}
+
 Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
     const bool same_plan = can_amend(from, to);
     Rebuilt rebuilt;
@@ -175,6 +190,7 @@ Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, const Selectio
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
     if (!executor) return executor.take_errors();
     stage.executor = std::move(*executor);
+    if (Status viewed = view_kept_exports(device_, stage); !viewed) return viewed.take_errors();
     return stage;
 }
 
@@ -195,7 +211,9 @@ Status StageMaker::bind_imports(const FramePlan& plan, const Selection& selectio
             const auto [kept, unused] = stage.own_images.emplace(decl.name, std::move(*image));
             bindings.images.emplace(decl.name, &kept->second);
         }
-        if (!selection.request.exports.contains(decl.name) || !plan.live.live_resources[id]) continue;
+        const bool has_own_object =
+            selection.request.exports.contains(decl.name) && decl.lifetime == ResourceLifetime::imported;
+        if (!has_own_object || !plan.live.live_resources[id]) continue;
         Result<ExportObject> made = make_export(device_, decl);
         if (!made) return made.take_errors();
         const ExportObject& object = stage.exports.emplace(decl.name, std::move(*made)).first->second;

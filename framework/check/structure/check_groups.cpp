@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,17 @@ class GroupCheck {
             for (const UseDecl& use : pass_at(position).uses)
                 if (use.access != Access::none && !writes(use.access) && (member || use.latest))
                     add_read(use);
+        }
+        if (queue == kGraphicsQueue) add_reads_between();
+    }
+
+    // The program reads on queue 0 between two frames, whichever round has run last.
+    void add_reads_between() {
+        for (auto& [part, all] : parts_) {
+            const std::optional<AccessState>& between = plan_.graph.resources[part.first].between;
+            if (!between) continue;
+            all.readers |= between->stages;
+            all.reads |= between->access;
         }
     }
 

@@ -42,7 +42,7 @@ void visit_fields(V& v, const ResourceDecl& x) {
         v("cutsBytes", x.cuts_bytes), v("usage", x.usage);
     v("history", x.history), v("ring", x.ring), v("age", x.age), v("firstFrame", x.first_frame);
     v("onResize", x.on_resize), v("shared", x.shared), v("preExposed", x.pre_exposed), v("import", x.import),
-        v("clear", x.clear);
+        v("between", x.between), v("clear", x.clear);
     v("file", x.file), v("textures", x.textures), v("textureFiles", x.texture_files), v("area", x.area);
 }
 template <class V>

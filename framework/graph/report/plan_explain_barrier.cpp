@@ -18,7 +18,7 @@ const char* describe_reason(BarrierReason reason) {
                                   "the layout of the image must change",
                                   "memory passes from one resource to another",
                                   "the frame begins to use an import",
-                                  "the frame ends its use of an import",
+                                  "the frame ends its use of an import or an export",
                                   "one queue family releases the image to another",
                                   "one queue family acquires the image from another",
                                   "the resource gets its first-frame value"};

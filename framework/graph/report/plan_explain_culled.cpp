@@ -51,8 +51,16 @@ const UseDecl* output_write(const FramePlan& plan, PassId pass) {
     return nullptr;
 }
 
+const UseDecl* export_write(const FramePlan& plan, PassId pass) {
+    for (const UseDecl& use : plan.graph.passes[pass].uses)
+        if (plan.graph.resources[use.resource].between && writes(use.access)) return &use;
+    return nullptr;
+}
+
 std::string describe_root(const FramePlan& plan, PassId pass) {
     if (const UseDecl* use = output_write(plan, pass)) return describe_use(plan, *use) + ", the output";
+    if (const UseDecl* use = export_write(plan, pass))
+        return describe_use(plan, *use) + ", which the program reads between frames";
     return plan.graph.passes[pass].side_effect ? "the pass has a side effect, so it always runs" : "";
 }
 

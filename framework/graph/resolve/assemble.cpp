@@ -51,20 +51,8 @@ void add_block(const PassBlock& block, PassDecl& pass) {
     pass.params_push = block.push_constants;
 }
 
-// Before the frame, the program still uses the content of the frame before, which the frame discards.
-void set_export_states(const GraphRequest& request, std::vector<ResourceDecl>& resources) {
-    if (request.exports.empty()) return;
-    for (ResourceDecl& decl : resources) {
-        const auto found = request.exports.find(decl.name);
-        if (found == request.exports.end()) continue;
-        const AspectMask aspects = decl.kind == ResourceKind::buffer ? aspect::kNone : decl.aspects;
-        const AccessState used = access_state(found->second.access, found->second.stages, aspects);
-        decl.import->exit = decl.import->entry = used;
-        decl.import->entry.layout = Layout::undefined;
-    }
-}
-
-// Returns true if the program uses what the pass writes.
+// Returns true if the pass writes an import that the program uses. Exports that live within one frame are
+// imports. For other exports, cull() finds the passes, because a pass with side effects cannot rest.
 bool writes_for_program(const Declared& declared, const std::vector<ResourceDecl>& resources,
                         const PassDecl& pass) {
     return std::ranges::any_of(pass.uses, [&](const UseDecl& use) {
@@ -84,7 +72,6 @@ ResolvedGraph assemble(const Declared& declared, const VersionedGraph& graph, co
     resolved.name = declared.input.graph.name;
     resolved.output_extent = declared.input.request.size;
     resolved.resources = graph.resources;
-    set_export_states(declared.input.request, resolved.resources);
     resolved.edges = graph.edges;
     resolved.output = declared.shapes.output;
     resolved.params = declared.values.params;

@@ -1,5 +1,6 @@
-// Finds the passes that a frame needs: passes with side effects, passes that write the output, and all passes
-// whose results a needed pass reads. An `after` only orders two passes; it does not make a pass needed.
+// Finds the passes that a frame needs: passes with side effects, passes that write the output or a resource
+// that the program reads between frames, and all passes whose results a needed pass reads. An `after` only
+// orders two passes; it does not make a pass needed.
 #include <algorithm>
 
 #include "graph/model/rows.h"
@@ -11,7 +12,9 @@ namespace {
 bool is_root(const ResolvedGraph& graph, const PassDecl& pass) {
     if (pass.side_effect) return true;
     return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const UseDecl& use) {
-        return graph.output != kNoId && use.resource == graph.output && writes(use.access);
+        if (!writes(use.access)) return false;
+        return (graph.output != kNoId && use.resource == graph.output) ||
+               graph.resources[use.resource].between.has_value();
     });
 }
 

@@ -5,6 +5,7 @@
 #include "graph/resolve/checks.h"
 #include "graph/resolve/live/follow_areas.h"
 #include "graph/resolve/lower/mixed_layers.h"
+#include "graph/resolve/shape/shape_export.h"
 #include "graph/resolve/switches/make_variants.h"
 
 namespace weft {
@@ -13,6 +14,7 @@ namespace {
 
 VersionedGraph connect_passes(const Declared& declared, Reporter& reporter) {
     FormattedGraph formatted = choose_formats(declared, bind(declared, reporter), reporter);
+    set_export_states(declared.input.request, formatted.resources);
     check_files(declared, formatted, reporter);
     Suspects suspects = check_interfaces(declared, formatted, reporter);
     suspects = check_frame_slices(declared, formatted, std::move(suspects), reporter);

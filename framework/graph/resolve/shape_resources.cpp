@@ -93,9 +93,11 @@ void name_resources(const ResolveInput& input, const Evaluator& evaluator, Shape
     shapes.suspects.writers.resize(roles.size());
 }
 
-// Returns the names of the resources that a readback of the request or a debug view shows.
+// Returns the names of the resources that a readback of the request or a debug view shows, or that the
+// program uses between frames.
 std::set<std::string> observed_names(const ResolveInput& input) {
     std::set<std::string> names;
+    for (const auto& [name, unused] : input.request.exports) names.insert(name);
     for (const std::string& reference : input.request.observed)
         names.insert(reference.substr(0, reference.find_first_of("@[.")));
     for (const auto& [unused, pass] : input.graph.passes)

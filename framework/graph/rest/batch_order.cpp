@@ -5,14 +5,31 @@
 
 namespace weft {
 
+namespace {
+
+// Returns true if the wait is for the end of the previous frame, after which the program uses its resources.
+bool is_for_program(const FramePlan& plan, const QueueWait& wait) {
+    return wait.previous_frame && wait.dependency < plan.submissions.dependencies.size() &&
+           plan.submissions.dependencies[wait.dependency].from == plan.schedule.order.size();
+}
+
+}  // namespace
+
 BatchOrder::BatchOrder(const FramePlan& plan)
     : counts_(plan.schedule.queues.size(), 0),
-      pending_(counts_.size(), Values(counts_.size(), 0)),
+      pending_(counts_.size(), Values(counts_.size() + 1, 0)),
       queue_ends_(pending_) {
-    for (const Batch& batch : plan.submissions.batches)
-        batches_.push_back({batch.queue, counts_[batch.queue]++, batch.waits});
-    ends_.assign(batches_.size(), Values(counts_.size(), 0));
+    for (const Batch& batch : plan.submissions.batches) {
+        const bool awaits = std::ranges::any_of(
+            batch.waits, [&](const QueueWait& wait) { return is_for_program(plan, wait); });
+        batches_.push_back({batch.queue, counts_[batch.queue]++, batch.waits, awaits});
+    }
+    ends_.assign(batches_.size(), Values(counts_.size() + 1, 0));
     previous_ends_ = ends_;
+}
+
+bool BatchOrder::awaits_program() const {
+    return std::ranges::any_of(batches_, &Place::awaits_program);
 }
 
 QueuePoint BatchOrder::end_of(uint32_t batch, uint64_t frame) const {
@@ -22,6 +39,7 @@ QueuePoint BatchOrder::end_of(uint32_t batch, uint64_t frame) const {
 
 void BatchOrder::begin_frame() {
     std::swap(ends_, previous_ends_);
+    ++frames_;
 }
 
 BatchOrder::Values BatchOrder::waits_of(uint32_t batch) const {
@@ -29,6 +47,7 @@ BatchOrder::Values BatchOrder::waits_of(uint32_t batch) const {
     Values values = pending_[place.queue];
     for (const QueueWait& wait : place.waits)
         include(wait.previous_frame ? previous_ends_[wait.batch] : ends_[wait.batch], values);
+    if (place.awaits_program) values.back() = frames_ - 1;
     return values;
 }
 
@@ -42,8 +61,8 @@ std::vector<QueuePoint> BatchOrder::submit(uint32_t batch, uint64_t frame) {
     std::vector<QueuePoint> points;
     for (QueueIndex queue(0); queue < waits.size(); ++queue)
         if (waits[queue] > 0) points.push_back({queue, waits[queue]});
-    pending_[own].assign(counts_.size(), 0);
-    queue_ends_[own].assign(counts_.size(), 0);
+    pending_[own].assign(counts_.size() + 1, 0);
+    queue_ends_[own].assign(counts_.size() + 1, 0);
     queue_ends_[own][own] = end_of(batch, frame).value;
     ends_[batch] = queue_ends_[own];
     return points;

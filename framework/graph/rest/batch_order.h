@@ -1,8 +1,9 @@
 // Purpose: computes what each batch of a frame waits for if some batches are not submitted, because all their
 // passes rest. The order of all other batches is then the same as if each of these batches were submitted
 // with no commands in it: its waits pass on to the next batch of its queue, and a batch that waits for it
-// waits for its waits and for the batch before it on its queue. Call the functions for each batch in
-// submission order.
+// waits for its waits and for the batch before it on its queue. A batch that waits for the end of the
+// previous frame, because the program uses a resource there, also waits for what the program has submitted
+// since then. Call the functions for each batch in submission order.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,9 @@
 
 namespace weft {
 
-// A point on the timeline of a queue: the end of a batch. The values are those of Batch in plan.h.
+// A point on the timeline of a queue: the end of a batch. The values are those of Batch in plan.h. If `queue`
+// is the number of queues, it is a point on the timeline of the program: the value f comes after all that the
+// program has submitted to queue 0 before frame f.
 struct QueuePoint {
     QueueIndex queue = kGraphicsQueue;
     uint64_t value = 0;
@@ -24,29 +27,33 @@ class BatchOrder {
     BatchOrder() = default;
     explicit BatchOrder(const FramePlan& plan);
 
+    // Returns true if batches of the plan wait for the program.
+    [[nodiscard]] bool awaits_program() const;
     // Returns the point that the batch reaches when it has finished.
     [[nodiscard]] QueuePoint end_of(uint32_t batch, uint64_t frame) const;
     // Begins the next frame.
     void begin_frame();
     // Notes that the batch is submitted, and returns the points that it must wait for: one at most for each
-    // queue. One of them may be on the batch's own queue, if a batch of another queue between them is
-    // skipped.
+    // queue and for the program. One of them may be on the batch's own queue, if a batch of another queue
+    // between them is skipped.
     [[nodiscard]] std::vector<QueuePoint> submit(uint32_t batch, uint64_t frame);
     // Notes that the batch is not submitted.
     void skip(uint32_t batch);
 
  private:
-    // Index: queue. The highest value to wait for; 0: nothing.
+    // Index: queue; the last one is the program. The highest value to wait for; 0: nothing.
     using Values = std::vector<uint64_t>;
     struct Place {
         QueueIndex queue = kGraphicsQueue;
         uint64_t rank = 0;  // Number of batches before this one on its queue in a frame.
         std::vector<QueueWait> waits;
+        bool awaits_program = false;
     };
     [[nodiscard]] Values waits_of(uint32_t batch) const;
     static void include(const Values& from, Values& into);
 
     std::vector<Place> batches_;
+    uint64_t frames_ = 0;           // Number of frames that have begun.
     std::vector<uint64_t> counts_;  // Index: queue. Number of batches in a frame.
     std::vector<Values> pending_;  // Index: queue. Waits of skipped batches that the next batch must include.
     // Index: queue. The points after which the last batch of the queue, submitted or not, has finished.

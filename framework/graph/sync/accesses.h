@@ -13,8 +13,9 @@ namespace weft {
 // An access of one pass to a subresource or a range. If several ports of the pass use the same subresource,
 // append_access() merges their accesses into one event.
 struct AccessEvent {
+    // The program's read between frames (ResourceDecl::between) has the position after the last pass.
     Position position = 0;
-    PassId pass = kNoId;
+    PassId pass = kNoId;  // kNoId: the program.
     QueueIndex queue = kGraphicsQueue;
     AccessState state;
     bool writes = false;

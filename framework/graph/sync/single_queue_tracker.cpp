@@ -141,7 +141,7 @@ void SingleQueueTracker::merge_drawing(AccessEvent event) {
 
 void SingleQueueTracker::note_pass(PassId pass) {
     const bool waits_for_outside = entered_ && (reader_stages_ | writer_stages_) != 0;
-    several_ = several_ || waits_for_outside || (pass_ != kNoId && pass_ != pass);
+    several_ = several_ || waits_for_outside || pass == kNoId || (pass_ != kNoId && pass_ != pass);
     pass_ = several_ ? kNoId : pass;
     entered_ = false;
 }

@@ -35,6 +35,16 @@ void add_after_edges(const ResolvedGraph& graph, const Schedule& order,
     }
 }
 
+// The program reads the resource between frames. This is like a read by a pass at the end of the frame, on
+// queue 0.
+RangeAccess read_by_program(const ResourceDecl& decl, const Schedule& order) {
+    AccessEvent event;
+    event.position = Position(order.order.size());
+    event.state = *decl.between;
+    event.reads = true;
+    return {decl.whole(), event};
+}
+
 // Tracks the resources of one ring, or a single resource, and adds the result to the table.
 void track_ring(std::span<const ResourceId> ring, const ResolvedGraph& graph, const Schedule& order,
                 const AccessTable& events, SyncTable& table) {
@@ -48,6 +58,12 @@ void track_ring(std::span<const ResourceId> ring, const ResolvedGraph& graph, co
         touched = touched || !events[id].empty();
     }
     if (!touched) return;
+    std::vector<RangeAccess> with_program;
+    if (const Role& current = input.roles.front(); current.decl->between) {
+        with_program.assign(current.events.begin(), current.events.end());
+        with_program.push_back(read_by_program(*current.decl, order));
+        input.roles.front().events = with_program;
+    }
     const RingHistory history = track_resource(input);
     for (size_t age = 0; age < ring.size(); ++age) {
         table.histories.set(ring[age], history.roles[age]);

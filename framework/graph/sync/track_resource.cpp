@@ -72,8 +72,10 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
             const std::span<const AccessEvent> events(roles[age][cell]);
             if (persistent) state.next_frame();
             trace.entry.push_back(state.layout());
-            // The oldest copy of the ring is reused for this frame, so its content may be dropped.
-            if (roles.size() > 1 && age == 0 && !events.empty()) state.discard();
+            // The oldest copy of the ring is reused for this frame, so its content may be dropped, if a pass
+            // uses it. The program alone only reads it.
+            if (roles.size() > 1 && age == 0 && !events.empty() && events.front().pass != kNoId)
+                state.discard();
             CellSync sync;
             for (size_t i = 0; i < events.size(); ++i) state.advance(events.subspan(i), sync);
             if (decl.import) state.release(decl.import->exit, sync);
@@ -133,6 +135,12 @@ void add_entry(const SubresourceGrid& grid, ResourceKind kind, std::vector<Layou
         for (const SubresourceRange& range : grid.merge(cells))
             history.entry.push_back({kNoId, range, {stage::kNone, access::kNone, layout}, 0});
     }
+}
+
+// Moves a barrier before the program's read between frames to the end of the frame.
+void leave_to_program(CellBarrier& barrier) {
+    barrier.position = kEpiloguePosition;
+    barrier.reason = BarrierReason::release_import;
 }
 
 SubresourceGrid grid_of(const HistoryInput& input) {
@@ -195,6 +203,7 @@ RingHistory track_resource(const HistoryInput& input) {
         for (size_t age = 0; age < roles.size(); ++age) {
             for (CellBarrier& barrier : trace.sync[age].barriers) {
                 barrier.cell = cell;
+                if (barrier.position == rules.epilogue) leave_to_program(barrier);
                 barriers[age].push_back(barrier);
             }
             entries[age].push_back(trace.entry[age]);

@@ -43,7 +43,8 @@ struct GraphRequest {
     std::map<std::string, ImportSize> import_sizes = {};
     // Resources of the graph that the program uses after each frame, by name. The passes that write them are
     // never removed, the resources get memory of their own, and at the end of the frame they are in the state
-    // that the access needs. At the start of the next frame their content is discarded. Error: W243.
+    // that the access needs. At the start of the next frame, a resource with "keep" or "history" still has
+    // its content, and the program may only read it; the content of all others is discarded. Error: W243.
     std::map<std::string, ExportUse> exports = {};
     bool rests = true;  // False: passes with "rest" run in every frame.
     bool operator==(const GraphRequest&) const = default;

@@ -222,7 +222,8 @@ struct ProloguePlan {
 
 struct BarrierPlan {
     std::vector<PassStep> steps;  // By position: the barriers and operations of each pass.
-    // Transitions of imports to their exit states. They are recorded at the end of the last batch of queue 0.
+    // Transitions of imports to their exit states, and of persistent resources to ResourceDecl::between. They
+    // are recorded at the end of the last batch of queue 0.
     std::vector<BarrierDecl> epilogue;
     ProloguePlan prologue;
     // By ResourceId: 1 if several queue families share the resource, so that it needs no ownership transfers;
@@ -272,8 +273,8 @@ struct SubmissionPlan {
 };
 
 // The state of a part of a persistent or imported resource at the start of every frame. For a persistent
-// resource, only the layout in `state` is needed, because the program does not access the resource between
-// frames.
+// resource, only the layout in `state` is set. What the program reads between frames is in
+// ResourceDecl::between.
 struct BoundaryState {
     ResourceId resource = kNoId;
     SubresourceRange range;

@@ -104,6 +104,10 @@ struct ResourceDecl {
     bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
+    // For a persistent resource that the program reads between two frames (GraphRequest::exports): these
+    // reads. The frame leaves the resource in this state, and the next frame waits for the reads before it
+    // writes the resource. In a ring, only the resource of age 0 has the state.
+    std::optional<AccessState> between;
     // Name of the file with the content, as in the graph; empty: none. Such a resource is imported: Weft
     // itself provides it, and passes only read it.
     std::string file;

@@ -354,6 +354,10 @@ NativeResource ReplayExecutor::native(ResourceId resource) const {
     return {};
 }
 
+ResourceId ReplayExecutor::last_copy(ResourceId resource) const {
+    return objects_->resources.rings.copy(resource, frames_run_ == 0 ? 0 : frames_run_ - 1);
+}
+
 Result<std::unique_ptr<Executor>> Executor::create(Device& device, ExecutorInput input) {
     const ExecutorHooks hooks = input.hooks;
     Result<std::unique_ptr<PlanObjects>> objects = make_plan_objects(device, std::move(input));

@@ -225,6 +225,12 @@ VkResult FrameSlots::submit_batches(Slot& slot, uint64_t frame, const std::vecto
         result = prologue.submit(*device_, queues_[0].handle, {&slot.prologue, 1}, VK_NULL_HANDLE);
         slot.in_flight = result == VK_SUCCESS;
     }
+    if (result == VK_SUCCESS && frame > 0 && timelines_.awaits_program()) {
+        const TimelinePoint done = timelines_.program_done(frame);
+        Submission program;
+        program.add_signal(done.semaphore, done.value);
+        result = program.submit(*device_, queues_[0].handle, {}, VK_NULL_HANDLE);
+    }
     timelines_.begin_frame();
     std::vector<uint8_t> passed(queues_.size(), gate.semaphore == VK_NULL_HANDLE ? 1 : 0);
     for (uint32_t batch = 0; batch < slot.commands.size() && result == VK_SUCCESS; ++batch) {

@@ -34,6 +34,9 @@ Result<QueueTimelines> QueueTimelines::create(Device& device, const FramePlan& p
     }
     if (Status made = make_timeline(device, "before the first frame", timelines.ready_); !made)
         return made.take_errors();
+    if (timelines.order_.awaits_program())
+        if (Status made = make_timeline(device, "work of the program", timelines.program_); !made)
+            return made.take_errors();
     if (Status made = make_timeline(device, "semaphores of the program", timelines.gate_); !made)
         return made.take_errors();
     return timelines;
@@ -46,8 +49,10 @@ TimelinePoint QueueTimelines::end_of(uint32_t batch, uint64_t frame) const {
 
 std::vector<TimelinePoint> QueueTimelines::submit(uint32_t batch, uint64_t frame) {
     std::vector<TimelinePoint> points;
-    for (const QueuePoint& point : order_.submit(batch, frame))
-        points.push_back({semaphores_[point.queue].get(), point.value});
+    for (const QueuePoint& point : order_.submit(batch, frame)) {
+        const bool program = point.queue == semaphores_.size();
+        points.push_back({program ? program_.get() : semaphores_[point.queue].get(), point.value});
+    }
     if (frame == 0) points.push_back(ready());
     return points;
 }

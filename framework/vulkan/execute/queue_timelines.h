@@ -1,7 +1,7 @@
-// Purpose: the timeline semaphores of a plan (one per logical queue, and one for the prologue of frame 0),
-// and the values that each batch waits for and signals. A batch is one submission of a frame to a queue. A
-// plan with only one batch needs no semaphores. Frames count from 0. Errors: V418 (a semaphore could not be
-// created).
+// Purpose: the timeline semaphores of a plan (one per logical queue, one for the prologue of frame 0, and one
+// for the program's work between two frames), and the values that each batch waits for and signals. A batch
+// is one submission of a frame to a queue. A plan with only one batch needs no semaphores. Frames count from
+// 0. Errors: V418 (a semaphore could not be created).
 #pragma once
 
 #include <vector>
@@ -37,6 +37,10 @@ class QueueTimelines {
     // Returns the point that queue 0 signals before frame 0, after the prologue has initialised persistent
     // resources.
     [[nodiscard]] TimelinePoint ready() const { return {ready_.get(), 1}; }
+    // Returns true if batches of each frame wait for what the program has submitted since the previous frame.
+    [[nodiscard]] bool awaits_program() const { return program_.get() != VK_NULL_HANDLE; }
+    // Returns the point that queue 0 signals before the batches of a frame, after the work of the program.
+    [[nodiscard]] TimelinePoint program_done(uint64_t frame) const { return {program_.get(), frame}; }
     // Returns the next point of the timeline on which the batches of a frame wait for semaphores of the
     // program.
     [[nodiscard]] TimelinePoint next_gate() { return {gate_.get(), ++gate_value_}; }
@@ -46,6 +50,7 @@ class QueueTimelines {
     std::vector<SemaphoreHandle> semaphores_;
     BatchOrder order_;
     SemaphoreHandle ready_;
+    SemaphoreHandle program_;  // Null if no batch waits for the program.
     SemaphoreHandle gate_;
     uint64_t gate_value_ = 0;
 };

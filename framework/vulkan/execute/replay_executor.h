@@ -40,6 +40,7 @@ class ReplayExecutor final : public Executor {
     void amend(std::unique_ptr<Amendment> amendment) override;
     uint64_t transient_bytes() const override { return objects_->heap.bytes(); }
     NativeResource native(ResourceId resource) const override;
+    ResourceId last_copy(ResourceId resource) const override;
 
  private:
     struct InFlight {

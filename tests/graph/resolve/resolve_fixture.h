@@ -78,13 +78,14 @@ class ResolveTest : public ::testing::Test {
     Result<ResolvedGraph> run(const std::string& body) {
         Result<GraphDesc> graph = parsed(body);
         if (!graph) return graph.take_errors();
-        return resolve({.graph = *graph,
-                        .passes = passes,
-                        .shaders = shaders,
-                        .imports = imports,
-                        .profile = profile,
-                        .request = {.params = params, .size = output_extent, .observed = observed}},
-                       warnings);
+        return resolve(
+            {.graph = *graph,
+             .passes = passes,
+             .shaders = shaders,
+             .imports = imports,
+             .profile = profile,
+             .request = {.params = params, .size = output_extent, .observed = observed, .exports = exports}},
+            warnings);
     }
 
     ResolvedGraph good(const std::string& body) {
@@ -156,6 +157,7 @@ class ResolveTest : public ::testing::Test {
     std::map<std::string, double> params;
     Extent3D output_extent{640, 360, 1};
     std::vector<std::string> observed;
+    std::map<std::string, ExportUse> exports;
     Diagnostics warnings;
 };
 

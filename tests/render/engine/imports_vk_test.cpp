@@ -148,7 +148,7 @@ TEST_F(EngineImports, WithoutAnExportAnUnusedPassIsRemoved) {
 TEST_F(EngineImports, AResourceThatCannotBeExportedIsReported) {
     for (const char* name : {"trail", "outline", "backbuffer", "places"}) {
         render::SessionInput input = input_for(kEngineGraph, {});
-        input.request.exports = {{name, {}}};
+        input.request.exports = {{name, {Access::storage_read_write}}};
         const auto session = render::Session::create(*device_, squares({}), input, warnings_);
         ASSERT_FALSE(session) << name;
         ASSERT_EQ(session.errors().size(), 1u) << to_text(session.errors());

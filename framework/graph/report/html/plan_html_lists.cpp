@@ -49,8 +49,11 @@ std::string lasts_text(const FramePlan& plan, ResourceId id) {
     if (r.age > 0)
         return "content of " + plan.graph.resources[r.ring].name + " from " + count_text(r.age, "frame") +
                " ago";
-    return r.history > 0 ? "keeps " + count_text(r.history, "earlier frame")
-                         : "keeps its content from frame to frame";
+    const std::string kept = r.history > 0 ? "keeps " + count_text(r.history, "earlier frame")
+                                           : "keeps its content from frame to frame";
+    if (!r.between) return kept;
+    return kept + "; the program reads it between frames" +
+           (r.kind == ResourceKind::image ? std::string(" in layout ") + layout_text(r.between->layout) : "");
 }
 
 void write_kept_row(const PlanPage& page, ResourceId id, Markup& out) {

@@ -5,22 +5,50 @@
 namespace weft {
 
 bool shape_export(const ResourceDesc& desc, const ExportUse& use, ResourceDecl& decl, Reporter& reporter) {
-    const char* kept = decl.history > 0                                ? "\"history\""
-                       : !desc.file.name.empty()                       ? "\"file\""
-                       : !desc.textures.empty()                        ? "\"textures\""
-                       : decl.lifetime == ResourceLifetime::persistent ? "\"keep\", or its group keeps it"
-                                                                       : nullptr;
-    if (kept == nullptr) {
-        decl.lifetime = ResourceLifetime::imported;
-        decl.import = ImportState{{}, {}, 0, true};
-        decl.usage |= usage_of(use.access);
-        return true;
+    const char* content = !desc.file.name.empty()  ? "\"file\""
+                          : !desc.textures.empty() ? "\"textures\""
+                                                   : nullptr;
+    if (content != nullptr) {
+        add_help(reporter.error(desc.loc, "W243",
+                                "the program exports " + quote(desc.name) + ", which has " + content +
+                                    ": Weft fills it only once, before the first frame"),
+                 "copy it to another resource with a pass of type \"copy\", and export that resource");
+        return false;
     }
-    add_help(reporter.error(desc.loc, "W243",
-                            "the program exports " + quote(desc.name) +
-                                ", which lives longer than a frame: it has " + kept),
-             "copy it to another resource with a pass of type \"copy\", and export that resource");
-    return false;
+    const bool kept = decl.lifetime == ResourceLifetime::persistent;
+    const bool only_reads = reads(use.access) && !writes(use.access) && use.access != Access::present;
+    if (kept && !only_reads) {
+        add_help(reporter.error(desc.loc, "W243",
+                                "the program exports " + quote(desc.name) +
+                                    ", which keeps its content from frame to frame, with an access that does "
+                                    "not only read"),
+                 "export it with an access that only reads, for example Access::sampled_read; or copy it to "
+                 "another resource with a pass of type \"copy\", and export that resource");
+        return false;
+    }
+    decl.usage |= usage_of(use.access);
+    if (kept) return true;
+    decl.lifetime = ResourceLifetime::imported;
+    decl.import = ImportState{{}, {}, 0, true};
+    return true;
+}
+
+void set_export_states(const GraphRequest& request, std::vector<ResourceDecl>& resources) {
+    if (request.exports.empty()) return;
+    for (ResourceDecl& decl : resources) {
+        const auto found = request.exports.find(decl.name);
+        if (found == request.exports.end()) continue;
+        const AspectMask aspects = decl.kind == ResourceKind::buffer ? aspect::kNone : decl.aspects;
+        const AccessState used = access_state(found->second.access, found->second.stages, aspects);
+        if (decl.lifetime == ResourceLifetime::persistent) {
+            decl.between = used;
+        } else if (decl.import) {
+            // Before the frame, the program still uses the content of the frame before, which the frame
+            // discards.
+            decl.import->exit = decl.import->entry = used;
+            decl.import->entry.layout = Layout::undefined;
+        }
+    }
 }
 
 }  // namespace weft

@@ -8,10 +8,13 @@
 
 namespace weft {
 
-// Gives the resource an object of its own, which the program uses between frames. Its states follow from its
-// format: set_export_states(). Returns false after reporting the error W243: the resource lives longer than a
-// frame.
+// Gives the resource the usage that the program needs. A resource that lives within one frame also gets an
+// object of its own. The states follow from its format: set_export_states(). Returns false after reporting
+// the error W243: nothing in the graph writes the resource, or the program would write a kept resource.
 [[nodiscard]] bool shape_export(const ResourceDesc& desc, const ExportUse& use, ResourceDecl& decl,
                                 Reporter& reporter);
+
+// Sets the states of all exports between frames. Their formats must be known.
+void set_export_states(const GraphRequest& request, std::vector<ResourceDecl>& resources);
 
 }  // namespace weft

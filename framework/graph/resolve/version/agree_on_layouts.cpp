@@ -18,10 +18,10 @@ class LayoutAgreement {
     // The layouts that the reads of each resource need. Index: ResourceId.
     struct Wanted {
         explicit Wanted(size_t resources) : layouts(resources, Layout::undefined), differ(resources, 0) {}
-        void add(const UseDecl& read) {
-            Layout& layout = layouts[read.resource];
-            differ[read.resource] |= layout != Layout::undefined && layout != read.state.layout ? 1 : 0;
-            layout = read.state.layout;
+        void add(ResourceId resource, Layout wanted) {
+            Layout& layout = layouts[resource];
+            differ[resource] |= layout != Layout::undefined && layout != wanted ? 1 : 0;
+            layout = wanted;
         }
         std::vector<Layout> layouts;
         std::vector<uint8_t> differ;  // 1: two reads need different layouts.
@@ -42,7 +42,7 @@ class LayoutAgreement {
         Wanted wanted(graph_.resources.size());
         const auto is_member = [&](PassId pass) { return declared_.expansion.passes[pass].group == group; };
         each_read([&](PassId pass, const UseDecl& use) {
-            if (is_member(pass)) wanted.add(use);
+            if (is_member(pass)) wanted.add(use.resource, use.state.layout);
         });
         each_read([&](PassId pass, UseDecl& use) {
             if (is_member(pass) && wanted.differ[use.resource] != 0) use.state.layout = Layout::general;
@@ -50,21 +50,27 @@ class LayoutAgreement {
     }
 
     // Each image that units write has one layout while no unit writes it. If its readers need different
-    // layouts, all of them use GENERAL.
+    // layouts, all of them use GENERAL. The program is one of the readers if it reads the image between
+    // frames.
     void agree_at_home() {
         Wanted wanted(graph_.resources.size());
         for (const Cell& cell : cells_) {
-            if (graph_.resources[cell.resource].kind != ResourceKind::image) continue;
+            const ResourceDecl& image = graph_.resources[cell.resource];
+            if (image.kind != ResourceKind::image) continue;
             bool by_unit = false;
             for (const CellUse& writer : cell.writers) by_unit |= graph_.rest_units[writer.pass] != kNoId;
             for (const CellUse& reader : cell.readers) {
                 const UseDecl& use = graph_.passes[reader.pass].uses[reader.use];
-                if (by_unit || use.latest) wanted.add(use);
+                if (by_unit || use.latest) wanted.add(use.resource, use.state.layout);
             }
+            if (by_unit && image.between) wanted.add(cell.resource, image.between->layout);
         }
         each_read([&](PassId, UseDecl& use) {
             if (wanted.differ[use.resource] != 0) use.state.layout = Layout::general;
         });
+        for (ResourceId id(0); id < graph_.resources.size(); ++id)
+            if (wanted.differ[id] != 0 && graph_.resources[id].between)
+                graph_.resources[id].between->layout = Layout::general;
     }
 
     const Declared& declared_;

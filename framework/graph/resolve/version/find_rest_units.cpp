@@ -248,6 +248,8 @@ class RestUnitFinder {
     void report_not_kept(const Cell& cell, const CellUse& writer) {
         if (!is_new(cell, writer.pass, writer.pass)) return;
         const bool imported = resource(cell).lifetime == ResourceLifetime::imported;
+        if (declared_.input.request.exports.contains(resource(cell).name) && imported)
+            return report_lost_export(cell, writer);
         Diagnostic& d = error(
             writer.pass, use(writer).loc,
             reason(writer.pass) + " and writes " + what(cell) +
@@ -257,6 +259,14 @@ class RestUnitFinder {
                         ? "write a resource with \"keep\": true, and copy it to the import in another pass"
                         : "give resource " + quote(resource(cell).name) +
                               " \"keep\": true instead of \"history\"");
+    }
+
+    void report_lost_export(const Cell& cell, const CellUse& writer) {
+        Diagnostic& d = error(writer.pass, use(writer).loc,
+                              reason(writer.pass) + " and writes " + what(cell) +
+                                  ", which the program uses between frames, but this resource does not keep "
+                                  "its content between frames");
+        add_help(d, "add \"keep\": true to resource " + quote(resource(cell).name));
     }
 
     void report_lost(const Cell& cell, const CellUse& reader, const CellUse& writer) {

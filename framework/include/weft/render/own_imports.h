@@ -41,8 +41,9 @@ struct OwnImport {
                                    UsageMask usage, AccessState between);
 
 // A resource of the graph that the program uses between frames (GraphRequest::exports). One of `image` and
-// `buffer` is null. The objects change whenever a new plan begins: after Session::swap_in(), resize() and
-// rebind(), ask again.
+// `buffer` is null. The objects change whenever a new plan begins: after the first frame that follows
+// Session::swap_in(), resize() or rebind(), ask again. Of a resource with history, the object changes in
+// every frame.
 struct ExportedResource {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;  // A view of the whole image.

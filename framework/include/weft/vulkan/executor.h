@@ -179,6 +179,9 @@ class Executor {
     // Returns the Vulkan objects of a resource of the plan. All handles are null if the plan has not placed
     // the resource in memory. For a resource with history, they are those of one fixed copy.
     [[nodiscard]] virtual NativeResource native(ResourceId resource) const = 0;
+    // Returns the resource in whose memory the last frame had the content of `resource`. This is `resource`
+    // itself, unless it belongs to a ring of copies that rotate (ResourceDecl::history).
+    [[nodiscard]] virtual ResourceId last_copy(ResourceId resource) const = 0;
 };
 
 }  // namespace weft::vk
