@@ -13,13 +13,28 @@ uniform samplerCube raw;
 layout(rgba16f) writeonly uniform image2DArray dst;
 layout(push_constant) uniform Params { int i; int environmentSamples; float environmentLodBias; } params;
 
-const int kMostSamples = 128;
+const int kMostSamples = 512;
 const float kPi = 3.14159265;
 
 shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the normal; w: level of detail.
 
+// The mips from which the samples read widen the lobe. Half vectors are therefore distributed for a smaller roughness. It
+// was chosen so that the orders 1 and 2 of spherical harmonics have errors of less than 0.5 % with 32 samples and the
+// bias −0.5. The effect is inversely proportional to the number of samples.
+const float kNarrower[6] = float[6](0.0, 0.0, 0.014, 0.009, 0.006, 0.013);
+
+float sampled_roughness() {
+    return roughness_of_mip(params.i) - kNarrower[params.i] * min(32.0 / float(params.environmentSamples), 1.0);
+}
+
+// The narrow lobe of mip 1 needs fewer samples than wide lobes, and the small mips of the widest lobes cost little.
+int sample_count() {
+    const int quarters = params.i == 1 ? 1 : (params.i < 4 ? 8 : 16);
+    return clamp(params.environmentSamples * quarters / 4, 1, kMostSamples);
+}
+
 void make_sample(int k, int count) {
-    const float alpha = roughness_of_mip(params.i) * roughness_of_mip(params.i), a2 = alpha * alpha;
+    const float alpha = sampled_roughness() * sampled_roughness(), a2 = alpha * alpha;
     const float u = (float(k) + 0.5) / float(count);
     const float cos2 = (1.0 - u) / (1.0 + (a2 - 1.0) * u);
     const float sine = 2.0 * sqrt(cos2 * (1.0 - cos2)), cosine = 2.0 * cos2 - 1.0;
@@ -39,7 +54,7 @@ float hash(uint x) {
 }
 
 void main() {
-    const int count = clamp(params.environmentSamples, 1, kMostSamples);
+    const int count = sample_count();
     for (int k = int(gl_LocalInvocationIndex); k < count; k += 64) make_sample(k, count);
     barrier();
     const uvec3 at = gl_GlobalInvocationID;

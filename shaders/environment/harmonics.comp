@@ -18,6 +18,8 @@ layout(std430) writeonly buffer EnvironmentSh { vec4 items[]; } environmentSh;
 const float kPi = 3.14159265;
 const uint kSize = 8u, kBeams = 6u * kSize * kSize;
 const float kLeastShare = 0.7;  // As in framework/scene/pictures/environment.cpp.
+// Allowed error of the comparison, as a share of the mean. Smaller negative values are set to 0 when they are read.
+const float kTolerance = 0.01;
 const int kMostSteps = 21;
 
 // Squared normalisation factors of the harmonics times the factors of a cosine lobe for the orders 0, 1 and 2.
@@ -71,10 +73,11 @@ void main() {
     const float basis[9] = harmonic_basis(direction);
     vec3 orders[3] = vec3[3](coefficients[0], vec3(0.0), vec3(0.0));
     for (int i = 1; i < 9; ++i) orders[i < 4 ? 1 : 2] += coefficients[i] * basis[i];
+    const vec3 enough = least - kTolerance * coefficients[0];
     int steps = 0;
     for (; steps < kMostSteps; ++steps) {
         const vec2 factors = window(steps);
-        if (all(greaterThanEqual(orders[0] + factors.x * orders[1] + factors.y * orders[2], least))) break;
+        if (all(greaterThanEqual(orders[0] + factors.x * orders[1] + factors.y * orders[2], enough))) break;
     }
     atomicMax(most_steps, steps);
     barrier();
