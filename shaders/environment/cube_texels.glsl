@@ -1,6 +1,6 @@
 // Directions and solid angles of the texels of a cube map.
 
-// Returns the direction of a point of a face; u and v are from −1 to 1. The length is that of the point on the unit cube.
+// Returns the direction of a point of a face; `at` is from −1 to 1. The point lies on a cube with sides of length 2.
 vec3 face_direction(uint face, vec2 at) {
     switch (face) {
         case 0u: return vec3(1.0, -at.y, -at.x);

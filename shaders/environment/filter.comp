@@ -1,5 +1,5 @@
-// Writes one mip of the filtered cube: the light that a surface with the roughness of the mip mirrors if it is seen from
-// straight above (GGX with N = V). Each texel is a mean of a few samples of the raw cube. A sample reads the mip whose
+// Writes one mip of the filtered cube: the light that a surface with the roughness of the mip mirrors if it is seen
+// from straight above (GGX with N = V). Each texel is a mean of a few samples of the raw cube. A sample reads the mip whose
 // texels have about the solid angle for which the sample stands: Křivánek and Colbert 2008, "Real-time Shading with
 // Filtered Importance Sampling". The half vectors of the samples lie on a spiral with the golden angle, which is turned
 // by a different angle for each texel.
@@ -18,8 +18,8 @@ const float kPi = 3.14159265;
 
 shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the normal; w: level of detail.
 
-// The mips from which the samples read widen the lobe. Half vectors are therefore distributed for a smaller roughness. It
-// was chosen so that the orders 1 and 2 of spherical harmonics have errors of less than 0.5 % with 32 samples and the
+// The mips from which the samples read widen the lobe. So half vectors are distributed for a smaller roughness. It was
+//  chosen so that the orders 1 and 2 of spherical harmonics have errors of less than 0.5 % with 32 samples and the
 // bias −0.5. The effect is inversely proportional to the number of samples.
 const float kNarrower[6] = float[6](0.0, 0.0, 0.014, 0.009, 0.006, 0.013);
 
@@ -43,7 +43,8 @@ void make_sample(int k, int count) {
     const float pdf = a2 / (4.0 * kPi * d * d);
     const float size = float(textureSize(raw, 0).x);
     const float texels = 6.0 * size * size / (4.0 * kPi * float(count) * pdf);
-    samples[k] = vec4(sine * cos(turn), sine * sin(turn), cosine, max(0.5 * log2(texels) + params.environmentLodBias, 0.0));
+    const float lod = max(0.5 * log2(texels) + params.environmentLodBias, 0.0);
+    samples[k] = vec4(sine * cos(turn), sine * sin(turn), cosine, lod);
 }
 
 // Returns a number from 0 to 1 that looks random: Jarzynski and Olano 2020, "Hash Functions for GPU Rendering".

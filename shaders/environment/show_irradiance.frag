@@ -1,5 +1,5 @@
-// Debug view of the diffuse light of the surroundings: a panorama of the directions of the normal, and a sphere. White is
-// twice the mean.
+// Debug view of the diffuse light of the surroundings: a panorama of the directions of the normal, and a sphere. Grey
+// is the mean luminance.
 #version 460
 #include "environment_cube.glsl"
 

@@ -1,7 +1,7 @@
 // The light of the surroundings that a surface reflects (ambient light). Units: cd/m². Ports, all optional:
-// `environmentCube` and `environmentSh` of graphs/modules/environment.json, and `dfg` of graphs/modules/dfg.json. Without
-// the first two, diffuse light comes from the harmonics in `frame`, and mirrored light from the blurred picture or the
-// gradient sky.
+// `environmentCube` and `environmentSh` of graphs/modules/environment.json, and `dfg` of graphs/modules/dfg.json.
+// Without the first two, diffuse light comes from the harmonics in `frame`, and mirrored light from the blurred picture
+// or the gradient sky.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
 #include "brdf.glsl"

@@ -1,5 +1,5 @@
-// Directional albedo of the specular reflection: F0 · scale + F90 · bias is the share of the light from everywhere that
-// a surface reflects by single reflections at its microfacets (GGX, height-correlated Smith, Schlick). The port `dfg` is
+// Directional albedo of the specular reflection: F0 · scale + F90 · bias is the share of the light from everywhere
+// that a surface reflects by single reflections at its microfacets (GGX, height-correlated Smith, Schlick). The port `dfg` is
 // the table of graphs/modules/dfg.json. Without the port, a fitted function replaces the table. Light that microfacets
 // reflect several times is added as a factor: Turquin 2019, "Practical multiple scattering compensation for microfacet
 // models".

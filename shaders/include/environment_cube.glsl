@@ -1,5 +1,5 @@
-// Layout of the cube of graphs/modules/environment.json, and spherical harmonics. Mip 0 is not filtered. Mips 1 to 5 are
-// filtered for the roughnesses 0.1, 0.2, 0.4, 0.6 and 0.8. Light for the roughness 1 comes from the harmonics.
+// Layout of the cube of graphs/modules/environment.json, and spherical harmonics. Mip 0 is not filtered. Mips 1 to 5
+// are filtered for the roughnesses 0.1, 0.2, 0.4, 0.6 and 0.8. Light for the roughness 1 comes from the harmonics.
 #ifndef WEFT_ENVIRONMENT_CUBE
 #define WEFT_ENVIRONMENT_CUBE
 

@@ -1,5 +1,5 @@
-// The surroundings of the scene as the eye sees them. If the scene has an environment picture, it is used; otherwise the
-// sky is a gradient. For the light of the surroundings, see ambient.glsl. Units: cd/m².
+// The surroundings of the scene as the eye sees them. If the scene has an environment picture, it is used; otherwise
+// the sky is a gradient. For the light of the surroundings, see ambient.glsl. Units: cd/m².
 #ifndef WEFT_SKY
 #define WEFT_SKY
 #include "frame_set.glsl"
