@@ -24,6 +24,14 @@ shared::TextureTransform uv_of(const scene::TextureSlot& slot) {
     return {{m[0][0], m[1][0], m[2][0], static_cast<float>(slot.uv_set)}, {m[0][1], m[1][1], m[2][1], 0}};
 }
 
+// Returns the unit of the environment cube: a power of two by which its brightest texel is divided, so that
+// the result is between 2^13 and 2^14. Half floats then have room for dark texels: their smallest normal
+// number is 2^-14.
+float cube_unit(float brightest) {
+    if (!(brightest > 0)) return 1;
+    return std::exp2(std::clamp(std::ceil(std::log2(brightest)) - 14.0f, -100.0f, 100.0f));
+}
+
 uint32_t gpu_light_type(scene::LightType type) {
     switch (type) {
         case scene::LightType::directional:
@@ -87,10 +95,16 @@ shared::FrameConstants scene_constants(const scene::Scene& scene) {
     frame.sky_zenith = scene.sky_zenith;
     frame.sky_horizon = scene.sky_horizon;
     frame.sky_ground = scene.sky_horizon * kGroundAlbedo;
-    if (scene.environment.mips.empty()) return frame;
-    frame.environment_scale = scene.environment.scale;
-    for (size_t i = 0; i < scene.environment.irradiance_over_pi.size(); ++i)
-        frame.environment_irradiance_over_pi[i] = glm::vec4(scene.environment.irradiance_over_pi[i], 0);
+    const scene::Environment& environment = scene.environment;
+    const glm::vec3 gradient = glm::max(glm::max(frame.sky_zenith, frame.sky_horizon), frame.sky_ground);
+    frame.environment_unit =
+        cube_unit(environment.mips.empty() ? std::max({gradient.r, gradient.g, gradient.b})
+                                           : environment.light.brightest);
+    if (environment.mips.empty()) return frame;
+    frame.environment_scale = environment.scale;
+    frame.environment_light_scale = environment.light.scale;
+    for (size_t i = 0; i < environment.irradiance_over_pi.size(); ++i)
+        frame.environment_irradiance_over_pi[i] = glm::vec4(environment.irradiance_over_pi[i], 0);
     return frame;
 }
 

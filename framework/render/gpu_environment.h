@@ -1,5 +1,5 @@
-// Purpose: the environment map of a scene as a texture with mip levels. A scene without an environment gets
-// one black texel.
+// Purpose: the environment map of a scene, and its small version for lighting, as textures with mip levels. A
+// scene without an environment gets one black texel.
 #pragma once
 
 #include "vulkan/device/handle.h"
@@ -15,9 +15,12 @@ class GpuEnvironment {
 
     // Returns the texture with a sampler that repeats it horizontally and clamps it at the poles.
     [[nodiscard]] VkDescriptorImageInfo descriptor() const;
+    // Returns Environment::light with the same sampler.
+    [[nodiscard]] VkDescriptorImageInfo light_descriptor() const;
 
  private:
     vk::Image image_;
+    vk::Image light_image_;
     vk::SamplerHandle sampler_;
 };
 

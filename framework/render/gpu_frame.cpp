@@ -92,7 +92,8 @@ Result<std::unique_ptr<vk::ViewSets>> GpuFrame::make_view_sets(std::span<const v
 
 void GpuFrame::write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& views) const {
     const uint64_t slot_bytes = slot * kSlotBytes;
-    const VkDescriptorImageInfo image = environment_.descriptor(), pictures = light_functions_.pictures();
+    const VkDescriptorImageInfo image = environment_.descriptor(), light = environment_.light_descriptor(),
+                                pictures = light_functions_.pictures();
     const VkDescriptorBufferInfo shapes = light_functions_.functions();
     const std::array infos{
         VkDescriptorBufferInfo{constants_.handle(), slot_bytes, sizeof(shared::FrameConstants)}, views};
@@ -103,6 +104,7 @@ void GpuFrame::write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBu
     write_buffers(*device_, to, 3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&sun, 1});
     write_buffers(*device_, to, 4, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {&shapes, 1});
     write_images(*device_, to, 5, {&pictures, 1});
+    write_images(*device_, to, 6, {&light, 1});
 }
 
 uint32_t GpuFrame::index_of(std::string_view view) const {

@@ -31,6 +31,7 @@ constexpr std::array kBindings{
     block(0, 3, kAll, sizeof(shared::SunConstants)),
     buffer(0, 4, kAll),       // array of all light functions
     image(0, 5, kAll, true),  // array texture of the pictures that lights project
+    image(0, 6, kAll),        // small texture of the environment map, for lighting
     block(2, 0, kDraws, sizeof(shared::Material)),
     image(2, 1, kDraws),  // texture of the base colour; bindings 2 to 6 are the material's other textures
     image(2, 2, kDraws),

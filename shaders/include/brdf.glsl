@@ -14,10 +14,12 @@ struct Surface {
     vec3 f0;
     float f90;
     float alpha;      // Squared perceptual roughness (the α of GGX).
-    bool anisotropic; // True if the highlight is longer in one direction. If false, the members below are unused.
+    bool anisotropic; // True if the highlight is longer in one direction. If false, the next three members are unused.
     vec3 tangent;     // Direction in which the highlight is longer, perpendicular to the normal.
     vec3 bitangent;
     vec2 alphas;      // α along the tangent and along the bitangent.
+    vec2 albedo;      // Directional albedo of the specular reflection towards the eye: factors of F0 and of F90.
+    vec3 energy;      // Factor for the specular reflection, for light that microfacets reflect several times.
 };
 
 // Smallest α. With a smaller α, the highlight of a point light could be smaller than a pixel and overflow half floats.
@@ -33,6 +35,8 @@ Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughne
     s.anisotropic = false;
     s.tangent = s.bitangent = vec3(0.0);
     s.alphas = vec2(s.alpha);
+    s.albedo = vec2(0.0);  // with_albedo() of dfg.glsl sets this and the next member.
+    s.energy = vec3(1.0);
     return s;
 }
 
@@ -110,6 +114,6 @@ vec3 reflect_light(Surface s, vec3 v, vec3 l) {
                                ? stretched_specular(s, v, l, h, nl, nv)
                                : ggx_distribution(s.alpha, s.normal, h) * smith_visibility(s.alpha, nl, nv);
     const float base = 1.0 - max(f.r, max(f.g, f.b));
-    return (s.diffuse * (base / kPi) + f * specular) * nl;
+    return (s.diffuse * (base / kPi) + f * s.energy * specular) * nl;
 }
 #endif

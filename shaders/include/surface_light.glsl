@@ -1,16 +1,16 @@
 // Computes the light that a surface reflects to the eye from all lights and the sky, without its own emission. Units:
-// cd/m². Deferred and forward shading both use this file. Ports: the buffer `lights`, and optionally the lists
-// `tileLights`, which contain the lights that reach each tile. With lists, only the lights of the pixel's tile are
-// added, in the same order as without lists. If a list is complete, all other lights would add exactly 0, so
-// the sum has the same bits.
+// cd/m². Deferred and forward shading both use this file. Ports: the buffer `lights`, and optionally those of
+// ambient.glsl, `sunShadow`, and the lists `tileLights`, which contain the lights that reach each tile. With lists,
+// only the lights of the pixel's tile are added, in the same order as without lists. If a list is complete, all other
+// lights would add exactly 0, so the sum has the same bits.
 #ifndef WEFT_SURFACE_LIGHT
 #define WEFT_SURFACE_LIGHT
+#include "ambient.glsl"
 #include "brdf.glsl"
 #include "directional_lights.glsl"
 #include "frame_set.glsl"
 #include "light_reflection.glsl"
 #include "lights.glsl"
-#include "sky.glsl"
 #include "tile_lights.glsl"
 
 layout(constant_id = 15) const bool HAS_tileLights = false;
@@ -36,17 +36,9 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     return radiance;
 }
 
-// Returns the reflection of the sky. An anisotropic surface reflects the sky like an isotropic surface whose highlight
-// has the same peak.
-vec3 sky_reflection(Surface s, vec3 v, float roughness) {
-    if (!s.anisotropic) return ambient_reflection(s.normal, v, s.diffuse, s.f0, s.f90, roughness);
-    const float mean_roughness = sqrt(sqrt(s.alphas.x * s.alphas.y));
-    const vec3 mirrored = reflect(-v, bent_normal(s, v, roughness));
-    return ambient_reflection(s.normal, v, mirrored, s.diffuse, s.f0, s.f90, mean_roughness);
-}
-
 vec3 reflected_radiance(Surface s, vec3 position, vec3 orm, ivec2 pixel) {
     const vec3 v = normalize(view.eye - position);
-    return lights_reflection(s, v, position, pixel) + orm.r * sky_reflection(s, v, orm.g);
+    s = with_albedo(s, v);
+    return lights_reflection(s, v, position, pixel) + orm.r * ambient_reflection(s, v, orm.g);
 }
 #endif

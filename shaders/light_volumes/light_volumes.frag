@@ -2,6 +2,7 @@
 // are discarded, because they only write stencil. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
 #include "brdf.glsl"
+#include "dfg.glsl"
 #include "frame_set.glsl"
 #include "lights.glsl"
 #include "octahedral.glsl"
@@ -22,8 +23,8 @@ void main() {
     if (!gl_FrontFacing) discard;
     const ivec2 pixel = ivec2(gl_FragCoord.xy);
     const vec3 position = world_position(gl_FragCoord.xy * view.inverse_viewport, texelFetch(surfaceDepth, pixel, 0).r);
-    const Surface s = gbuffer_surface(pixel, texelFetch(orm, pixel, 0).rgb);
     const vec3 v = normalize(view.eye - position);
+    const Surface s = with_albedo(gbuffer_surface(pixel, texelFetch(orm, pixel, 0).rgb), v);
     const vec3 radiance = light_reflection(s, v, position, lights.items[light_index]) * frame.pre_exposure;
     hdr = vec4(min(radiance, vec3(kMaxStored)), 0.0);
 }

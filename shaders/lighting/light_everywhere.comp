@@ -8,9 +8,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 vec3 lit_from_afar(ivec2 pixel, vec3 position) {
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
-    const Surface s = gbuffer_surface(pixel, material);
     const vec3 v = normalize(view.eye - position);
-    return directional_reflection(s, v, position) + material.r * sky_reflection(s, v, material.g);
+    const Surface s = with_albedo(gbuffer_surface(pixel, material), v);
+    return directional_reflection(s, v, position) + material.r * ambient_reflection(s, v, material.g);
 }
 
 void main() {

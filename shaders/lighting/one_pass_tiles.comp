@@ -83,13 +83,13 @@ void cull(uint first, uint count, vec2 size_px) {
 
 vec3 lit_by_reaching(ivec2 pixel, vec3 position, uint first, uint count) {
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
-    const Surface s = gbuffer_surface(pixel, material);
     const vec3 v = normalize(view.eye - position);
+    const Surface s = with_albedo(gbuffer_surface(pixel, material), v);
     vec3 radiance = directional_reflection(s, v, position);
     for (uint word = 0u; first + word * 32u < count; ++word)
         for (uint bits = reaching[word]; bits != 0u; bits &= bits - 1u)
             radiance += light_reflection(s, v, position, lights.items[first + word * 32u + findLSB(bits)]);
-    return radiance + material.r * sky_reflection(s, v, material.g);
+    return radiance + material.r * ambient_reflection(s, v, material.g);
 }
 
 uint passed(uint words) {

@@ -18,8 +18,8 @@ struct FrameConstants {
     float environment_scale;  // Factor for texels of the environment picture; 0 if the scene has no picture.
     uint directional_count;   // Number of directional lights, which are the first lights in the list.
     uint plain_count;         // Number of lights before the first with an area or a light function.
-    uint reserved0;
-    uint reserved1;
+    float environment_unit;   // Factor for texels of the filtered environment cube, a power of two.
+    float environment_light_scale;  // Factor for texels of the small picture for lighting.
     vec4 environment_irradiance_over_pi[9];  // rgb coefficients of 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z².
 };
 

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "tests/render/session_fixture.h"
+#include "tests/render/shading/reference_ambient.h"
 #include "tests/render/shading/reference_brdf.h"
 #include "tests/render/shading/reference_light.h"
 
@@ -35,33 +36,62 @@ constexpr double kRounding = 2.0 / 2048 + 2e-4;
 // effect can be larger than this sum. This factor allows a quarter more.
 constexpr double kTogether = 1.25;
 
+// The mean radiance of the gradient sky that a surface mirrors, and the directional albedo, on grids of
+// values.
+class Ambient {
+ public:
+    explicit Ambient(const scene::Scene& scene) {
+        for (int channel = 0; channel < 3; ++channel) {
+            const CubeSum cube = cube_sum([&](const glm::dvec3& w) { return sky(scene, w)[channel]; });
+            for (int r = 0; r <= kSteps; ++r)
+                for (int y = 0; y <= kSteps; ++y) {
+                    const double height = 2.0 * y / kSteps - 1;
+                    const glm::dvec3 n(std::sqrt(1 - height * height), height, 0);
+                    // For smaller roughnesses, the texels of the sum are too large; the sky is smooth there.
+                    mirrored_[size_t(r)][size_t(y)][channel] =
+                        r * 0.05 < 0.15 ? sky(scene, n)[channel] : filtered(cube, n, r * 0.05);
+                }
+        }
+        for (int r = 0; r <= kSteps; ++r)
+            for (int c = 0; c <= kSteps; ++c)
+                albedo_[size_t(r)][size_t(c)] =
+                    reference_albedo(r * 0.05, std::max(c * c / double(kSteps * kSteps), 1e-3), 40, 8);
+    }
+    [[nodiscard]] glm::dvec3 mirrored(double height, double roughness) const {
+        return between(mirrored_, roughness, 0.5 + 0.5 * height);
+    }
+    [[nodiscard]] glm::dvec2 albedo(double roughness, double n_v) const {
+        return between(albedo_, roughness, std::sqrt(n_v));
+    }
+
+ private:
+    static constexpr int kSteps = 20;
+    template <typename T>
+    using Grid = std::array<std::array<T, kSteps + 1>, kSteps + 1>;
+
+    static glm::dvec3 sky(const scene::Scene& scene, const glm::dvec3& w) {
+        const glm::dvec3 zenith(scene.sky_zenith), horizon(scene.sky_horizon);
+        if (w.y >= 0) return glm::mix(horizon, zenith, std::sqrt(w.y));
+        const double t = std::clamp(-w.y / 0.15, 0.0, 1.0);
+        return glm::mix(horizon, horizon * 0.25, t * t * (3 - 2 * t));
+    }
+    template <typename T>
+    static T between(const Grid<T>& grid, double row, double column) {
+        const double r = std::clamp(row, 0.0, 1.0) * kSteps, c = std::clamp(column, 0.0, 1.0) * kSteps;
+        const auto i = std::min(size_t(r), size_t(kSteps - 1)), k = std::min(size_t(c), size_t(kSteps - 1));
+        return glm::mix(glm::mix(grid[i][k], grid[i][k + 1], c - double(k)),
+                        glm::mix(grid[i + 1][k], grid[i + 1][k + 1], c - double(k)), r - double(i));
+    }
+
+    Grid<glm::dvec3> mirrored_;  // First index: 20 × roughness. Second: height of the direction.
+    Grid<glm::dvec2> albedo_;    // First index: 20 × roughness. Second: 20 × √(n·v).
+};
+
 struct View {
-    const scene::Scene* scene = nullptr;
+    const Ambient* ambient = nullptr;
     std::vector<shared::Light> lights;
     glm::dvec3 eye{0};
 };
-
-// Radiance of the gradient sky in direction w, as in shaders/include/sky.glsl.
-glm::dvec3 sky(const scene::Scene& scene, const glm::dvec3& w) {
-    const glm::dvec3 zenith(scene.sky_zenith), horizon(scene.sky_horizon);
-    if (w.y >= 0) return glm::mix(horizon, zenith, std::sqrt(w.y));
-    const double t = std::clamp(-w.y / 0.15, 0.0, 1.0);
-    return glm::mix(horizon, horizon * 0.25, t * t * (3 - 2 * t));
-}
-
-glm::dvec3 matt_sky(const scene::Scene& scene, const glm::dvec3& n) {
-    const glm::dvec3 above = glm::mix(glm::dvec3(scene.sky_horizon), glm::dvec3(scene.sky_zenith), 0.8);
-    return glm::mix(glm::dvec3(scene.sky_horizon) * 0.25, above, 0.5 + 0.5 * n.y);
-}
-
-// Lazarov's approximation of the directional albedo, as in shaders/include/sky.glsl. Returns the factor of F0
-// (x) and the factor of F90 (y).
-glm::dvec2 dfg(double roughness, double nv) {
-    const double a = 1 - roughness, b = 0.0425 - 0.0275 * roughness, c = 1.04 - 0.572 * roughness,
-                 d = 0.022 * roughness - 0.04;
-    const double a004 = std::min(a * a, std::exp2(-9.28 * nv)) * a + b;
-    return {-1.04 * a004 + c, 1.04 * a004 + d};
-}
 
 glm::dvec3 radiance(const Stored& p, const View& view) {
     ReferenceSurface s;
@@ -72,20 +102,23 @@ glm::dvec3 radiance(const Stored& p, const View& view) {
     s.dielectric_f0 = p.f0_root * p.f0_root;
     s.specular = p.specular;
     const glm::dvec3 v = glm::normalize(view.eye - p.position);
+    const double n_v = std::clamp(glm::dot(s.normal, v), 0.0, 1.0);
+    const glm::dvec2 albedo = view.ambient->albedo(p.roughness, n_v);
+    const glm::dvec3 f0 = glm::mix(s.dielectric_f0 * s.specular, s.base_color, s.metallic);
+    s.energy = 1.0 + f0 * (1 / (albedo.x + albedo.y) - 1);
     glm::dvec3 sum(0);
     for (const shared::Light& light : view.lights) {
         glm::dvec3 l;
         const glm::dvec3 e = incident(light, p.position, l);
         if (e != glm::dvec3(0)) sum += reflected(s, v, l) * e;
     }
-    const glm::dvec2 scale_bias = dfg(p.roughness, std::clamp(glm::dot(s.normal, v), 0.0, 1.0));
-    const glm::dvec3 f0 = glm::mix(s.dielectric_f0 * s.specular, s.base_color, s.metallic);
     const glm::dvec3 mirror =
-        f0 * scale_bias.x + glm::dvec3(glm::mix(s.specular, 1.0, s.metallic) * scale_bias.y);
+        (f0 * albedo.x + glm::dvec3(glm::mix(s.specular, 1.0, s.metallic) * albedo.y)) * s.energy;
     const glm::dvec3 matt = s.base_color * (1 - s.metallic) * (1 - std::max({mirror.x, mirror.y, mirror.z}));
-    const glm::dvec3 seen =
-        glm::mix(sky(*view.scene, glm::reflect(-v, s.normal)), matt_sky(*view.scene, s.normal), p.roughness);
-    return sum + p.occlusion * (matt * matt_sky(*view.scene, s.normal) + mirror * seen);
+    const double alpha = p.roughness * p.roughness, shift = (1 - alpha) * (std::sqrt(1 - alpha) + alpha);
+    const glm::dvec3 middle = glm::normalize(glm::mix(s.normal, glm::reflect(-v, s.normal), shift));
+    return sum + p.occlusion * (matt * view.ambient->mirrored(s.normal.y, 1) +
+                                mirror * view.ambient->mirrored(middle.y, p.roughness));
 }
 
 // Returns the bound of the error. Each stored number is changed by its largest error, once up and once down,
@@ -157,7 +190,8 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
                                         WEFT_SOURCE_DIR "/graphs/forward.json");
         ASSERT_EQ(deferred.images.size(), 6u);
         ASSERT_EQ(forward.images.size(), 1u);
-        const View view{&*scene, deferred.lights, glm::dvec3(deferred.view.eye)};
+        const Ambient ambient(*scene);
+        const View view{&ambient, deferred.lights, glm::dvec3(deferred.view.eye)};
         const glm::dmat4 to_world =
             glm::inverse(glm::dmat4(deferred.view.projection) * glm::dmat4(deferred.view.view));
         const double gain = deferred.pre_exposure;

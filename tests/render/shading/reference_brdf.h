@@ -33,6 +33,7 @@ struct ReferenceSurface {
     double roughness = 1;
     glm::dvec3 dielectric_f0{0.04};
     double specular = 1;
+    glm::dvec3 energy{1};  // Factor for the specular reflection.
 };
 
 // Returns the BRDF f times n·l for each channel; 0 for light below the horizon.
@@ -48,7 +49,7 @@ inline glm::dvec3 reflected(const ReferenceSurface& s, const glm::dvec3& v, cons
     const double g2 = smith_g2_correlated(alpha, n_l, n_v);
     const double d = ggx(alpha, std::min(1.0, glm::dot(s.normal, h)));
     const glm::dvec3 diffuse = s.base_color * (1 - s.metallic) * (1 - std::max({f.x, f.y, f.z})) / kPi;
-    return (diffuse + f * (d * g2 / (4 * n_l * n_v))) * n_l;
+    return (diffuse + f * s.energy * (d * g2 / (4 * n_l * n_v))) * n_l;
 }
 
 }  // namespace weft::test

@@ -14,6 +14,16 @@
 
 namespace weft::scene {
 
+// A small version of a picture of the surroundings, from which the light on surfaces is computed. The format of
+// `mips` and `scale` is that of Environment.
+struct LightPicture {
+    uint32_t width_px = 0;
+    uint32_t height_px = 0;
+    std::vector<std::vector<uint32_t>> mips;
+    float scale = 1;
+    float brightest = 0;  // The largest channel of all texels of mip 0, in cd/m².
+};
+
 // A picture of the surroundings of a scene. If `mips` is empty, the scene has none.
 struct Environment {
     std::string name;
@@ -29,6 +39,7 @@ struct Environment {
     // is the sum of irradiance_over_pi[i] × environment_basis(n)[i]. A small bright source, such as the sun,
     // can cause negative values for directions away from it (ringing). Then the orders 1 and 2 are reduced.
     std::array<glm::vec3, 9> irradiance_over_pi{};
+    LightPicture light;
 };
 
 // Makes an Environment from radiance in cd/m²: width_px × height_px texels, all finite and not negative.

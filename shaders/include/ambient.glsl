@@ -1,0 +1,78 @@
+// The light of the surroundings that a surface reflects (ambient light). Units: cd/m². Ports, all optional:
+// `environmentCube` and `environmentSh` of graphs/modules/environment.json, and `dfg` of graphs/modules/dfg.json.
+// Without the first two, diffuse light comes from the harmonics in `frame`, and mirrored light from the blurred picture
+// or the gradient sky.
+#ifndef WEFT_AMBIENT
+#define WEFT_AMBIENT
+#include "brdf.glsl"
+#include "dfg.glsl"
+#include "environment_cube.glsl"
+#include "frame_set.glsl"
+#include "sky.glsl"
+
+layout(constant_id = 23) const bool HAS_environmentCube = false;
+layout(constant_id = 24) const bool HAS_environmentSh = false;
+uniform samplerCube environmentCube;  // Radiance / frame.environment_unit; each mip is filtered for a roughness.
+layout(std430) readonly buffer EnvironmentSh { vec4 items[]; } environmentSh;  // 4 or 9 coefficients, in cd/m².
+
+// Returns irradiance / π of the environment picture, from its first three orders of spherical harmonics. The sum can be
+// negative for a small bright source, so negative values become 0.
+vec3 picture_irradiance_over_pi(vec3 n) {
+    const float basis[9] = harmonic_basis(n);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 9; ++i) sum += frame.environment_irradiance_over_pi[i].rgb * basis[i];
+    return max(sum, vec3(0.0));
+}
+
+// Returns irradiance / π of the gradient sky and the ground on a surface with normal `n`. The irradiance of the whole
+// sky, weighted by the cosine, is 4/5 zenith and 1/5 horizon (∫ √y · y dy = 4/5 ∫ y dy). Sky and ground are mixed by
+// their shares of the hemisphere.
+vec3 gradient_irradiance_over_pi(vec3 n) {
+    const vec3 above = mix(frame.sky_horizon, frame.sky_zenith, 0.8);
+    return mix(frame.sky_ground, above, 0.5 + 0.5 * n.y);
+}
+
+// Returns irradiance / π of the surroundings on a surface with the normal `n`.
+vec3 sky_irradiance_over_pi(vec3 n) {
+    if (HAS_environmentSh) {
+        const float basis[9] = harmonic_basis(n);
+        const int terms = min(environmentSh.items.length(), 9);
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < terms; ++i) sum += environmentSh.items[i].rgb * basis[i];
+        return max(sum, vec3(0.0));
+    }
+    return has_environment() ? picture_irradiance_over_pi(n) : gradient_irradiance_over_pi(n);
+}
+
+// Returns the sky's radiance in a mirrored direction, blurred for the roughness, without a filtered cube. A GGX lobe is
+// about 2 α wide. At the largest roughness, the result is that of a diffuse surface.
+vec3 blurred_radiance(vec3 direction, vec3 n, float roughness) {
+    if (!has_environment())
+        return mix(gradient_radiance(direction), sky_irradiance_over_pi(n), roughness);
+    const float alpha = roughness * roughness;
+    return mix(environment_radiance(direction, 2.0 * alpha), sky_irradiance_over_pi(n), alpha);
+}
+
+// Returns the mean radiance that a surface with this roughness mirrors. `mirrored` is the direction in which a smooth
+// surface mirrors the sky. The middle of the lobe of a rough surface is nearer to the normal: Lagarde and de Rousiers
+// 2014, "Moving Frostbite to Physically Based Rendering". Surfaces with the roughness 1 mirror irradiance / π.
+vec3 mirrored_radiance(vec3 mirrored, vec3 n, float roughness) {
+    if (!HAS_environmentCube) return blurred_radiance(mirrored, n, roughness);
+    const float alpha = roughness * roughness;
+    const vec3 middle = normalize(mix(n, mirrored, (1.0 - alpha) * (sqrt(1.0 - alpha) + alpha)));
+    const float lod = lod_of_roughness(roughness);
+    const vec3 filtered = textureLod(environmentCube, middle, min(lod, kLastFiltered)).rgb * frame.environment_unit;
+    if (lod <= kLastFiltered) return filtered;
+    return mix(filtered, sky_irradiance_over_pi(middle), min(lod - kLastFiltered, 1.0));
+}
+
+// Returns the reflection of the surroundings. with_albedo() must have set the members of `s`. An anisotropic surface
+// reflects the sky like an isotropic surface whose highlight has the same peak.
+vec3 ambient_reflection(Surface s, vec3 v, float roughness) {
+    const vec3 specular = (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy;
+    const vec3 base = s.diffuse * (1.0 - max(specular.r, max(specular.g, specular.b)));
+    const vec3 across = s.anisotropic ? bent_normal(s, v, roughness) : s.normal;
+    const float blur = s.anisotropic ? sqrt(sqrt(s.alphas.x * s.alphas.y)) : roughness;
+    return base * sky_irradiance_over_pi(s.normal) + specular * mirrored_radiance(reflect(-v, across), s.normal, blur);
+}
+#endif

@@ -1,0 +1,53 @@
+// Directional albedo of the specular reflection: F0 · scale + F90 · bias is the share of the light from everywhere
+// that a surface reflects by single reflections at its microfacets (GGX, height-correlated Smith, Schlick). The port `dfg` is
+// the table of graphs/modules/dfg.json. Without the port, a fitted function replaces the table. Light that microfacets
+// reflect several times is added as a factor: Turquin 2019, "Practical multiple scattering compensation for microfacet
+// models".
+#ifndef WEFT_DFG
+#define WEFT_DFG
+#include "brdf.glsl"
+
+layout(constant_id = 22) const bool HAS_dfg = false;
+uniform sampler2D dfg;  // r: scale, g: bias, b: 1 if several reflections are added, else 0.
+
+// Position in the table. The cosine is stored as its square root, because the values change fastest at grazing angles.
+// The first and the last texel are for the values 0 and 1.
+vec2 dfg_uv(float roughness, float nv) {
+    const vec2 size = vec2(textureSize(dfg, 0));
+    return (vec2(sqrt(nv), roughness) * (size - 1.0) + 0.5) / size;
+}
+
+// Returns scale and bias. The sum of both and the bias are polynomials of z = n·v / (n·v + 0.8 α) and r, the roughness.
+// They were fitted to the integrals on a grid of 50 × 41 values, with weights that were adapted until the largest error
+// was smallest (Lawson 1961). Largest errors for n·v from 0.02 to 1 and all roughnesses: 0.0097 (scale), 0.0055 (bias).
+vec2 fitted_dfg(float r, float nv) {
+    const float z = nv / (nv + max(0.8 * r * r, 1e-4));
+    const float sum = ((((-3.4414 * z + (2.2524 * r + 6.8158)) * z + ((-3.5227 * r - 1.5134) * r - 4.1366)) * z +
+                        (((-1.2944 * r + 6.0755) * r - 0.8517) * r + 0.8963)) * z +
+                       ((((6.2847 * r - 14.9971) * r + 9.6382) * r - 3.4336) * r + 0.2304)) * z +
+                      (((((5.0420 * r - 16.5380) * r + 20.5265) * r - 12.0993) * r + 3.3992) * r + 0.6384);
+    const float share = (((-1.9475 * z + (1.7266 * r + 4.9068)) * z + ((1.8278 * r + 0.4979) * r - 4.1132)) * z +
+                         (((3.1845 * r - 5.2391) * r + 1.0551) * r + 1.2085)) * z +
+                        ((((-0.1640 * r - 1.0294) * r + 3.1969) * r - 2.9090) * r + 0.9390);
+    const float away = 1.0 - nv, away2 = away * away;
+    const float bias = clamp(share * away2 * away2 * away, 0.0, 1.0);
+    return vec2(max(min(sum, 1.0) - bias, 0.0), bias);
+}
+
+// Returns the surface with the factors for its specular reflection towards `v`. With F0 = F90 = 1, the reflection of
+// light from everywhere becomes 1.
+Surface with_albedo(Surface s, vec3 v) {
+    const float roughness = sqrt(sqrt(s.alphas.x * s.alphas.y));
+    const float nv = clamp(dot(s.normal, v), 0.0, 1.0);
+    float several = 1.0;
+    if (HAS_dfg) {
+        const vec3 texel = textureLod(dfg, dfg_uv(roughness, nv), 0.0).rgb;
+        s.albedo = texel.rg;
+        several = texel.b;
+    } else {
+        s.albedo = fitted_dfg(roughness, nv);
+    }
+    s.energy = 1.0 + several * s.f0 * (1.0 / (s.albedo.x + s.albedo.y) - 1.0);
+    return s;
+}
+#endif

@@ -1,0 +1,17 @@
+// Layout of the cube of graphs/modules/environment.json, and spherical harmonics. Mip 0 is not filtered. Mips 1 to 5
+// are filtered for the roughnesses 0.1, 0.2, 0.4, 0.6 and 0.8. Light for the roughness 1 comes from the harmonics.
+#ifndef WEFT_ENVIRONMENT_CUBE
+#define WEFT_ENVIRONMENT_CUBE
+
+const float kLastFiltered = 5.0;
+
+// Returns the mip for a roughness; 6 stands for the harmonics.
+float lod_of_roughness(float roughness) { return min(10.0 * roughness, 1.0 + 5.0 * roughness); }
+
+float roughness_of_mip(int mip) { return mip < 2 ? 0.1 * float(mip) : 0.2 * float(mip - 1); }
+
+// Returns the basis functions of frame.environment_irradiance_over_pi and environmentSh.
+float[9] harmonic_basis(vec3 n) {
+    return float[9](1.0, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.x * n.z, 3.0 * n.y * n.y - 1.0, n.x * n.x - n.z * n.z);
+}
+#endif
