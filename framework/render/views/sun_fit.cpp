@@ -15,6 +15,9 @@ constexpr std::array kPlaces{1.0 / 256, 1.0 / 64,  1.0 / 16,  2.0 / 16,  3.0 / 1
                              13.0 / 16, 14.0 / 16, 15.0 / 16, 63.0 / 64, 255.0 / 256};
 // Number of divisions of all patches that are followed further: those that are the best for two maps.
 constexpr size_t kFollowed = 8;
+// Additional cost of a patch that is left to the map that covers everything, so that only few are: its texels
+// count as four times as wide.
+const double kOmittedCost = std::log(16.0);
 // Least side of a rectangle, in metres, so that its area is not 0.
 constexpr double kLeastRectSide_m = 1e-3;
 // Axes along which a group is divided: the two axes of the plane, and the distance from the eye.
@@ -86,7 +89,7 @@ struct Fit {
 class Fitter {
  public:
     Fitter(std::span<const VisiblePatch> patches, const LightRect& whole)
-        : patches_(patches), whole_(log_area(whole)), side_(patches.size()) {}
+        : patches_(patches), whole_(log_area(whole) + kOmittedCost), side_(patches.size()) {}
 
     [[nodiscard]] PatchGroup all() const {
         PatchGroup group;

@@ -97,12 +97,13 @@ void add_unknown(const Rays& rays, const Ray& ray, const SeenScene& seen, double
                  const LightAxes& axes, std::vector<VisiblePatch>& patches) {
     const glm::dvec2 span = span_in_box(*seen.unknown, rays.eye(), ray.direction);
     const double to_m = std::min(span.y, seen.reach_m);
+    const double first_m = std::max(span.x, near_m);
     double from_m = std::max({span.x, near_m, to_m * kFirstPartShare});
     if (from_m >= to_m) return;
     const double ratio = std::pow(to_m / from_m, 1.0 / kParts);
     for (size_t part = 0; part < kParts; ++part, from_m *= ratio) {
         VisiblePatch patch;
-        for (const double distance_m : {from_m, from_m * ratio}) {
+        for (const double distance_m : {part == 0 ? first_m : from_m, from_m * ratio}) {
             const glm::dvec2 at = axes.place(rays.at(ray, distance_m));
             const double half_m = rays.half_width() * distance_m;
             patch.rect.add(LightRect{at - half_m, at + half_m});

@@ -73,6 +73,7 @@ TEST(SunCascades, MoveByWholeTexelsHoweverTheCameraMoves) {
     size_t moved = 0, same = 0;
     for (int run = 0; run < 200; ++run) {
         Shot shot = random_shot(random);
+        shot.scene.unknown = shot.scene.bounds;
         const render::SunCascades before = render::sun_cascades(shot.camera, kAspect, shot.scene, kMaps);
         const double step_m = std::pow(10, random.between(-4, 1));
         const glm::vec3 eye =
@@ -97,8 +98,8 @@ TEST(SunCascades, MoveByWholeTexelsHoweverTheCameraMoves) {
         "number\n",
         seed, same, moved, worst);
     EXPECT_LE(worst, 1e-3) << "seed " << seed;
-    EXPECT_GT(same, 200u) << "seed " << seed;
-    EXPECT_GT(moved, 20u) << "what never moves proves nothing; seed " << seed;
+    EXPECT_GT(same, 100u) << "seed " << seed;
+    EXPECT_GT(moved, 4u) << "what never moves proves nothing; seed " << seed;
 }
 
 // The texels have few sizes: powers of 2^(1/4).

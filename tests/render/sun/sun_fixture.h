@@ -85,16 +85,33 @@ inline double inside_map(const render::SunCascades& sun, uint32_t i, const glm::
     return std::min({at.x, at.y, size - at.x, size - at.y});
 }
 
+// Returns the sizes of the texels of the maps that are used for a point. Near the edge of a map, the distance
+// from the edge is added, because the share of the map depends on it. If the result is the same for two
+// frames, the maps have moved by whole texels only.
+inline std::vector<glm::dvec2> maps_at(const Seen& seen, const glm::vec3& point) {
+    std::vector<glm::dvec2> sizes;
+    for (uint32_t i = 0; i < seen.sun.count; ++i) {
+        const double inside = inside_map(seen.sun, i, point);
+        // The shader moves the point by up to two texels before it looks for the map.
+        if (inside <= 0) continue;
+        sizes.push_back(seen.sun.cascades[i].texel_m);
+        if (inside >= 4 + double{shared::kSunBlendTexels}) break;
+        sizes.emplace_back(inside);
+    }
+    return sizes;
+}
+
 // Returns the size in metres of the texels of the shadow map that is used for a point: the longer side. Where
 // several maps blend, the largest size is returned.
 inline double texel_at(const Seen& seen, const glm::vec3& point) {
     double texel_m = 0;
     for (uint32_t i = 0; i < seen.sun.count; ++i) {
         const double inside = inside_map(seen.sun, i, point);
-        if (inside <= 2) continue;
+        // The shader moves the point by up to two texels before it looks for the map.
+        if (inside <= 0) continue;
         const glm::dvec2 sides_m = seen.sun.cascades[i].texel_m;
         texel_m = std::max({texel_m, sides_m.x, sides_m.y});
-        if (inside >= 2 + double{shared::kSunBlendTexels}) break;
+        if (inside >= 4 + double{shared::kSunBlendTexels}) break;
     }
     return texel_m;
 }
