@@ -62,7 +62,9 @@ std::optional<scene::Bounds> GpuScene::bounds() const {
 
 std::optional<scene::Bounds> GpuScene::unknown_bounds() const {
     std::optional<scene::Bounds> all;
-    parts_.each([&](const GpuPart& part) { all = united(all, part.moving().bounds()); });
+    parts_.each([&](const GpuPart& part) {
+        if (part.still_surfaces().empty()) all = united(all, part.moving().bounds());
+    });
     for (const auto& [name, own] : settings_.draw_lists) all = united(all, own.list->bounds());
     return all;
 }

@@ -45,8 +45,8 @@ class GpuScene final : public vk::DrawSource {
     void begin_frame(uint32_t slot, double time_s);
     // Returns the box around all objects and all draw lists of the program; nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> bounds() const;
-    // Returns the box around the objects whose surfaces GpuPart::still_surfaces() does not know: moving
-    // objects and draw lists of the program. nullopt if there are none.
+    // Returns the box around the draw lists of the program and around the parts in which all objects move.
+    // Nothing else is known about their surfaces. nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> unknown_bounds() const;
     // Returns true if a draw list of the program does not tell its bounds.
     [[nodiscard]] bool has_unbounded_lists() const;
