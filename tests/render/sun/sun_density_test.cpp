@@ -43,7 +43,7 @@ struct SunlitScene {
 
 // Texels per pixel: the square root of the number of texels of the map on the part of the surface that a
 // pixel shows. Surfaces that face away from the sun do not count.
-Texels texels_of(const SunlitScene& sunlit) {
+Texels density_of(const SunlitScene& sunlit) {
     const scene::Camera& camera = sunlit.camera;
     const glm::dvec3 to_sun(sunlit.to_sun);
     const render::SurfaceTree surfaces(render::still_surfaces(sunlit.scene, false));
@@ -86,7 +86,7 @@ Texels texels_of_camera(uint32_t camera_index) {
         std::ranges::find(sunlit.scene.lights, scene::LightType::directional, &scene::Light::type);
     sunlit.to_sun = -glm::normalize(light->direction);
     sunlit.camera = sunlit.scene.cameras.at(camera_index);
-    return texels_of(sunlit);
+    return density_of(sunlit);
 }
 
 // A hilly square with sides of `side_m`, and a camera 1.7 m above its middle that looks at the horizon.
@@ -137,7 +137,7 @@ TEST(SunDensity, OfTheOtherViewsIsTwiceThatOfSpheres) {
 }
 
 TEST(SunDensity, OfATerrainOfOneKilometreIsFineNearTheEye) {
-    const Texels texels = texels_of(terrain(1000));
+    const Texels texels = density_of(terrain(1000));
     EXPECT_GE(texels.median, 0.5);
     EXPECT_GE(texels.covered * 100, texels.all * 80);
 }
@@ -149,12 +149,12 @@ TEST(SunDensity, IsFineOutsideTheSceneAndAtAWall) {
     sunlit.camera.name = "outside";
     sunlit.camera.transform =
         glm::inverse(glm::lookAt(glm::vec3(30, 25, 60), glm::vec3(0), glm::vec3(0, 1, 0)));
-    const Texels outside = texels_of(sunlit);
+    const Texels outside = density_of(sunlit);
     EXPECT_GE(outside.covered * 100, outside.all * 95);
     sunlit.camera.name = "at a wall";
     sunlit.camera.transform =
         glm::inverse(glm::lookAt(glm::vec3(2, 1.6f, -8.2f), glm::vec3(2.5f, 1.4f, -12), glm::vec3(0, 1, 0)));
-    const Texels wall = texels_of(sunlit);
+    const Texels wall = density_of(sunlit);
     EXPECT_GE(wall.covered * 100, wall.all * 90);
     EXPECT_GE(wall.median, 1);
 }

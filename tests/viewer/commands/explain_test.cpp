@@ -104,7 +104,7 @@ TEST(Explain, WithoutABarrierItSaysWhyThereIsNone) {
 TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
     expect_parts(ask({"alias", "hdr", "albedo"}),
                  {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"),
-                  "has bytes 0 to ", "Both are alive from 0 \"gbuffer\" to 5 \"lighting\""});
+                  "has bytes 0 to ", "Both are alive from 0 \"gbuffer\" to 6 \"lighting\""});
     expect_parts(ask({"alias", "velocity", "lights"}),
                  {"They share memory", "\"lights\" (" + place_of(kDeferredGraph, "\"lights\":"),
                   "takes over the memory from \"velocity\""});
@@ -141,7 +141,7 @@ TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
     expect_parts(run.out,
                  {"runs in this submission: queue 1, ",
                   "Before the submission begins, it waits for queue 0, ", "must not start before",
-                  "\"sunShadows#2\" (", "): port \"depth\" (", "writes \"sunShadow.mip(0).layer(2)\"",
+                  "\"sunShadows#3\" (", "): port \"depth\" (", "writes \"sunShadow.mip(0).layer(3)\"",
                   "\"lighting\" (" + graph + ":24:5): port \"", "This submission must end before queue 0, "});
     const RunResult barrier = run_weft(
         {"explain", graph, "barrier", "gbuffer", "lighting", "--queues", "2", "--profile", "discrete"});
@@ -153,8 +153,8 @@ TEST(Explain, AResourceIsDescribedWithItsUsers) {
     expect_parts(ask({"resource", "hdr"}),
                  {"\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":") +
                       ") is an image, rgba16f, 1280x720 (d2), transient",
-                  "It needs 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 8 \"tonemap\"",
-                  "5 \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
+                  "It needs 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 9 \"tonemap\"",
+                  "6 \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
                   "No other resource shares this memory"});
     expect_parts(ask({"resource", "hdr", "--size", "64x32"}), {"64x32", "It needs 16.0 KiB"});
 }
