@@ -93,9 +93,11 @@ shared::FrameConstants DrawnScene::frame_constants() const {
 
 // The sun is the first directional light. Directional lights come first in `lights_`, so only element 0 is
 // checked.
-SunCascades DrawnScene::find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const {
+SunCascades DrawnScene::find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) {
     if (maps.count == 0 || lights_.empty() || lights_[0].type != shared::kLightDirectional) return {};
-    return sun_cascades(camera, aspect, {-lights_[0].direction, bounds_}, maps);
+    SunScene sunlit{-lights_[0].direction, bounds_, {}, gpu_->unknown_bounds(), gpu_->has_unbounded_lists()};
+    gpu_->parts().each([&](const GpuPart& part) { sunlit.surfaces.push_back(&part.still_surfaces()); });
+    return sun_.find(camera, aspect, sunlit, maps, gpu_->parts().parts_version());
 }
 
 }  // namespace weft::render

@@ -35,7 +35,7 @@ class DrawnScene {
     // Returns the cascades of the sun's shadow: for each shadow map in `maps`, the view from which it is
     // drawn. Empty if the scene has no directional light with an intensity above 0, or if the graph draws no
     // shadow map of the sun. `aspect` is width / height of the picture.
-    [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps) const;
+    [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps);
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
     [[nodiscard]] const GpuScene& gpu() const { return *gpu_; }
 
@@ -51,6 +51,7 @@ class DrawnScene {
     bool has_program_lights_ = false;  // True if `lights_` are those of FrameInput::lights.
     std::vector<shared::Light> lights_;
     scene::Bounds bounds_;
+    SunCascadesCache sun_;
     shared::FrameConstants constants_{};
 };
 

@@ -60,6 +60,20 @@ std::optional<scene::Bounds> GpuScene::bounds() const {
     return all;
 }
 
+std::optional<scene::Bounds> GpuScene::unknown_bounds() const {
+    std::optional<scene::Bounds> all;
+    parts_.each([&](const GpuPart& part) {
+        if (part.still_surfaces().empty()) all = united(all, part.moving().bounds());
+    });
+    for (const auto& [name, own] : settings_.draw_lists) all = united(all, own.list->bounds());
+    return all;
+}
+
+bool GpuScene::has_unbounded_lists() const {
+    return std::ranges::any_of(settings_.draw_lists,
+                               [](const auto& own) { return !own.second.list->bounds(); });
+}
+
 Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
                            const shared::SunConstants& sun, std::span<const FrameView> views,
                            std::span<const ViewNames> united_views) {

@@ -45,6 +45,11 @@ class GpuScene final : public vk::DrawSource {
     void begin_frame(uint32_t slot, double time_s);
     // Returns the box around all objects and all draw lists of the program; nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> bounds() const;
+    // Returns the box around the draw lists of the program and around the parts in which all objects move.
+    // Nothing else is known about their surfaces. nullopt if there are none.
+    [[nodiscard]] std::optional<scene::Bounds> unknown_bounds() const;
+    // Returns true if a draw list of the program does not tell its bounds.
+    [[nodiscard]] bool has_unbounded_lists() const;
 
     // Writes the constants of a frame slot, and sorts the transparent surfaces by distance. Call it between
     // Executor::begin_frame() and run(). The first view is the camera. `united_views`: the views of each pass

@@ -13,9 +13,9 @@ uniform sampler2DArrayShadow sunShadow;
 // Largest slope of a surface that the comparison of depths follows. The slope is the tangent of the angle between the
 // normal and the direction to the sun.
 const float kSunMostSlope = 2.0;
-// kSunReach: half the diagonal of the filter's 4 × 4 texels. kSunQuadReach: distance from the corner that 2 × 2 texels
-// share to their centres. Units: texels.
-const float kSunReach = 2.8284, kSunQuadReach = 0.7071;
+// kSunReach: half the width of the filter's 4 × 4 texels. kSunQuadReach: distance in x and in y from the corner that
+// 2 × 2 texels share to their centres. Units: texels.
+const float kSunReach = 2.0, kSunQuadReach = 0.5;
 // Offset along the light, in texels, for rounding errors and for normals that differ from the real surface.
 const float kSunBiasTexels = 1.0;
 
@@ -26,24 +26,30 @@ struct SunPlace {
     vec2 size;     // Width and height of the map, in texels.
 };
 
-// Finds the place of a point in map i. On a plane tilted by θ against the map, depth changes by tan θ per texel, and an
-// offset d along the normal raises the depth by d / cos θ. The slope is clamped for steep planes. The offset makes up
-// for the clamping, so that a plane does not shadow itself.
+// Finds the place of a point in map i. `across` is the part of the normal along the rows and columns of the map. On a
+// plane, depth changes by -across / cos_light per metre. An offset along the normal of d raises the depth by
+// d / cos_light. The slope is clamped for steep planes. The offset makes up for the clamping, and for the differences
+// within 2 × 2 texels, so that a plane does not shadow itself.
 SunPlace place_in_map(uint i, vec3 position, vec3 normal) {
     const SunCascade cascade = sun.cascades[i];
     const vec2 size = vec2(textureSize(sunShadow, 0).xy);
     const float cos_light = max(dot(normal, sun.to_sun), 1e-3);
     const float sin_light = sqrt(max(0.0, 1.0 - cos_light * cos_light));
     const vec2 across = mat3x2(cascade.world_to_map) * normal * (size * cascade.texel_m);
-    const vec2 slope = -across / max(cos_light, sin_light / kSunMostSlope);
-    const float offset = kSunQuadReach * sin_light + kSunReach * max(0.0, sin_light - kSunMostSlope * cos_light);
-    const vec3 moved = position + (normal * offset + sun.to_sun * kSunBiasTexels) * cascade.texel_m;
+    const float steepest = max(cos_light, sin_light / kSunMostSlope);
+    const float reach = kSunQuadReach + kSunReach * (1.0 - cos_light / steepest);
+    const float offset_m = reach * dot(abs(across), cascade.texel_m);
+    const float bias_m = kSunBiasTexels * max(cascade.texel_m.x, cascade.texel_m.y);
+    const vec3 moved = position + normal * offset_m + sun.to_sun * bias_m;
     const vec3 place = (cascade.world_to_map * vec4(moved, 1.0)).xyz;
-    return SunPlace(i, vec3(place.xy * size, place.z), slope * (cascade.texel_m / cascade.depth_m), size);
+    const vec2 slope = -across / steepest * (cascade.texel_m / cascade.depth_m);
+    return SunPlace(i, vec3(place.xy * size, place.z), slope, size);
 }
 
-bool is_in_map(SunPlace place) {
-    return all(greaterThanEqual(place.at.xy, vec2(2.0))) && all(lessThanEqual(place.at.xy, place.size - 2.0));
+// Returns 0 at the edge of the map's usable part and outside, and 1 where the map needs no blending with the next one.
+float share_of_map(SunPlace place) {
+    const vec2 inside = min(place.at.xy, place.size - place.at.xy) - 2.0;
+    return clamp(min(inside.x, inside.y) / kSunBlendTexels, 0.0, 1.0);
 }
 
 // Returns the lit share of the tent filter, from four gathers of 2 × 2 texels. In x, the four texels have the
@@ -68,21 +74,22 @@ float filtered(SunPlace place) {
     return sum / 16.0;
 }
 
-// Returns 1 for full sunlight and 0 for shadow. `view_distance`: distance from the eye to the point, in metres. At its
-// end, each map is blended with the next map, and the last map is blended with full light.
+// Returns 1 for full sunlight and 0 for shadow. `view_distance`: distance from the eye to the point, in metres. The
+// first map that contains the point decides. Near its edge, it is blended with the next map that contains the point.
+// Points that no map contains are lit.
 float sun_visibility(vec3 position, vec3 normal, float view_distance) {
     if (!HAS_sunShadow || sun.count == 0u) return 1.0;
     if (dot(normal, sun.to_sun) <= 0.0) return 0.0;
-    uint i = 0u;
-    while (i < sun.count && view_distance > sun.cascades[i].end_m) ++i;
     float visible = 0.0, rest = 1.0;
-    for (; i < sun.count && rest > 0.0; ++i) {
+    for (uint i = 0u; i < sun.count && rest > 0.0; ++i) {
         const SunPlace place = place_in_map(i, position, normal);
-        if (!is_in_map(place)) continue;
-        const float share = rest * clamp((1.0 - view_distance / sun.cascades[i].end_m) / kSunBlend, 0.0, 1.0);
+        const float share = rest * share_of_map(place);
+        if (share <= 0.0) continue;
         visible += share * filtered(place);
         rest -= share;
     }
-    return visible + rest;
+    if (rest >= 1.0) return 1.0;
+    const float shaded = clamp((1.0 - view_distance / sun.cascades[0].end_m) / kSunFade, 0.0, 1.0);
+    return mix(1.0, visible / (1.0 - rest), shaded);
 }
 #endif

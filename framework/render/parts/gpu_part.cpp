@@ -31,6 +31,7 @@ Result<std::unique_ptr<GpuPart>> GpuPart::create(const PartInput& input) {
     part->find_moving_draws();
     if (!scene.instances.empty()) part->bounds_ = scene::world_bounds(scene);
     if (!input.moves_instances) part->fixed_bounds_ = scene::fixed_bounds(scene);
+    part->still_surfaces_ = SurfaceTree(render::still_surfaces(scene, input.moves_instances));
     return part;
 }
 

@@ -12,6 +12,7 @@
 #include "render/gpu_geometry.h"
 #include "render/gpu_materials.h"
 #include "render/motion/moving_objects.h"
+#include "render/views/surface_tree.h"
 
 namespace weft::render {
 
@@ -59,6 +60,8 @@ class GpuPart {
     [[nodiscard]] const MovingObjects& moving() const { return moving_; }
     // Returns the box around all objects; nullopt if the part has none.
     [[nodiscard]] const std::optional<scene::Bounds>& bounds() const { return bounds_; }
+    // Returns the surfaces of the objects that do not move.
+    [[nodiscard]] const SurfaceTree& still_surfaces() const { return still_surfaces_; }
     // Returns null if the part has no draw in this list.
     [[nodiscard]] const PartDrawList* list(std::string_view name) const;
     [[nodiscard]] const GpuGeometry& geometry() const { return geometry_; }
@@ -99,6 +102,7 @@ class GpuPart {
     std::vector<std::vector<DrawRef>> draws_of_object_;
     std::optional<scene::Bounds> fixed_bounds_;  // Of the objects that do not move.
     std::optional<scene::Bounds> bounds_;
+    SurfaceTree still_surfaces_;
     bool has_begun_ = false;  // True after the first begin_frame() of a part that moves.
 };
 

@@ -50,6 +50,7 @@ void PartList::begin_frame(uint32_t slot, double time_s) {
 }
 
 void PartList::note_change(const GpuPart& part) {
+    ++parts_version_;
     for (const char* name : kDrawLists)
         if (part.list(name) != nullptr) ++versions_[name];
 }

@@ -38,6 +38,8 @@ class PartList {
     }
     // Returns a number that changes whenever the draws of a list change.
     [[nodiscard]] uint64_t version(std::string_view list) const;
+    // Returns a number that changes whenever a part is added or removed.
+    [[nodiscard]] uint64_t parts_version() const { return parts_version_; }
 
  private:
     struct Entry {
@@ -53,6 +55,7 @@ class PartList {
     std::vector<Entry> parts_;
     std::vector<Entry> retired_;
     std::map<std::string, uint64_t, std::less<>> versions_;
+    uint64_t parts_version_ = 0;
     PartId next_ = kFirstPart + 1;
 };
 

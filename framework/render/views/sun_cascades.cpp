@@ -5,58 +5,32 @@
 #include <limits>
 
 #include "graph/parse/debug_view.h"
+#include "render/views/sun_fit.h"
 
 namespace weft::render {
 namespace {
 
 static_assert(sizeof(shared::SunCascade) == 80 && sizeof(shared::SunConstants) == 336);
 
-// Weight of the split into equal ratios in split_distances(); the split into equal steps has the weight
-// 1 - kRatioShare. Zhang et al. use 0.5. A larger weight gives finer shadows near the eye. It is used here,
-// because rooms and courtyards are seen from close by.
-constexpr double kRatioShare = 0.6;
 // Maximum distance from the eye at which shadows are drawn, in metres. It applies only if the diameter of the
 // scene is larger than this value.
 constexpr double kMostReach_m = 250;
-// Width in texels of the border between a cascade's sphere and the edge of its map. The border has room for
-// the radius of the filter, the offset along the normal, and half a texel for snapping to whole texels.
-constexpr double kBorderTexels = 6;
+// Width in texels of the border between the rectangle that a map must cover and the edge of the map. The
+// border has room for the radius of the filter, the offset along the normal, most of the band in which a map
+// is blended with the next one, and half a texel for snapping to whole texels.
+constexpr double kBorderTexels = 8;
+// The size of a texel is rounded up to a power of 2^(1 / kSizeSteps), so that it changes rarely while the
+// camera moves.
+constexpr double kSizeSteps = 4;
+// Largest ratio of the sides of a texel.
+constexpr double kMostStretch = 4;
+// The least side of a rectangle that a map covers, in metres.
+constexpr double kLeastSide_m = 1e-3;
+// The eye is rounded to steps of this share of the scene's radius, but at most kMostStep_m metres.
+constexpr double kStepShare = 1.0 / 64, kMostStep_m = 0.25;
 // Margin beyond the scene's bounds, relative to their depth, so that rounding does not cut off objects on the
 // bounds.
 constexpr double kDepthMargin = 0.01;
-
-struct Axes {
-    glm::dvec3 right, down, to_sun;
-};
-
-Axes axes_of(const glm::vec3& to_sun) {
-    const glm::dvec3 back = glm::normalize(glm::dvec3(to_sun));
-    const glm::dvec3 up = std::abs(back.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
-    const glm::dvec3 right = glm::normalize(glm::cross(up, back));
-    return {right, -glm::cross(back, right), back};
-}
-
-struct Sphere {
-    glm::dvec3 center{0};
-    double radius_m = 0;
-};
-
-Sphere sphere_of(const scene::Bounds& bounds) {
-    const glm::dvec3 least(bounds.min), most(bounds.max);
-    return {(least + most) * 0.5, glm::length(most - least) * 0.5};
-}
-
-// Returns the smallest sphere around the part of the camera's frustum between two distances from the eye. By
-// symmetry the centre is on the view axis. The sphere touches the corners of both ends, or only the corners
-// of the far end.
-Sphere sphere_of_part(const scene::Camera& camera, double aspect, double from_m, double to_m) {
-    const double tan_y = std::tan(double{camera.fov_y_rad} * 0.5);
-    const double cos_corner = 1 / std::sqrt(1 + tan_y * tan_y * (1 + aspect * aspect));
-    const double along = std::min((from_m + to_m) * 0.5 / cos_corner, to_m * cos_corner);
-    const glm::dmat4 world(camera.transform);
-    const double radius2 = to_m * to_m - 2 * to_m * along * cos_corner + along * along;
-    return {glm::dvec3(world[3]) - glm::dvec3(world[2]) * along, std::sqrt(radius2)};
-}
 
 // The range of depths that contains the whole scene. Depth is dot(position, to_sun): larger is nearer to the
 // sun.
@@ -83,6 +57,12 @@ void set_row(glm::mat4& matrix, int row, const glm::vec3& factors, double offset
     matrix[3][row] = static_cast<float>(offset);
 }
 
+// Returns a point on the line that all points in the middle of a rectangle are on.
+glm::dvec3 middle_of(const LightRect& rect, const LightAxes& axes) {
+    const glm::dvec2 middle = (rect.min + rect.max) * 0.5;
+    return axes.right * middle.x + axes.down * middle.y;
+}
+
 // The matrices of one cascade. The axes are rounded to float first, and do not depend on the position and
 // direction of the camera. The origin is a whole number of texels, which a float represents exactly. So if
 // the camera moves, the map moves by exactly whole texels, and static shadows do not flicker.
@@ -91,14 +71,15 @@ struct MapMatrices {
     glm::dvec2 origin_texels{0};
 };
 
-MapMatrices matrices_of(const Sphere& sphere, double texel_m, uint32_t size_px, const Axes& axes,
+MapMatrices matrices_of(const SunCascade& cascade, uint32_t size_px, const LightAxes& axes,
                         const DepthRange& depth) {
-    const double side_m = texel_m * size_px;
-    const std::array<glm::vec3, 2> across{glm::vec3(axes.right / side_m), glm::vec3(axes.down / side_m)};
+    const glm::dvec2 side_m = cascade.texel_m * double(size_px);
+    const std::array<glm::vec3, 2> across{glm::vec3(axes.right / side_m.x), glm::vec3(axes.down / side_m.y)};
+    const glm::dvec3 center = middle_of(cascade.rect, axes);
     MapMatrices matrices;
     for (int row = 0; row < 2; ++row) {
         const glm::vec3& axis = across[static_cast<size_t>(row)];
-        const double center_texels = glm::dot(glm::dvec3(axis), sphere.center) * size_px;
+        const double center_texels = glm::dot(glm::dvec3(axis), center) * size_px;
         const double origin = std::round(center_texels - 0.5 * size_px);
         matrices.origin_texels[row] = origin;
         set_row(matrices.to_map, row, axis, -origin / size_px);
@@ -112,12 +93,11 @@ MapMatrices matrices_of(const Sphere& sphere, double texel_m, uint32_t size_px, 
 }
 
 // Returns the view constants of a shadow map. The projection is parallel, so depth is linear. The eye is the
-// point on the line from the cascade's centre to the sun at which the depth is `depth.nearest`.
+// point on the line from the middle of the map's rectangle to the sun at which the depth is `depth.nearest`.
 shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matrices, uint32_t size_px,
-                              const Axes& axes, const DepthRange& depth) {
+                              const LightAxes& axes, const DepthRange& depth) {
     shared::ViewConstants view{};
-    const glm::dvec3 eye =
-        cascade.center + axes.to_sun * (depth.nearest - glm::dot(cascade.center, axes.to_sun));
+    const glm::dvec3 eye = middle_of(cascade.rect, axes) + axes.to_sun * depth.nearest;
     glm::dmat4 to_world(1);
     to_world[0] = glm::dvec4(axes.right, 0);
     to_world[1] = glm::dvec4(-axes.down, 0);
@@ -134,38 +114,78 @@ shared::ViewConstants view_of(const SunCascade& cascade, const MapMatrices& matr
     return view;
 }
 
-// The sphere that each cascade must cover: its part of the camera's view, or the scene if that is smaller.
-// The last cascade contains the whole scene, if the diameter of the scene is at most kMostReach_m. Otherwise
-// the last cascade ends at this distance from the eye.
-class Parts {
- public:
-    Parts(const scene::Camera& camera, double aspect, const scene::Bounds& bounds, uint32_t count)
-        : camera_(camera), aspect_(aspect), scene_(sphere_of(bounds)), count_(count) {
-        const double reach_m = std::min(2 * scene_.radius_m, kMostReach_m);
-        const double near_m = std::min(double{camera.near_m}, reach_m);
-        ends_m_ = split_distances(near_m, std::max(reach_m, 1e-3), count);
-    }
+double diameter_of(const scene::Bounds& bounds) {
+    return glm::length(glm::dvec3(bounds.max) - glm::dvec3(bounds.min));
+}
 
-    [[nodiscard]] Sphere sphere(uint32_t i) const {
-        const double from_m = i == 0 ? 0 : ends_m_[i - 1] * (1 - double{shared::kSunBlend});
-        const Sphere part = sphere_of_part(camera_, aspect_, from_m, ends_m_[i]);
-        return holds_scene(i) || scene_.radius_m < part.radius_m ? scene_ : part;
-    }
-    [[nodiscard]] double end_m(uint32_t i) const {
-        return holds_scene(i) ? std::numeric_limits<double>::infinity() : ends_m_[i];
-    }
+// The largest distance from the eye to a point of the box.
+double farthest_of(const scene::Bounds& box, const glm::dvec3& eye) {
+    return glm::length(glm::max(glm::abs(glm::dvec3(box.min) - eye), glm::abs(glm::dvec3(box.max) - eye)));
+}
 
- private:
-    [[nodiscard]] bool holds_scene(uint32_t i) const {
-        return i + 1 == count_ && 2 * scene_.radius_m <= kMostReach_m;
-    }
-
-    const scene::Camera& camera_;
-    double aspect_;
-    Sphere scene_;
-    uint32_t count_;
-    std::array<double, shared::kMostSunCascades> ends_m_{};
+// The scene as the camera sees it. It depends on the camera only by the rounded camera.
+struct Sight {
+    scene::Camera camera;
+    SeenScene seen;
+    double end_m =
+        0;  // Distance from the eye at which shadows end. Infinite if all of the scene has shadows.
 };
+
+// Returns the steps to which the eye is rounded.
+double step_of(const SunScene& scene) {
+    if (scene.is_unbounded) return kMostStep_m;
+    return std::clamp(diameter_of(scene.bounds) * 0.5 * kStepShare, kLeastSide_m, kMostStep_m);
+}
+
+// Objects that may be anywhere have shadows up to kMostReach_m from the eye.
+SunScene with_bounds(const SunScene& scene, const glm::vec3& eye) {
+    SunScene bounded = scene;
+    if (!scene.is_unbounded) return bounded;
+    const auto reach_m = static_cast<float>(kMostReach_m);
+    bounded.bounds = {glm::min(scene.bounds.min, eye - reach_m), glm::max(scene.bounds.max, eye + reach_m)};
+    bounded.unknown = bounded.bounds;
+    return bounded;
+}
+
+// `camera` is the result of rounded_camera().
+Sight sight_of(const scene::Camera& camera, const SunScene& scene) {
+    Sight sight;
+    sight.camera = camera;
+    const bool is_large = diameter_of(scene.bounds) > kMostReach_m;
+    sight.end_m = is_large ? kMostReach_m : std::numeric_limits<double>::infinity();
+    sight.seen.reach_m = is_large ? kMostReach_m : farthest_of(scene.bounds, glm::dvec3(camera.transform[3]));
+    sight.seen.surfaces = scene.surfaces;
+    sight.seen.unknown = scene.unknown;
+    return sight;
+}
+
+// The rectangle of the last map. It covers all of the scene that has shadows, also what the camera does not
+// see: other views show it, and the rays of visible_patches() miss small objects.
+LightRect whole_rect(const SunScene& scene, const Sight& sight, const LightAxes& axes) {
+    glm::dvec3 least(scene.bounds.min), most(scene.bounds.max);
+    if (std::isfinite(sight.end_m)) {
+        const glm::dvec3 eye(sight.camera.transform[3]);
+        const double reach_m = sight.end_m + kMostStep_m;
+        least = glm::clamp(least, eye - reach_m, eye + reach_m);
+        most = glm::clamp(most, eye - reach_m, eye + reach_m);
+    }
+    LightRect rect;
+    for (int corner = 0; corner < 8; ++corner)
+        rect.add(axes.place({(corner & 1) != 0 ? most.x : least.x, (corner & 2) != 0 ? most.y : least.y,
+                             (corner & 4) != 0 ? most.z : least.z}));
+    return rect;
+}
+
+double rounded_up(double size) {
+    return std::exp2(std::ceil(std::log2(size) * kSizeSteps - 1e-9) / kSizeSteps);
+}
+
+glm::dvec2 texel_for(const LightRect& rect, uint32_t size_px) {
+    const glm::dvec2 size =
+        glm::max(rect.size(), glm::dvec2(kLeastSide_m)) / std::max(size_px - 2 * kBorderTexels, 1.0);
+    const glm::dvec2 texel(rounded_up(size.x), rounded_up(size.y));
+    return glm::max(texel, glm::dvec2(texel.y, texel.x) / kMostStretch);
+}
 
 // Limits a number to 1e30, because Vulkan does not require shaders to support infinite floats.
 float finite(double x) {
@@ -207,41 +227,53 @@ SunMaps sun_maps_of(const FramePlan& plan) {
     return maps;
 }
 
-std::array<double, shared::kMostSunCascades> split_distances(double near_m, double far_m, uint32_t count) {
-    std::array<double, shared::kMostSunCascades> ends_m{};
-    for (uint32_t i = 0; i < count; ++i) {
-        const double share = (i + 1.0) / count;
-        const double by_ratio = near_m * std::pow(far_m / near_m, share);
-        const double by_step = near_m + (far_m - near_m) * share;
-        ends_m[i] = kRatioShare * by_ratio + (1 - kRatioShare) * by_step;
-    }
-    return ends_m;
-}
-
-SunCascades sun_cascades(const scene::Camera& camera, float aspect, const SunScene& scene,
+SunCascades sun_cascades(const scene::Camera& camera, float aspect, const SunScene& given,
                          const SunMaps& maps) {
     SunCascades result;
-    const Axes axes = axes_of(scene.to_sun);
-    const DepthRange depth = depth_range(scene.bounds, axes.to_sun);
-    const Parts parts(camera, aspect, scene.bounds, maps.count);
     result.count = result.constants.count = maps.count;
-    result.constants.to_sun = scene.to_sun;
+    result.constants.to_sun = given.to_sun;
+    if (maps.count == 0) return result;
+    const scene::Camera rounded = rounded_camera(camera, step_of(given));
+    const SunScene scene = with_bounds(given, glm::vec3(rounded.transform[3]));
+    const LightAxes axes = light_axes(scene.to_sun);
+    const DepthRange depth = depth_range(scene.bounds, axes.to_sun);
+    const Sight sight = sight_of(rounded, scene);
+    const LightRect whole = whole_rect(scene, sight, axes);
+    std::vector<LightRect> rects;
+    if (maps.count > 1)
+        rects =
+            fit_rects(visible_patches(sight.camera, double{aspect}, sight.seen, axes), maps.count - 1, whole);
+    rects.resize(maps.count, whole);
     for (uint32_t i = 0; i < maps.count; ++i) {
-        const Sphere sphere = parts.sphere(i);
         const uint32_t size_px = std::max(maps.size_px[i], 1u);
         SunCascade& cascade = result.cascades[i];
-        cascade.center = sphere.center;
-        cascade.radius_m = sphere.radius_m;
-        cascade.end_m = parts.end_m(i);
-        cascade.texel_m = 2 * std::max(sphere.radius_m, 1e-3) / std::max(size_px - 2 * kBorderTexels, 1.0);
-        const MapMatrices matrices = matrices_of(sphere, cascade.texel_m, size_px, axes, depth);
+        cascade.rect = rects[i];
+        cascade.texel_m = texel_for(rects[i], size_px);
+        const MapMatrices matrices = matrices_of(cascade, size_px, axes, depth);
         cascade.origin_texels = matrices.origin_texels;
-        result.constants.cascades[i] = {matrices.to_map, finite(cascade.end_m),
-                                        static_cast<float>(cascade.texel_m),
-                                        static_cast<float>(depth.nearest - depth.farthest), 0};
+        result.constants.cascades[i] = {matrices.to_map, glm::vec2(cascade.texel_m),
+                                        static_cast<float>(depth.nearest - depth.farthest),
+                                        finite(sight.end_m)};
         result.views[i] = view_of(cascade, matrices, size_px, axes, depth);
     }
     return result;
+}
+
+const SunCascades& SunCascadesCache::find(const scene::Camera& camera, float aspect, const SunScene& scene,
+                                          const SunMaps& maps, uint64_t surfaces_version) {
+    const scene::Camera rounded = rounded_camera(camera, step_of(scene));
+    std::vector<float> key{aspect, rounded.fov_y_rad, rounded.near_m, scene.is_unbounded ? 1.0f : 0.0f,
+                           static_cast<float>(maps.count)};
+    const auto add = [&](const glm::vec3& v) { key.insert(key.end(), {v.x, v.y, v.z}); };
+    for (int column = 0; column < 4; ++column) add(glm::vec3(rounded.transform[column]));
+    for (const uint32_t size_px : maps.size_px) key.push_back(static_cast<float>(size_px));
+    add(scene.to_sun), add(scene.bounds.min), add(scene.bounds.max);
+    if (scene.unknown) add(scene.unknown->min), add(scene.unknown->max);
+    if (key != key_ || surfaces_version != surfaces_version_)
+        cascades_ = sun_cascades(camera, aspect, scene, maps);
+    key_ = std::move(key);
+    surfaces_version_ = surfaces_version;
+    return cascades_;
 }
 
 }  // namespace weft::render

@@ -1,16 +1,20 @@
 // Purpose: computes the projections of the sun's shadow maps. The sun is the first directional light of a
-// scene. Each map (cascade) covers the camera's view between two distances from the eye, in a parallel
-// projection along the light. A map covers a sphere around its part of the view, so the size of the map does
-// not change when the camera rotates. A map moves by whole texels only, so static shadows do not flicker. In
-// the direction of the sun, every map covers the whole scene, so no shadow caster is missed. Pure functions
-// in double precision. Units: metres, texels. Source: Zhang et al. 2006, "Parallel-Split Shadow Maps for
-// Large-Scale Virtual Environments" (the splits); Valient 2007, "Stable Rendering of Cascaded Shadow Maps",
-// ShaderX6 (spheres, whole texels).
+// scene. Each map (cascade) is a parallel projection along the light. The last map covers the whole scene, or
+// all of it that has shadows. The other maps fit the surfaces that the camera sees. A map moves by whole
+// texels only, and its texels change their size only in steps, so static shadows do not flicker. In the
+// direction of the sun, every map covers the whole scene, so no shadow caster is missed. Pure functions in
+// double precision. Units: metres, texels. Source: Lauritzen, Salvi, Lefohn 2011, "Sample Distribution Shadow
+// Maps" (maps that fit the visible surfaces); Valient 2007, "Stable Rendering of Cascaded Shadow Maps",
+// ShaderX6 (whole texels).
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "render/views/light_space.h"
+#include "render/views/surface_tree.h"
 #include "shared/frame.glsl"
 #include "shared/sun.glsl"
 #include "weft/plan.h"
@@ -34,26 +38,23 @@ struct SunScene {
     glm::vec3 to_sun{0, 1, 0};
     // Bounds of all objects that cast or receive shadows.
     scene::Bounds bounds;
+    // The still surfaces. Each tree must outlive the call.
+    std::vector<const SurfaceTree*> surfaces;
+    // Bounds of objects about which nothing else is known, if there are any.
+    std::optional<scene::Bounds> unknown;
+    // True if there are objects that may be anywhere.
+    bool is_unbounded = false;
 };
 
-// One shadow map: the sphere that the map must cover, and the square of texels that covers this sphere in a
-// parallel projection along the light.
+// One shadow map: the rectangle that the map must cover, in the plane perpendicular to the light, and the
+// texels that cover this rectangle.
 struct SunCascade {
-    glm::dvec3 center{0};
-    double radius_m = 0;
-    // The map is used up to this distance from the eye, in metres. Infinite for the last map if it covers the
-    // whole scene.
-    double end_m = 0;
-    double texel_m = 0;
-    // Position of the map's upper left corner on the plane perpendicular to the light, in whole texels.
+    LightRect rect;
+    // Width and height of a texel.
+    glm::dvec2 texel_m{0};
+    // Position of the map's upper left corner on the plane, in whole texels.
     glm::dvec2 origin_texels{0};
 };
-
-// Splits the range from near_m to far_m into `count` parts and returns their ends, in metres. Each end is the
-// weighted mean of two values: the end if all parts had the same ratio of far to near distance, and the end
-// if all parts had the same length. The last end is `far_m`.
-[[nodiscard]] std::array<double, shared::kMostSunCascades> split_distances(double near_m, double far_m,
-                                                                           uint32_t count);
 
 struct SunCascades {
     uint32_t count = 0;
@@ -62,8 +63,24 @@ struct SunCascades {
     // Element i has the view constants for passes with the view "sun(i)".
     std::array<shared::ViewConstants, shared::kMostSunCascades> views{};
 };
-// Computes all shadow maps of the sun for one camera. `aspect` is width / height of the picture.
+// Computes all shadow maps of the sun for one camera. `aspect` is width / height of the picture. The maps
+// before the last are in the order of the areas that they cover, the smallest first: a point uses the first
+// map that contains it.
 [[nodiscard]] SunCascades sun_cascades(const scene::Camera& camera, float aspect, const SunScene& scene,
                                        const SunMaps& maps);
+
+// Calls sun_cascades() only if its result changes.
+class SunCascadesCache {
+ public:
+    // `surfaces_version` changes whenever the list SunScene::surfaces changes.
+    [[nodiscard]] const SunCascades& find(const scene::Camera& camera, float aspect, const SunScene& scene,
+                                          const SunMaps& maps, uint64_t surfaces_version);
+
+ private:
+    // All that the result depends on. Of the camera, it is the rounded camera.
+    std::vector<float> key_;
+    uint64_t surfaces_version_ = 0;
+    SunCascades cascades_;
+};
 
 }  // namespace weft::render

@@ -47,11 +47,12 @@ TEST_F(EngineFrames, TheShadowMapsOfTheSunFollowMovedInstances) {
     const auto session = open(scene, true);
     ASSERT_TRUE(session);
     render_one(*session);
-    const double near_m = session->parts().frames.sun().cascades[0].radius_m;
+    const glm::dvec2 near_m = session->parts().frames.sun().cascades[0].rect.size();
     frame_of(*session).transforms = {{0, moved(3, 0, -30)}};
     render_one(*session);
     ASSERT_EQ(session->parts().frames.sun().count, 1u);
-    EXPECT_GT(session->parts().frames.sun().cascades[0].radius_m, 1.5 * near_m);
+    const glm::dvec2 far_m = session->parts().frames.sun().cascades[0].rect.size();
+    EXPECT_GT(glm::length(far_m), 1.5 * glm::length(near_m));
     const std::optional<scene::Bounds> bounds = session->parts().scene.gpu().bounds();
     ASSERT_TRUE(bounds);
     EXPECT_NEAR(bounds->max.x, 4, 0.01);

@@ -123,7 +123,7 @@ class SteadyGraph : public Steady, public testing::WithParamInterface<std::strin
 std::set<std::string> wanted_sleepers(const std::string& graph, bool has_sun) {
     if (graph == "fjord" || graph == "reaction_diffusion") return {};
     if (!has_sun) return {"noSun"};
-    return {"sunShadows#0", "sunShadows#1", "sunShadows#2"};
+    return {"sunShadows#0", "sunShadows#1", "sunShadows#2", "sunShadows#3"};
 }
 
 // Checks which passes rested in the last frame, and that a frame records no barrier for them.

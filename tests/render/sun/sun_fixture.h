@@ -77,20 +77,43 @@ class SunShadows : public SessionTest {
     }
 };
 
-inline uint32_t cascade_at(const render::SunCascades& sun, double distance_m) {
-    uint32_t i = 0;
-    while (i + 1 < sun.count && distance_m > sun.cascades[i].end_m) ++i;
-    return i;
+// Returns how far a point is inside of a shadow map, in texels: its least distance from an edge.
+inline double inside_map(const render::SunCascades& sun, uint32_t i, const glm::vec3& point) {
+    const shared::SunCascade& map = sun.constants.cascades[i];
+    const double size = static_cast<double>(sun.views[i].viewport_px.x);
+    const glm::dvec2 at = glm::dvec2(glm::dmat4(map.world_to_map) * glm::dvec4(point, 1)) * size;
+    return std::min({at.x, at.y, size - at.x, size - at.y});
 }
 
-// Returns the size in metres of the texels of the shadow map that is used for a point. Where two maps blend,
-// the larger size is returned.
+// Returns the sizes of the texels of the maps that are used for a point. Near the edge of a map, the distance
+// from the edge is added, because the share of the map depends on it. If the result is the same for two
+// frames, the maps have moved by whole texels only.
+inline std::vector<glm::dvec2> maps_at(const Seen& seen, const glm::vec3& point) {
+    std::vector<glm::dvec2> sizes;
+    for (uint32_t i = 0; i < seen.sun.count; ++i) {
+        const double inside = inside_map(seen.sun, i, point);
+        // The shader moves the point by up to two texels before it looks for the map.
+        if (inside <= 0) continue;
+        sizes.push_back(seen.sun.cascades[i].texel_m);
+        if (inside >= 4 + double{shared::kSunBlendTexels}) break;
+        sizes.emplace_back(inside);
+    }
+    return sizes;
+}
+
+// Returns the size in metres of the texels of the shadow map that is used for a point: the longer side. Where
+// several maps blend, the largest size is returned.
 inline double texel_at(const Seen& seen, const glm::vec3& point) {
-    const double distance_m = glm::distance(point, seen.eye);
-    const uint32_t i = cascade_at(seen.sun, distance_m);
-    const bool blends =
-        i + 1 < seen.sun.count && distance_m > seen.sun.cascades[i].end_m * (1 - shared::kSunBlend);
-    return seen.sun.cascades[blends ? i + 1 : i].texel_m;
+    double texel_m = 0;
+    for (uint32_t i = 0; i < seen.sun.count; ++i) {
+        const double inside = inside_map(seen.sun, i, point);
+        // The shader moves the point by up to two texels before it looks for the map.
+        if (inside <= 0) continue;
+        const glm::dvec2 sides_m = seen.sun.cascades[i].texel_m;
+        texel_m = std::max({texel_m, sides_m.x, sides_m.y});
+        if (inside >= 4 + double{shared::kSunBlendTexels}) break;
+    }
+    return texel_m;
 }
 
 inline scene::Scene atrium(float hour) {

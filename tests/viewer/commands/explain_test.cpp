@@ -141,7 +141,7 @@ TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
     expect_parts(run.out,
                  {"runs in this submission: queue 1, ",
                   "Before the submission begins, it waits for queue 0, ", "must not start before",
-                  "\"sunShadows#2\" (", "): port \"depth\" (", "writes \"sunShadow.mip(0).layer(2)\"",
+                  "\"sunShadows#3\" (", "): port \"depth\" (", "writes \"sunShadow.mip(0).layer(3)\"",
                   "\"lighting\" (" + graph + ":24:5): port \"", "This submission must end before queue 0, "});
     const RunResult barrier = run_weft(
         {"explain", graph, "barrier", "gbuffer", "lighting", "--queues", "2", "--profile", "discrete"});

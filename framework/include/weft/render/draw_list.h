@@ -37,7 +37,8 @@ class DrawList {
     virtual uint32_t record(const vk::DrawContext& draw, const DrawView& view) const = 0;
     // Returns a number that changes whenever the draws change; nullopt if they may change in every frame.
     [[nodiscard]] virtual std::optional<uint64_t> version() const { return std::nullopt; }
-    // Returns a box in world space that contains all draws. The shadow maps of the sun cover it.
+    // Returns a box in world space that contains all draws. The shadow maps of the sun cover it. nullopt: the
+    // draws may be anywhere.
     [[nodiscard]] virtual std::optional<scene::Bounds> bounds() const { return std::nullopt; }
     // Returns the number of draws, for messages about slow frames.
     [[nodiscard]] virtual uint64_t count() const { return 0; }
