@@ -126,7 +126,7 @@ Result<bool> Session::swap_in(PendingSwap next) {
 }
 
 Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
-    if (size == selection().request.size) return Unit{};
+    if (size == selection().request.size && output == selection().output) return Unit{};
     Selection next = selection();
     next.request.size = size;
     next.output = output;

@@ -107,9 +107,10 @@ class Session {
     // made after `next` was prepared; then prepare again. After an error of the checker (C…) the running
     // graph continues.
     [[nodiscard]] Result<bool> swap_in(PendingSwap next);
-    // Prepares the loaded graph at another size and swaps it in. Does nothing if the size is the same. After
-    // an error of the graph (W…, C…) or of memory, the running graph continues at the old size. `output`
-    // replaces Selection::output; frames in flight may still use the old image. Errors: those of create().
+    // Prepares the loaded graph at another size and swaps it in. Does nothing if the size and the image are
+    // the same. After an error of the graph (W…, C…) or of memory, the running graph continues at the old
+    // size. `output` replaces Selection::output; frames in flight may still use the old image. Errors: those
+    // of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
     // Exchanges the object of one of the program's imports, for example because its size has changed. The
     // loaded graph is prepared with it and swapped in, as resize() does. `size` may be the old one. Frames in
