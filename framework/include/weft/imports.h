@@ -24,7 +24,9 @@ struct DrawVariant {
 
 // An attribute of the vertices of a draw list. It is bound to the shader's input with the same name.
 struct VertexAttribute {
-    std::string name;  // Name of the attribute: "position", "normal", "tangent" or "uv".
+    std::string name;  // The lists of a scene have "position", "normal", "tangent" and "uv".
+    // The shader's input has the same number class: float, uint or int. Tight vectors of three floats have
+    // the format rgb32f.
     Format format = Format::undefined;
     uint32_t stream = 0;        // The vertex buffer with the attribute: an index into stride_bytes.
     uint32_t offset_bytes = 0;  // Offset of the attribute from the start of its vertex.
