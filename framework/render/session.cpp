@@ -34,6 +34,14 @@ ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
 
 void append(Diagnostics& to, Diagnostics from) {
     to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
+Diagnostic no_passes() {
+    Diagnostic d;
+    d.code = "W254";
+    d.message = "SessionInput::passes is null, so the session knows no pass types in C++";
+    d.help = {"let it point to the result of weft::registered_passes() (weft/registry.h)"};
+    return d;
+}
+
 }
 
 }  // namespace
@@ -75,7 +83,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
                                                  Diagnostics& warnings,
                                                  std::set<std::filesystem::path>* files) {
     const size_t known_warnings = warnings.size();
-    if (Diagnostics faults = program_import_faults(input, scene); !faults.empty()) return faults;
+    if (input.passes == nullptr) return no_passes();
+    if (Diagnostics faults = program_import_faults(device, input, scene); !faults.empty()) return faults;
     auto graph = std::make_unique<RunningGraph>(device, input, owned_imports(device, scene, input));
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/imports/vertex_format_faults.h"
 #include "weft/render/import_catalog.h"
 
 namespace weft::render {
@@ -27,7 +28,8 @@ Diagnostic taken(const std::string& name, const char* member) {
 
 }  // namespace
 
-Diagnostics program_import_faults(const SessionInput& input, const scene::Scene& scene) {
+Diagnostics program_import_faults(const vk::Device& device, const SessionInput& input,
+                                  const scene::Scene& scene) {
     const ImportCatalog offered = scene_imports(input.request.size, &scene);
     const auto is_taken = [&](const std::string& name) {
         return offered.imports.contains(name) || input.views.contains(name) || input.textures.contains(name);
@@ -36,7 +38,12 @@ Diagnostics program_import_faults(const SessionInput& input, const scene::Scene&
     for (const auto& [name, unused] : input.imports)
         if (is_taken(name)) faults.push_back(taken(name, "imports"));
     for (const auto& [name, own] : input.draw_lists) {
-        if (is_taken(name) || input.imports.contains(name)) faults.push_back(taken(name, "draw_lists"));
+        const bool replaces =
+            scene.instances.empty() && std::ranges::find(kDrawLists, name) != kDrawLists.end();
+        if ((is_taken(name) && !replaces) || input.imports.contains(name))
+            faults.push_back(taken(name, "draw_lists"));
+        for (Diagnostic& wrong : vertex_format_faults(device, name, own.vertex_format))
+            faults.push_back(std::move(wrong));
         if (own.list == nullptr)
             faults.push_back(fault("W245", "the draw list \"" + name + "\" has no DrawList",
                                    "set OwnDrawList::list to an object that outlives the session"));
