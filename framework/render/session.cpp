@@ -28,12 +28,12 @@ ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
         import.resource.import->concurrent = !device.sharing_families().empty();
         import.resource.import->family = device.queue().family;
     }
+    // In a session without a scene, the lights come from FrameInput::lights.
+    if (scene.instances.empty() && scene.lights.empty()) catalog.numbers["directionalLights"] = 1;
     add_program_imports(input, catalog);
     return catalog;
 }
 
-void append(Diagnostics& to, Diagnostics from) {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 Diagnostic no_passes() {
     Diagnostic d;
     d.code = "W254";
@@ -42,6 +42,8 @@ Diagnostic no_passes() {
     return d;
 }
 
+void append(Diagnostics& to, Diagnostics from) {
+    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
 }  // namespace

@@ -67,6 +67,8 @@ void add_program_imports(const SessionInput& input, ImportCatalog& catalog) {
         decl.observed = !decl.read_only;
         catalog.imports.insert_or_assign(name, decl);
     }
+    uint32_t draw_sets = 0;
+    for (const auto& [set, unused] : input.draw_sets) draw_sets |= 1u << set;
     for (const auto& [name, own] : input.draw_lists) {
         ImportDecl list;
         list.name = name;
@@ -74,6 +76,7 @@ void add_program_imports(const SessionInput& input, ImportCatalog& catalog) {
         list.variants = own.variants;
         list.vertex_format = own.vertex_format;
         list.draws = static_cast<uint32_t>(std::max<uint64_t>(1, own.list->count()));
+        list.draw_sets = draw_sets;
         catalog.imports.insert_or_assign(name, list);
     }
     for (const auto& [set, own] : input.draw_sets) {

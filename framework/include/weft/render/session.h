@@ -56,7 +56,8 @@ struct SessionInput {
     // Images and buffers of the program that graphs may import, by name. Error: W245 the scene has an import
     // of this name.
     std::map<std::string, OwnImport, std::less<>> imports = {};
-    // Draw lists of the program, by name. Error: W245.
+    // Draw lists of the program, by name. If the scene has no instances, they may replace the lists of the
+    // scene, such as "opaque". Errors: W245 the name is taken, W255 the vertex format has a fault.
     OwnDrawLists draw_lists = {};
     // Descriptor sets 2 and 3 of the program. They replace those of the scene, so the scene must have no
     // instances (W246).
@@ -89,7 +90,8 @@ class Session {
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, scene::Scene&& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
-    // Creates a session without a scene: the program draws its own draw lists.
+    // Creates a session without a scene: the program draws its own draw lists. Graphs see one directional
+    // light (`directionalLights` is 1), so that FrameInput::lights may contain a sun with shadows.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
