@@ -84,14 +84,18 @@ shared::ViewConstants view_constants(const scene::Camera& camera, const glm::mat
 
 shared::FrameConstants scene_constants(const scene::Scene& scene) {
     shared::FrameConstants frame{};
-    frame.sky_zenith = scene.sky_zenith;
-    frame.sky_horizon = scene.sky_horizon;
-    frame.sky_ground = scene.sky_horizon * kGroundAlbedo;
+    set_sky({scene.sky_zenith, scene.sky_horizon}, frame);
     if (scene.environment.mips.empty()) return frame;
     frame.environment_scale = scene.environment.scale;
     for (size_t i = 0; i < scene.environment.irradiance_over_pi.size(); ++i)
         frame.environment_irradiance_over_pi[i] = glm::vec4(scene.environment.irradiance_over_pi[i], 0);
     return frame;
+}
+
+void set_sky(const SkyColors& sky, shared::FrameConstants& frame) {
+    frame.sky_zenith = sky.zenith;
+    frame.sky_horizon = sky.horizon;
+    frame.sky_ground = sky.ground.value_or(sky.horizon * kGroundAlbedo);
 }
 
 shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
