@@ -184,6 +184,13 @@ Result<ScenePart> Session::prepare_part(const scene::Scene& scene, bool moves_in
 }
 
 Result<PartId> Session::add_part(ScenePart part) {
+    if (parts_->scene.gpu().replaces_sets()) {
+        Diagnostic d;
+        d.code = "W246";
+        d.message = "SessionInput::draw_sets replaces descriptor sets that the draws of the added part need";
+        d.help = {"draw the meshes in a draw list of the program, or create the session without draw_sets"};
+        return d;
+    }
     const std::unique_ptr<PendingPart> pending = part.take();
     return parts_->scene.gpu().parts().add(std::move(pending->part), std::move(pending->uploads));
 }

@@ -178,6 +178,17 @@ TEST_F(SessionInputs, AShaderNeedsTheSetsOfTheProgram) {
               "the program binds in set 2: 1: uniform block of 16 bytes in fragment shaders");
 }
 
+TEST_F(SessionInputs, APartNeedsTheSetsOfWeft) {
+    const TriangleList triangle(*device_);
+    const auto session = open_without_scene(input_with(triangle));
+    ASSERT_TRUE(session);
+    Result<render::ScenePart> part = session->prepare_part(squares({{"a", 0, 0, glm::mat4(1)}}));
+    ASSERT_TRUE(part);
+    const Result<render::PartId> added = session->add_part(std::move(*part));
+    ASSERT_FALSE(added);
+    EXPECT_EQ(added.errors().front().code, "W246");
+}
+
 TEST_F(SessionInputs, ResizingExchangesTheImageAlsoAtTheSameSize) {
     const auto session = open_without_scene(input_for(kSky, {"dome"}));
     ASSERT_TRUE(session);

@@ -60,7 +60,8 @@ struct SessionInput {
     // scene, such as "opaque". Errors: W245 the name is taken, W255 the vertex format has a fault.
     OwnDrawLists draw_lists = {};
     // Descriptor sets 2 and 3 of the program. They replace those of the scene, so the scene must have no
-    // instances (W246).
+    // instances and no parts (W246). DrawList::record() binds them. Error: W256 a shader reads a set that is
+    // missing here.
     OwnDrawSets draw_sets = {};
     // True: FrameInput::transforms may move the instances of the scene. Their buffers are then in memory that
     // the CPU writes, one for each frame slot.
@@ -131,7 +132,8 @@ class Session {
     [[nodiscard]] Result<ScenePart> prepare_part(const scene::Scene& scene,
                                                  bool moves_instances = false) const;
     // Draws the part from the next frame on. The part belongs to the draw lists of the scene. It allocates no
-    // memory and waits for nothing. Returns the number of the part.
+    // memory and waits for nothing. Returns the number of the part. Error: W246 SessionInput::draw_sets
+    // replaces descriptor sets that the part needs.
     [[nodiscard]] Result<PartId> add_part(ScenePart part);
     // Draws the part no longer. Frames in flight still use its memory, which is freed when they have
     // finished. Error: W247 there is no such part.
