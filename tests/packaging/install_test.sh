@@ -118,6 +118,15 @@ run_other_samples() {
   fi
 }
 
+# Expects that the pages for authors and embedders are installed, and that each file that they link to is, too.
+check_pages() {
+  local page
+  for page in format shaders writing-a-pass SECURITY diagnostics glossary lights sun-shadows scenes command-line embedding; do
+    [ -s "$installed/share/weft/docs/$page.md" ] || fail "docs/$page.md is not installed"
+  done
+  python3 "$source/tests/packaging/check_links.py" "$installed/share/weft/docs" || fail "an installed page has a link to nothing"
+}
+
 # Expects that docs/embedding.md quotes the output that the sample program really prints.
 check_quotes() {
   local line
@@ -128,6 +137,7 @@ check_quotes() {
 
 check_quotes
 install_and_move
+check_pages
 for installed_program in "$installed"/bin/*; do check_libraries "$installed_program"; done
 build_sample
 (cd / && env -i "$scratch/embedding/plan_only" | grep -q '^tonemap$') || fail "the sample plan_only makes no plan"
