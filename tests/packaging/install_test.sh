@@ -91,7 +91,7 @@ compare_sample() {
 # Builds the other samples with the flags of pkg-config. This takes long, so it is part of the extended tests.
 build_other_samples_with_pkg_config() {
   local sample folder=$source/docs/examples/embedding
-  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions plan_only moving own_meshes built_graph; do
+  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions plan_only moving own_meshes shipped_graph built_graph; do
     # shellcheck disable=SC2046,SC2086  # flags are words
     "${CXX:-g++}" -std=c++20 ${CXXFLAGS:-} -I"$folder" -DWEFT_DATA_DIR="\"$installed/share/weft\"" \
       "$folder/$sample/main.cpp" "$folder/sample.cpp" "$folder/own_device.cpp" \
@@ -107,7 +107,7 @@ build_other_samples_with_pkg_config() {
 # Runs the other samples under the validation layer. Each checks its own picture.
 run_other_samples() {
   local sample
-  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions moving own_meshes built_graph; do
+  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions moving own_meshes shipped_graph built_graph; do
     "$scratch/embedding/$sample" --validate || fail "the sample $sample ended with $?"
   done
   (cd / && env -i ${ASAN_OPTIONS:+ASAN_OPTIONS="$ASAN_OPTIONS"} "$installed/bin/weft" plan --size 320x180 \
