@@ -42,8 +42,8 @@ namespace weft::render {
 struct SessionInput {
     GraphRequest request;
     LoadSettings load;
-    // The pass types in C++ that graphs may use: those of registered_passes() and of the program. Must
-    // outlive the session. Error: W254 it is null.
+    // The pass types in C++ that graphs may use: those of registered_passes() and of the program. create()
+    // copies the catalogue. Error: W254 it is null.
     const PassCatalog* passes = nullptr;
     const ParsedGraph* parsed = nullptr;  // The parsed graph of the request; null: create() parses it.
     VkImage output = VK_NULL_HANDLE;      // The embedder's output image; see Selection::output.
