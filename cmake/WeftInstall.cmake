@@ -23,9 +23,12 @@ install(CODE "set(WEFT_PROGRAM_FILES \"${program_files}\")
 set(WEFT_LINKED_PACKAGES \"${WEFT_LINKED_PACKAGES}\")")
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/install_carried.cmake)
 
-# Installs the data files of the programs: graphs, shaders, the page that explains diagnostics, device profiles.
+# Installs the data files of the programs: graphs, shaders, device profiles, and the pages about using Weft with their
+# pictures and examples. The program reads docs/diagnostics.md, whose examples are in tests/diagnostics.
 install(DIRECTORY graphs shaders DESTINATION share/weft)
-install(FILES docs/diagnostics.md DESTINATION share/weft/docs)
+install(DIRECTORY docs DESTINATION share/weft PATTERN *.sh EXCLUDE PATTERN architecture.md EXCLUDE
+        PATTERN changing-weft.md EXCLUDE PATTERN projects.md EXCLUDE)
+install(DIRECTORY tests/diagnostics DESTINATION share/weft/tests)
 install(DIRECTORY framework/profiles/ DESTINATION share/weft/profiles)
 
 # Installs the public headers without change.
@@ -39,7 +42,9 @@ foreach(library ${WEFT_EMBEDDED_LIBRARIES})
 endforeach()
 set_target_properties(weft_embedded PROPERTIES OUTPUT_NAME weft EXPORT_NAME weft LINKER_LANGUAGE CXX
                       ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
-target_include_directories(weft_embedded INTERFACE $<INSTALL_INTERFACE:include>)
+# The headers in shaders/include/shared are both GLSL and C++.
+target_include_directories(weft_embedded INTERFACE $<INSTALL_INTERFACE:include>
+                           $<INSTALL_INTERFACE:share/weft/shaders/include>)
 target_compile_features(weft_embedded INTERFACE cxx_std_20)
 # The archive's dependencies. They are needed only in the installed package, because no target of this build links to
 # the archive.

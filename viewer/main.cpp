@@ -13,6 +13,7 @@
 #include "viewer/options/add_options.h"
 #include "viewer/options/arguments.h"
 #include "viewer/options/help_format.h"
+#include "viewer/options/import_texts.h"
 #include "viewer/options/usage_hint.h"
 #include "viewer/options/validators.h"
 #include "viewer/output/output.h"
@@ -110,6 +111,7 @@ void CommandLine::finish(const Limits& limits) {
         offline->request.params = render_options.request.params;
         offline->limits = limits;
         offline->graph_path = raw.graph_path;
+        offline->imports = parse_imports(raw.imports);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/syntax/contained_file.h"
+#include "load/text_reader.h"
 
 namespace weft {
 namespace {
@@ -36,7 +37,7 @@ DataFile read_from_disk(const std::string& path, uint64_t most_bytes, const Load
 }
 
 DataFile read(const std::string& path, uint64_t most_bytes, const LoadSettings& settings) {
-    if (settings.reads_disk) return read_from_disk(path, most_bytes, settings);
+    if (reads_disk(settings)) return read_from_disk(path, most_bytes, settings);
     std::optional<std::string> bytes = settings.reader(path);
     if (!bytes) return {path, {}, 0, "the file cannot be read", "check that the program provides the file"};
     const uint64_t size_bytes = bytes->size();
@@ -46,7 +47,7 @@ DataFile read(const std::string& path, uint64_t most_bytes, const LoadSettings& 
 
 bool exists(const std::string& path, const LoadSettings& settings) {
     std::error_code failed;
-    return settings.reads_disk ? fs::exists(path, failed) : settings.reader(path).has_value();
+    return reads_disk(settings) ? fs::exists(path, failed) : settings.reader(path).has_value();
 }
 
 }  // namespace

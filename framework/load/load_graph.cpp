@@ -10,6 +10,7 @@
 #include "load/load_steps.h"
 #include "load/place_shaders.h"
 #include "load/shared_resources.h"
+#include "load/text_reader.h"
 #include "load/tier_formats.h"
 
 namespace weft {
@@ -81,15 +82,15 @@ Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const Loa
 }  // namespace
 
 Result<JsonDoc> read_graph(const std::string& path, const LoadSettings& settings) {
-    return read_graph(path, settings.reader, reading_of(settings));
+    return read_graph(path, reader_of(settings), reading_of(settings));
 }
 
 Result<ParsedGraph> parse_graph(const GraphRequest& request, const LoadSettings& settings,
                                 std::set<std::filesystem::path>* files) {
     std::set<std::filesystem::path> places;
-    const FileReader reader = [&](const std::string& path) {
+    const FileReader reader = [&, read = reader_of(settings)](const std::string& path) {
         add_place(path, places);
-        return settings.reader(path);
+        return read(path);
     };
     Result<JsonDoc> document = read_graph(request.path, reader, reading_of(settings));
     Result<GraphDesc> desc = Diagnostics{};

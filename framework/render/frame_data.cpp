@@ -92,20 +92,25 @@ shared::ViewConstants view_constants(const scene::Camera& camera, const glm::mat
 
 shared::FrameConstants scene_constants(const scene::Scene& scene) {
     shared::FrameConstants frame{};
-    frame.sky_zenith = scene.sky_zenith;
-    frame.sky_horizon = scene.sky_horizon;
-    frame.sky_ground = scene.sky_horizon * kGroundAlbedo;
     const scene::Environment& environment = scene.environment;
-    const glm::vec3 gradient = glm::max(glm::max(frame.sky_zenith, frame.sky_horizon), frame.sky_ground);
-    frame.environment_unit =
-        cube_unit(environment.mips.empty() ? std::max({gradient.r, gradient.g, gradient.b})
-                                           : environment.light.brightest);
-    if (environment.mips.empty()) return frame;
-    frame.environment_scale = environment.scale;
-    frame.environment_light_scale = environment.light.scale;
-    for (size_t i = 0; i < environment.irradiance_over_pi.size(); ++i)
-        frame.environment_irradiance_over_pi[i] = glm::vec4(environment.irradiance_over_pi[i], 0);
+    if (!environment.mips.empty()) {
+        frame.environment_scale = environment.scale;
+        frame.environment_unit = cube_unit(environment.light.brightest);
+        frame.environment_light_scale = environment.light.scale;
+        for (size_t i = 0; i < environment.irradiance_over_pi.size(); ++i)
+            frame.environment_irradiance_over_pi[i] = glm::vec4(environment.irradiance_over_pi[i], 0);
+    }
+    set_sky({scene.sky_zenith, scene.sky_horizon}, frame);
     return frame;
+}
+
+void set_sky(const SkyColors& sky, shared::FrameConstants& frame) {
+    frame.sky_zenith = sky.zenith;
+    frame.sky_horizon = sky.horizon;
+    frame.sky_ground = sky.ground.value_or(sky.horizon * kGroundAlbedo);
+    if (frame.environment_scale > 0) return;  // The picture is used, and not the sky.
+    const glm::vec3 brightest = glm::max(glm::max(frame.sky_zenith, frame.sky_horizon), frame.sky_ground);
+    frame.environment_unit = cube_unit(std::max({brightest.r, brightest.g, brightest.b}));
 }
 
 shared::Light gpu_light(const scene::Light& scene_light, double time_s) {

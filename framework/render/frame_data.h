@@ -10,6 +10,7 @@
 #include "shared/light.glsl"
 #include "shared/light_function.glsl"
 #include "shared/material.glsl"
+#include "weft/render/frame_input.h"
 #include "weft/scene/scene.h"
 
 namespace weft::render {
@@ -27,6 +28,9 @@ namespace weft::render {
 // Returns the constants that are the same in every frame: the colours of the sky, and the scale and
 // irradiance of the environment.
 [[nodiscard]] shared::FrameConstants scene_constants(const scene::Scene& scene);
+
+// Sets the colours of the sky.
+void set_sky(const SkyColors& sky, shared::FrameConstants& frame);
 
 // Converts a light, at its position at time `time_s`. Numbers that are out of range are clamped: see
 // scene/light_check.h.

@@ -61,6 +61,7 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     view_ = find_view(camera);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     shared::FrameConstants constants = scene.frame_constants();
+    if (input.sky) set_sky(*input.sky, constants);
     constants.frame_index = static_cast<uint32_t>(frame_index_++);
     constants.time_s = static_cast<float>(input.time_s);
     constants.delta_time_s = static_cast<float>(input.delta_time_s);

@@ -187,9 +187,10 @@ bool GpuScene::add_frame_bytes(uint32_t frame_slot, std::string_view view, std::
 }
 
 std::optional<uint64_t> GpuScene::list_version(std::string_view list) const {
-    if (list == kSortedList) return std::nullopt;
     const auto own = settings_.draw_lists.find(list);
-    return own != settings_.draw_lists.end() ? own->second.list->version() : parts_.version(list);
+    if (own != settings_.draw_lists.end()) return own->second.list->version();
+    if (list == kSortedList) return std::nullopt;
+    return parts_.version(list);
 }
 
 uint32_t GpuScene::record(const vk::DrawContext& context) const {

@@ -41,6 +41,8 @@ class GpuScene final : public vk::DrawSource {
     // The parts of the scene. The first part is the scene of create().
     [[nodiscard]] PartList& parts() { return parts_; }
     [[nodiscard]] const PartList& parts() const { return parts_; }
+    // True if the program replaces descriptor sets that the draws of parts need.
+    [[nodiscard]] bool replaces_sets() const { return !settings_.draw_sets.empty(); }
     // Begins a frame: moves the objects of all parts to their places at `time_s`. Call it before set_frame().
     void begin_frame(uint32_t slot, double time_s);
     // Returns the box around all objects and all draw lists of the program; nullopt if there are none.

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "load/text_reader.h"
 #include "render/imports/output_import.h"
 
 namespace weft::render {
 
 bool GraphLoader::has_document(const GraphRequest& request) const {
-    return settings_.reads_disk && last_ && last_->request.path == request.path && last_->stamps.hold();
+    return reads_disk(settings_) && last_ && last_->request.path == request.path && last_->stamps.hold();
 }
 
 // Compiles the shaders of the graph and resolves it. If `parsed` is null, the function merges and parses the

@@ -165,11 +165,24 @@ Result<std::unique_ptr<vk::Amendment>> RunningGraph::change_values(const Paramet
     for (const auto& [name, value] : values)
         if (!is_switch(loaded_.graph, name) && !is_scale(loaded_.graph, name)) to.params[name] = value;
     std::optional<ResolvedGraph> graph = loader_.with_values(loaded_, from, to);
-    if (!graph) return cannot_have(loaded_.graph, values);
+    if (!graph) return cannot_have(loaded_.graph, find_wrong(from, values));
     loaded_.graph = *graph;
     const std::lock_guard lock(fingerprint_mutex_);
     fingerprint_.values_hash = values_hash(*graph);
     return vk::Executor::make_amendment(std::move(*graph));
+}
+
+// Returns the values that the graph does not allow even alone; all values if only several of them together
+// are wrong.
+ParameterValues RunningGraph::find_wrong(const GraphRequest& from, const ParameterValues& values) const {
+    ParameterValues wrong;
+    for (const auto& [name, value] : values) {
+        if (is_switch(loaded_.graph, name) || is_scale(loaded_.graph, name)) continue;
+        GraphRequest alone = from;
+        alone.params[name] = value;
+        if (!loader_.with_values(loaded_, from, alone)) wrong.emplace(name, value);
+    }
+    return wrong.empty() ? values : wrong;
 }
 
 void RunningGraph::note_same(const SwapParts& next) {

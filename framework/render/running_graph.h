@@ -55,6 +55,7 @@ class RunningGraph {
  private:
     [[nodiscard]] StageFingerprint running() const;
     [[nodiscard]] Result<std::unique_ptr<vk::Amendment>> change_values(const ParameterValues& values);
+    [[nodiscard]] ParameterValues find_wrong(const GraphRequest& from, const ParameterValues& values) const;
     // Stores the load number of `next` for the running graph. `next` comes from a later load, but its graph
     // is the same. So the next prepare() can notice that nothing has changed since that load.
     void note_same(const SwapParts& next);

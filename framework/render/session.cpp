@@ -28,8 +28,18 @@ ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
         import.resource.import->concurrent = !device.sharing_families().empty();
         import.resource.import->family = device.queue().family;
     }
+    // In a session without a scene, the lights come from FrameInput::lights.
+    if (scene.instances.empty() && scene.lights.empty()) catalog.numbers["directionalLights"] = 1;
     add_program_imports(input, catalog);
     return catalog;
+}
+
+Diagnostic no_passes() {
+    Diagnostic d;
+    d.code = "W254";
+    d.message = "SessionInput::passes is null, so the session knows no pass types in C++";
+    d.help = {"let it point to the result of weft::registered_passes() (weft/registry.h)"};
+    return d;
 }
 
 void append(Diagnostics& to, Diagnostics from) {
@@ -75,7 +85,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
                                                  Diagnostics& warnings,
                                                  std::set<std::filesystem::path>* files) {
     const size_t known_warnings = warnings.size();
-    if (Diagnostics faults = program_import_faults(input, scene); !faults.empty()) return faults;
+    if (input.passes == nullptr) return no_passes();
+    if (Diagnostics faults = program_import_faults(device, input, scene); !faults.empty()) return faults;
     auto graph = std::make_unique<RunningGraph>(device, input, owned_imports(device, scene, input));
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
@@ -126,7 +137,7 @@ Result<bool> Session::swap_in(PendingSwap next) {
 }
 
 Status Session::resize(Extent3D size, Diagnostics& warnings, VkImage output) {
-    if (size == selection().request.size) return Unit{};
+    if (size == selection().request.size && output == selection().output) return Unit{};
     Selection next = selection();
     next.request.size = size;
     next.output = output;
@@ -173,6 +184,13 @@ Result<ScenePart> Session::prepare_part(const scene::Scene& scene, bool moves_in
 }
 
 Result<PartId> Session::add_part(ScenePart part) {
+    if (parts_->scene.gpu().replaces_sets()) {
+        Diagnostic d;
+        d.code = "W246";
+        d.message = "SessionInput::draw_sets replaces descriptor sets that the draws of the added part need";
+        d.help = {"draw the meshes in a draw list of the program, or create the session without draw_sets"};
+        return d;
+    }
     const std::unique_ptr<PendingPart> pending = part.take();
     return parts_->scene.gpu().parts().add(std::move(pending->part), std::move(pending->uploads));
 }

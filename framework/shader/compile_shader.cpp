@@ -76,7 +76,13 @@ Diagnostic not_found(const std::string& reference, ProgramKind kind, const Stage
         places +=
             (places.empty() ? "" : ", then ") + (root.empty() ? std::string(".") : root.generic_string());
     }
-    if (file.shared) places = roots.include_root.generic_string();
+    if (file.shared) {
+        // Every shipped folder of shaders has this file.
+        diagnostic.help.push_back("\"" + roots.include_root.parent_path().generic_string() +
+                                  "\" is not the folder shaders/ of Weft: name this folder in "
+                                  "LoadSettings::shader_root");
+        return diagnostic;
+    }
     diagnostic.help.push_back(places.empty() ? "give the program a shader folder; it has none"
                                              : "put the file into a shader folder; weft looked in " + places);
     const std::string near = did_you_mean_text(reference, known_references(kind, reader));

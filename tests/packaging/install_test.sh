@@ -91,7 +91,7 @@ compare_sample() {
 # Builds the other samples with the flags of pkg-config. This takes long, so it is part of the extended tests.
 build_other_samples_with_pkg_config() {
   local sample folder=$source/docs/examples/embedding
-  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions plan_only moving own_meshes built_graph; do
+  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions plan_only moving own_meshes shipped_graph built_graph; do
     # shellcheck disable=SC2046,SC2086  # flags are words
     "${CXX:-g++}" -std=c++20 ${CXXFLAGS:-} -I"$folder" -DWEFT_DATA_DIR="\"$installed/share/weft\"" \
       "$folder/$sample/main.cpp" "$folder/sample.cpp" "$folder/own_device.cpp" \
@@ -107,7 +107,7 @@ build_other_samples_with_pkg_config() {
 # Runs the other samples under the validation layer. Each checks its own picture.
 run_other_samples() {
   local sample
-  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions moving own_meshes built_graph; do
+  for sample in raw_pass own_command_buffer own_semaphores own_format two_sessions moving own_meshes shipped_graph built_graph; do
     "$scratch/embedding/$sample" --validate || fail "the sample $sample ended with $?"
   done
   (cd / && env -i ${ASAN_OPTIONS:+ASAN_OPTIONS="$ASAN_OPTIONS"} "$installed/bin/weft" plan --size 320x180 \
@@ -116,6 +116,15 @@ run_other_samples() {
   if nm -C "$scratch/embedding/cooked" | grep -q -e 'glslang::' -e 'spvtools::'; then
     fail "the sample cooked contains a GLSL compiler"
   fi
+}
+
+# Expects that the pages for authors and embedders are installed, and that each file that they link to is, too.
+check_pages() {
+  local page
+  for page in format shaders writing-a-pass SECURITY diagnostics glossary lights sun-shadows scenes command-line embedding; do
+    [ -s "$installed/share/weft/docs/$page.md" ] || fail "docs/$page.md is not installed"
+  done
+  python3 "$source/tests/packaging/check_links.py" "$installed/share/weft/docs" || fail "an installed page has a link to nothing"
 }
 
 # Expects that docs/embedding.md quotes the output that the sample program really prints.
@@ -128,6 +137,7 @@ check_quotes() {
 
 check_quotes
 install_and_move
+check_pages
 for installed_program in "$installed"/bin/*; do check_libraries "$installed_program"; done
 build_sample
 (cd / && env -i "$scratch/embedding/plan_only" | grep -q '^tonemap$') || fail "the sample plan_only makes no plan"

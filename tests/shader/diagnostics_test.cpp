@@ -100,6 +100,44 @@ TEST_F(ShaderErrors, a_missing_include_is_named) {
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].code, "W203");
     EXPECT_NE(found[0].message.find("nowhere.glsl"), std::string::npos);
+    write("graph/fx/x.comp", "#version 460\n#include \"nowhere.glsl\"\nvoid main() {}\n");
+    const std::string text = to_text(errors("fx/x.comp", ProgramKind::compute));
+    const std::string graph = (base_ / "graph").string(), shared = (base_ / "shaders/include").string();
+    EXPECT_NE(text.find("Weft looked in " + graph + "/fx, then in " + graph + ", then in " + shared),
+              std::string::npos)
+        << text;
+}
+
+TEST_F(ShaderErrors, shaders_of_a_graph_share_an_include_file) {
+    for (const std::string stage : {"graph/a/a.vert", "graph/a/a.frag"})
+        write(stage,
+              "#version 460\n#include \"shared_by_all.glsl\"\n#include \"sub/more.glsl\"\n"
+              "void main() { f(); g(); }\n");
+    write("graph/shared_by_all.glsl", "void f() {}\n");
+    write("graph/sub/more.glsl", "#include \"beside.glsl\"\nvoid g() { h(); }\n");
+    write("graph/sub/beside.glsl", "void h() {}\n");
+    const auto compiled = compile("a", ProgramKind::raster);
+    EXPECT_TRUE(compiled.ok()) << to_text(compiled.errors());
+    // The file beside the including file comes first.
+    write("graph/a/shared_by_all.glsl", "void f() { fault }\n");
+    EXPECT_NE(to_text(errors("a", ProgramKind::raster)).find("graph/a/shared_by_all.glsl"),
+              std::string::npos);
+    // The folder of the graph is not searched for files that only Weft's shaders include.
+    write("shaders/fx/y.comp", "#version 460\n#include \"shared_by_all.glsl\"\nvoid main() { f(); }\n");
+    EXPECT_EQ(errors("fx/y.comp", ProgramKind::compute).at(0).code, "W203");
+}
+
+TEST_F(ShaderErrors, a_wrong_shader_folder_is_named) {
+    write("graph/x.frag",
+          "#version 460\nlayout(location = 0) out vec4 color;\nvoid main() { color = vec4(1); }\n");
+    fs::remove_all(base_ / "shaders");
+    const Diagnostics found = errors("x.frag", ProgramKind::fullscreen);
+    ASSERT_EQ(found.size(), 1u) << to_text(found);
+    EXPECT_EQ(found[0].code, "W201");
+    EXPECT_NE(found[0].help.at(0).find("\"" + (base_ / "shaders").string() +
+                                       "\" is not the folder shaders/ of Weft"),
+              std::string::npos)
+        << to_text(found);
 }
 
 TEST_F(ShaderErrors, an_include_that_includes_itself_ends) {

@@ -23,6 +23,7 @@ class PaddedAllocator final : public MemoryAllocator {
     VkResult allocate(const MemoryRequest& request, MemoryBlock& block) override {
         if (fails) return VK_ERROR_OUT_OF_DEVICE_MEMORY;
         EXPECT_FALSE(request.name.empty());
+        ++contents[request.content];
         const DeviceFunctions& fn = device_.fn();
         VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
         info.allocationSize = request.size_bytes + 2 * request.alignment_bytes;
@@ -52,6 +53,7 @@ class PaddedAllocator final : public MemoryAllocator {
     int live = 0;
     std::map<uint32_t, uint64_t> bytes;
     std::map<uint32_t, uint32_t> blocks;
+    std::map<MemoryContent, uint32_t> contents;
 
  private:
     Device& device_;
@@ -125,6 +127,13 @@ TEST_F(EmbedderCallbacksVk, memory_comes_from_the_program_and_as_much_as_was_for
         EXPECT_EQ(use.size_bytes, memory.bytes[use.heap]);
         EXPECT_EQ(use.allocations, memory.blocks[use.heap]);
     }
+    std::set<size_t> with_image;
+    for (const Placement& placement : plan.memory.placements)
+        if (plan.graph.resources[placement.resource].kind == ResourceKind::image)
+            with_image.insert(placement.heap);
+    EXPECT_EQ(memory.contents[MemoryContent::images] + memory.contents[MemoryContent::both],
+              with_image.size());
+    EXPECT_GT(memory.contents[MemoryContent::buffers], 0u) << "those for Params and readbacks";
     const NativeResource image = (*executor)->native(find_resource(plan.graph, "a"));
     EXPECT_GT(image.offset_bytes, 0u) << "the offset of the block counts";
     const std::vector<ReadbackData> read = run_frames(**executor, 3);

@@ -3,6 +3,7 @@
 #include "graph/parse/debug_view.h"
 #include "viewer/commands/load_settings.h"
 #include "viewer/files/files.h"
+#include "viewer/options/import_texts.h"
 #include "weft/check/check_plan.h"
 #include "weft/load/plan_graph.h"
 #include "weft/registry.h"
@@ -17,11 +18,26 @@ Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
     return faults;
 }
 
+// Adds to the errors about imports that Weft does not offer how to describe them.
+Diagnostics with_import_help(Diagnostics faults) {
+    for (Diagnostic& fault : faults) {
+        const bool is_unknown =
+            fault.code == "W118" && fault.message.starts_with("the program does not offer");
+        if (!is_unknown || fault.help.front().starts_with("did you mean")) continue;
+        const std::string name = fault.pointer.substr(fault.pointer.rfind('/') + 1);
+        fault.help.emplace_back(
+            "if your program offers it, describe it, for example as a draw list: --import " + name +
+            "=drawlist:position,normal");
+    }
+    return faults;
+}
+
 Result<PlannedGraph> plan_offline(const JsonDoc& document, const OfflineOptions& options,
                                   const DeviceProfile& profile, Diagnostics& warnings,
                                   SharedByTiers* shared) {
     const PassCatalog passes = registered_passes();
-    const ImportCatalog imports = render::scene_imports(options.request.size);
+    ImportCatalog imports = render::scene_imports(options.request.size);
+    add_imports(options.imports, imports);
     const LoadSettings settings = load_settings(options.limits, options.graph_path);
     LoadInput input{.request = options.request,
                     .settings = settings,
@@ -49,7 +65,7 @@ Result<OfflinePlan> compile_offline(const JsonDoc& document, const OfflineOption
     Result<DeviceProfile> profile = load_profile(options.profile);
     if (!profile) return profile.take_errors();
     Result<PlannedGraph> planned = plan_offline(document, options, *profile, warnings, shared);
-    if (!planned) return planned.take_errors();
+    if (!planned) return with_import_help(planned.take_errors());
     const LoadedGraph& loaded = planned->loaded;
     OfflinePlan made{std::move(planned->plan), loaded.shaders, std::move(*profile), {}};
     // Check the debug views only if the graph has an output. A graph without an output is a module that other

@@ -44,13 +44,11 @@ std::filesystem::path shader_cache() {
 }
 
 std::optional<std::string> read_file(const std::string& path, uint64_t most_bytes) {
-    FileContent content = read_plain_file(path, most_bytes, LastLink::followed);
-    if (content.fault == FileFault::too_large) return std::string(most_bytes + 1, '\0');
-    return content.fault == FileFault::none ? std::optional(std::move(content.bytes)) : std::nullopt;
+    return disk_reader(most_bytes)(path);
 }
 
 FileReader reader_up_to(uint64_t most_bytes) {
-    return [most_bytes](const std::string& path) { return read_file(path, most_bytes); };
+    return disk_reader(most_bytes);
 }
 
 Result<Limits> load_limits(const std::string& file) {

@@ -38,6 +38,10 @@ void add_offline(CLI::App& command, OfflineOptions& o, RawTexts& raw) {
     add_queues(command, o.queues);
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
+    command
+        .add_option("--import", raw.imports,
+                    "an import of your program, such as props=drawlist:position,normal; may be repeated")
+        ->check(import_validator());
     add_graph_path(command, raw);
     add_limits(command, raw);
 }

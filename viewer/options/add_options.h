@@ -20,6 +20,7 @@ struct RawTexts {
     std::string bench_size = "640x360";
     std::vector<std::string> params;
     std::vector<std::string> turns;
+    std::vector<std::string> imports;
     double exposure = 0;
     std::string limits;
     std::vector<std::string> graph_path;

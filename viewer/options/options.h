@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "weft/declaration.h"
 #include "weft/graph_request.h"
+#include "weft/imports.h"
 #include "weft/limits.h"
 
 namespace weft::viewer {
@@ -70,6 +72,8 @@ struct OfflineOptions {
     uint32_t queues = 1;
     Limits limits;
     std::vector<std::string> graph_path;
+    // Imports that another program offers to the graph, by name.
+    std::map<std::string, ImportDecl, std::less<>> imports;
 };
 
 struct CheckOptions {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "viewer/options/arguments.h"
+#include "viewer/options/import_texts.h"
 
 namespace weft::viewer {
 
@@ -16,6 +17,10 @@ CLI::Validator param_validator() {
 
 CLI::Validator turns_validator() {
     return CLI::Validator([](std::string& text) { return turns_fault(text); }, "NAME=ROUND,ROUND…");
+}
+
+CLI::Validator import_validator() {
+    return CLI::Validator([](std::string& text) { return import_fault(text); }, "NAME=KIND:VALUE");
 }
 
 CLI::Validator env_validator() {

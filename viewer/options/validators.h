@@ -23,6 +23,7 @@ inline constexpr NumberRange kTimeout{0.001, 3600, "s"};
 [[nodiscard]] CLI::Validator size_validator();
 [[nodiscard]] CLI::Validator param_validator();
 [[nodiscard]] CLI::Validator turns_validator();
+[[nodiscard]] CLI::Validator import_validator();
 [[nodiscard]] CLI::Validator env_validator();
 [[nodiscard]] CLI::Validator plot_validator();
 [[nodiscard]] CLI::Validator folder_validator();

@@ -10,7 +10,6 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include "own_device.h"
@@ -28,23 +27,6 @@ T take(weft::Result<T> result) {
     return std::move(*result);
 }
 
-weft::render::SessionInput session_input(const weft::PassCatalog& passes) {
-    const std::filesystem::path data = WEFT_DATA_DIR;
-    weft::render::SessionInput input;
-    input.request.path = data / "graphs" / "deferred.json";
-    input.request.size = kSize_px;
-    input.load.shader_root = data / "shaders";
-    input.load.shader_worker = weft::find_shader_worker(data.parent_path().parent_path());
-    input.load.reader = [](const std::string& path) -> std::optional<std::string> {
-        std::ifstream file(path, std::ios::binary);
-        std::ostringstream text;
-        text << file.rdbuf();
-        return file ? std::optional(text.str()) : std::nullopt;
-    };
-    input.passes = &passes;
-    return input;
-}
-
 std::vector<uint8_t> render(const OwnDevice& own) {
     const std::unique_ptr<weft::vk::Device> device = take(weft::vk::Device::adopt(
         {own.instance, own.physical, own.device, {{own.queue, own.family}}, &own.enabled}));
@@ -52,7 +34,14 @@ std::vector<uint8_t> render(const OwnDevice& own) {
 
     const weft::scene::Scene scene = take(weft::scene::make_builtin("spheres"));
     const weft::PassCatalog passes = weft::registered_passes();
-    weft::render::SessionInput input = session_input(passes);
+    const std::filesystem::path data = WEFT_DATA_DIR;
+    weft::render::SessionInput input;
+    input.request.path = data / "graphs" / "deferred.json";
+    input.request.size = kSize_px;
+    input.load.graph_root = data / "graphs";
+    input.load.shader_root = data / "shaders";
+    input.load.shader_worker = weft::find_shader_worker(data.parent_path().parent_path());
+    input.passes = &passes;
     input.output = target.image;
     weft::Diagnostics warnings;
     std::unique_ptr<weft::render::Session> session =

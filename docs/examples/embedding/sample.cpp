@@ -106,6 +106,28 @@ void OwnCommands::wait_for(uint64_t value) const {
     require(vkWaitSemaphores(own_.device, &info, UINT64_MAX), "vkWaitSemaphores");
 }
 
+void paint_image(const OwnDevice& own, VkImage image, const std::array<float, 4>& color) {
+    const OwnCommands commands(own);
+    const VkCommandBuffer recorded = commands.begin();
+    VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
+    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    barrier.image = image;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    vkCmdPipelineBarrier(recorded, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0,
+                         nullptr, 0, nullptr, 1, &barrier);
+    const VkClearColorValue colour{{color[0], color[1], color[2], color[3]}};
+    vkCmdClearColorImage(recorded, image, barrier.newLayout, &colour, 1, &barrier.subresourceRange);
+    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    vkCmdPipelineBarrier(recorded, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, 0,
+                         0, nullptr, 0, nullptr, 1, &barrier);
+    commands.submit(recorded, VK_NULL_HANDLE, commands.timeline, 1);
+    commands.wait_for(1);
+}
+
 int run_sample(int argc, char** argv, void (*sample)(OwnDevice& own)) {
     try {
         OwnDevice own(argc > 1 && std::strcmp(argv[1], "--validate") == 0);

@@ -5,6 +5,7 @@
 #include <weft/render/session.h>
 #include <weft/scene/scene.h>
 
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -52,6 +53,9 @@ class OwnCommands {
     const OwnDevice& own_;
     VkCommandPool pool_ = VK_NULL_HANDLE;
 };
+
+// Fills the image with one colour, and leaves it in the layout SHADER_READ_ONLY_OPTIMAL. Waits for the GPU.
+void paint_image(const OwnDevice& own, VkImage image, const std::array<float, 4>& color);
 
 // Creates the device, with the validation layer if the program has the argument --validate, calls `sample`
 // and returns the exit code of the program.

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "weft/limits.h"
+
 namespace weft {
 namespace {
 
@@ -24,7 +26,7 @@ FileReader MemoryFiles::reader(FileReader others) const {
             const auto found = texts_.find(normal_path(path));
             if (found != texts_.end()) return std::optional(found->second);
         }
-        return others(path);
+        return others ? others(path) : disk_reader(GraphLimits{}.json_bytes)(path);
     };
 }
 

@@ -51,15 +51,22 @@ constexpr std::array kFormats{
     FormatInfo{Format::d32f_s8, "d32f_s8", 8, 2, NumericClass::depth, false, true, true},
     FormatInfo{Format::d24_s8, "d24_s8", 4, 2, NumericClass::depth, false, true, true},
     FormatInfo{Format::s8, "s8", 1, 1, uint, false, false, true},
+    FormatInfo{Format::rgb32f, "rgb32f", 12, 3, float_like, false, false, false, true},
+    FormatInfo{Format::rgb32u, "rgb32u", 12, 3, uint, false, false, false, true},
+    FormatInfo{Format::rgb32i, "rgb32i", 12, 3, sint, false, false, false, true},
 };
 
 constexpr bool in_order() {
     for (size_t i = 0; i < kFormats.size(); ++i) {
         if (static_cast<size_t>(kFormats[i].format) != i) return false;
     }
-    return kFormats.size() == static_cast<size_t>(Format::s8) + 1;
+    return kFormats.size() == static_cast<size_t>(Format::rgb32i) + 1;
 }
 static_assert(in_order(), "one row for each Format, in its order");
+
+bool is_of_images(const FormatInfo& info) {
+    return info.format != Format::undefined && !info.vertex_only;
+}
 
 }  // namespace
 
@@ -70,7 +77,7 @@ const FormatInfo& format_info(Format format) {
 
 std::optional<Format> format_from_name(std::string_view name) {
     for (const FormatInfo& info : kFormats) {
-        if (info.name == name && info.format != Format::undefined) return info.format;
+        if (info.name == name && is_of_images(info)) return info.format;
     }
     return std::nullopt;
 }
@@ -78,7 +85,7 @@ std::optional<Format> format_from_name(std::string_view name) {
 std::vector<std::string> format_names() {
     std::vector<std::string> names;
     for (const FormatInfo& info : kFormats) {
-        if (info.format != Format::undefined) names.emplace_back(info.name);
+        if (is_of_images(info)) names.emplace_back(info.name);
     }
     return names;
 }

@@ -1,4 +1,5 @@
-// Purpose: lists the image formats, with their names in graphs and their properties. Independent of Vulkan.
+// Purpose: lists the formats of images and vertex attributes, with their names in graphs and their
+// properties. Independent of Vulkan.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +52,10 @@ enum class Format : uint8_t {
     d32f_s8,
     d24_s8,
     s8,
+    // Only for vertex attributes: most devices have no images with these formats, so graphs cannot name them.
+    rgb32f,
+    rgb32u,
+    rgb32i,
 };
 
 // The type of the values that shaders read. float_like: the formats float, unorm, snorm and sRGB.
@@ -65,9 +70,11 @@ struct FormatInfo {
     bool srgb = false;
     bool depth = false;
     bool stencil = false;
+    bool vertex_only = false;  // True: only vertex attributes can have this format.
 };
 
 [[nodiscard]] const FormatInfo& format_info(Format format);
+// The two functions know only the formats that images can have.
 [[nodiscard]] std::optional<Format> format_from_name(std::string_view name);
 [[nodiscard]] std::vector<std::string> format_names();
 

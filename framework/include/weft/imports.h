@@ -24,7 +24,9 @@ struct DrawVariant {
 
 // An attribute of the vertices of a draw list. It is bound to the shader's input with the same name.
 struct VertexAttribute {
-    std::string name;  // Name of the attribute: "position", "normal", "tangent" or "uv".
+    std::string name;  // The lists of a scene have "position", "normal", "tangent" and "uv".
+    // The shader's input has the same number class: float, uint or int. Tight vectors of three floats have
+    // the format rgb32f.
     Format format = Format::undefined;
     uint32_t stream = 0;        // The vertex buffer with the attribute: an index into stride_bytes.
     uint32_t offset_bytes = 0;  // Offset of the attribute from the start of its vertex.
@@ -45,10 +47,12 @@ struct ImportDecl {
     bool read_only = false;  // True: passes must not write the buffer or image (W147).
     // True: the program uses what a frame writes, so the passes that write the buffer or image always run.
     bool observed = false;
-    // The members from `variants` to `draws` describe a draw list.
+    // The members from `variants` to `draw_sets` describe a draw list.
     std::vector<DrawVariant> variants;
     VertexFormat vertex_format;
     uint32_t draws = 1;  // Number of draws in the list.
+    // The descriptor sets that the source of the draws binds: set s has the bit 1 << s.
+    uint32_t draw_sets = 1u << 2 | 1u << 3;
     // The members `views` and `rects` describe a list of views: the number of its views, and for each view
     // its rectangle in pixels for passes with "into": "rects". If `rects` is empty, the views form a grid.
     uint32_t views = 0;

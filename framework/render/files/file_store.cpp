@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "load/text_reader.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::render {
@@ -121,7 +122,7 @@ Result<FileObject*> FileStore::find_or_make(const ResolvedGraph& graph, const Re
     {
         const std::lock_guard lock(mutex_);
         const auto known = known_.find(decl.file_path);
-        if (settings.reads_disk && known != known_.end() && known->second.stamps.hold())
+        if (reads_disk(settings) && known != known_.end() && known->second.stamps.hold())
             if (FileObject* object = find(decl, known->second.hash)) return object;
     }
     FileStamps stamps;  // Created before the file is read, so that it reveals a change during the reading.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/imports/vertex_format_faults.h"
 #include "weft/render/import_catalog.h"
 
 namespace weft::render {
@@ -27,7 +28,8 @@ Diagnostic taken(const std::string& name, const char* member) {
 
 }  // namespace
 
-Diagnostics program_import_faults(const SessionInput& input, const scene::Scene& scene) {
+Diagnostics program_import_faults(const vk::Device& device, const SessionInput& input,
+                                  const scene::Scene& scene) {
     const ImportCatalog offered = scene_imports(input.request.size, &scene);
     const auto is_taken = [&](const std::string& name) {
         return offered.imports.contains(name) || input.views.contains(name) || input.textures.contains(name);
@@ -36,7 +38,12 @@ Diagnostics program_import_faults(const SessionInput& input, const scene::Scene&
     for (const auto& [name, unused] : input.imports)
         if (is_taken(name)) faults.push_back(taken(name, "imports"));
     for (const auto& [name, own] : input.draw_lists) {
-        if (is_taken(name) || input.imports.contains(name)) faults.push_back(taken(name, "draw_lists"));
+        const bool replaces =
+            scene.instances.empty() && std::ranges::find(kDrawLists, name) != kDrawLists.end();
+        if ((is_taken(name) && !replaces) || input.imports.contains(name))
+            faults.push_back(taken(name, "draw_lists"));
+        for (Diagnostic& wrong : vertex_format_faults(device, name, own.vertex_format))
+            faults.push_back(std::move(wrong));
         if (own.list == nullptr)
             faults.push_back(fault("W245", "the draw list \"" + name + "\" has no DrawList",
                                    "set OwnDrawList::list to an object that outlives the session"));
@@ -60,6 +67,8 @@ void add_program_imports(const SessionInput& input, ImportCatalog& catalog) {
         decl.observed = !decl.read_only;
         catalog.imports.insert_or_assign(name, decl);
     }
+    uint32_t draw_sets = 0;
+    for (const auto& [set, unused] : input.draw_sets) draw_sets |= 1u << set;
     for (const auto& [name, own] : input.draw_lists) {
         ImportDecl list;
         list.name = name;
@@ -67,6 +76,7 @@ void add_program_imports(const SessionInput& input, ImportCatalog& catalog) {
         list.variants = own.variants;
         list.vertex_format = own.vertex_format;
         list.draws = static_cast<uint32_t>(std::max<uint64_t>(1, own.list->count()));
+        list.draw_sets = draw_sets;
         catalog.imports.insert_or_assign(name, list);
     }
     for (const auto& [set, own] : input.draw_sets) {

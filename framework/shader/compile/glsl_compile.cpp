@@ -28,10 +28,9 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
             return refused("the stage has more than " + std::to_string(limits.includes) + " includes");
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
         if (lookup.source == nullptr) {
-            // For #include "x", glslang asks twice: for a file beside the including file, then for a file in
-            // the include root. If the first file must not be read and the second does not exist, return the
-            // reason for the first file. It helps the user more than "no such file".
-            if (lookup.refused) refusal = {request.name, lookup.reason};
+            // For #include "x", glslang asks a second time, as for #include <x>. The reason of the first
+            // answer helps the user more, because it names all folders.
+            if (lookup.refused || request.beside) refusal = {request.name, lookup.reason};
             return refused(refusal.first == request.name ? refusal.second : lookup.reason);
         }
         ++followed;

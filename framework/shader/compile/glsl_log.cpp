@@ -119,8 +119,8 @@ Diagnostic to_diagnostic(const LogLine& line, const SourceReader& reader) {
     underline_token(diagnostic, line.token);
     if (include) {
         diagnostic.help.emplace_back(
-            "use a relative path without \"..\" from the folder of this file, or from the folder "
-            "shaders/include");
+            "use a relative path without \"..\" from the folder of this file, from the folder of the graph "
+            "file, or from the folder shaders/include of Weft");
     } else if (line.message.starts_with("undeclared identifier") || line.message.starts_with("no matching")) {
         const std::string near = did_you_mean_text(line.token, identifiers(reader, line.token));
         if (!near.empty()) diagnostic.help.push_back(near);

@@ -110,9 +110,19 @@ SourceLookup SourceReader::read_include(const std::string& requested, const std:
     if (!is_plain_relative(requested)) return {nullptr, true, kClimbing};
     const SourceText* parent = find(includer);
     SourceLookup lookup;
-    if (beside && parent != nullptr)
-        lookup = look(parent->root, fs::path(parent->relative).parent_path() / requested);
-    if (lookup.source == nullptr && !lookup.refused) lookup = read_shared(requested);
+    std::string places;
+    const auto search = [&](size_t root, const fs::path& folder) {
+        if (lookup.source != nullptr || lookup.refused) return;
+        lookup = look(root, folder / requested);
+        places += (places.empty() ? "" : ", then in ") + shown_folder(root, folder);
+    };
+    if (beside && parent != nullptr) {
+        const fs::path folder = fs::path(parent->relative).parent_path();
+        search(parent->root, folder);
+        if (!folder.empty()) search(parent->root, {});
+    }
+    search(roots_.size() - 1, {});
+    if (lookup.source == nullptr && !lookup.refused) lookup.reason += "; Weft looked in " + places;
     if (lookup.source != nullptr && parent != nullptr) {
         SourceText& found = texts_.at({lookup.source->root, lookup.source->relative});
         if (found.included_by.empty()) {
@@ -121,6 +131,11 @@ SourceLookup SourceReader::read_include(const std::string& requested, const std:
         }
     }
     return lookup;
+}
+
+std::string SourceReader::shown_folder(size_t root, const fs::path& relative) const {
+    const fs::path folder = (roots_[root].shown / relative / ".").lexically_normal().parent_path();
+    return folder.empty() ? "." : folder.generic_string();
 }
 
 bool SourceReader::still_so(const SourceProbe& probe) {

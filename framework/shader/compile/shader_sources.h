@@ -43,7 +43,8 @@ class SourceReader {
     // Reads a file from the include root only, without searching the other root folders.
     [[nodiscard]] SourceLookup read_shared(const std::string& relative);
     // Reads an included file. #include "x.glsl" (`beside` is true) searches the folder of the including file,
-    // then the include root. #include <x.glsl> searches only the include root.
+    // then the root folder of this file, then the include root. #include <x.glsl> searches only the include
+    // root.
     [[nodiscard]] SourceLookup read_include(const std::string& requested, const std::string& includer,
                                             bool beside);
     // Searches for the file of an earlier probe again. Returns true if the result is the same as in `probe`.
@@ -66,6 +67,8 @@ class SourceReader {
     };
 
     SourceLookup look(size_t root, const std::filesystem::path& relative);
+    // The folder as the user gave it.
+    [[nodiscard]] std::string shown_folder(size_t root, const std::filesystem::path& relative) const;
     SourceLookup load(size_t root, const std::filesystem::path& relative, const std::filesystem::path& file);
 
     ShaderLimits limits_;

@@ -30,7 +30,7 @@ To look_up(From value, const std::array<To, N>& table) {
 template <auto Last>
 constexpr size_t kCountTo = static_cast<size_t>(Last) + 1;
 
-constexpr std::array<VkFormat, kCountTo<Format::s8>> kFormats{
+constexpr std::array<VkFormat, kCountTo<Format::rgb32i>> kFormats{
     VK_FORMAT_UNDEFINED,
     VK_FORMAT_R8_UNORM,
     VK_FORMAT_R8G8_UNORM,
@@ -72,6 +72,9 @@ constexpr std::array<VkFormat, kCountTo<Format::s8>> kFormats{
     VK_FORMAT_D32_SFLOAT_S8_UINT,
     VK_FORMAT_D24_UNORM_S8_UINT,
     VK_FORMAT_S8_UINT,
+    VK_FORMAT_R32G32B32_SFLOAT,
+    VK_FORMAT_R32G32B32_UINT,
+    VK_FORMAT_R32G32B32_SINT,
 };
 
 constexpr std::array<VkImageLayout, kCountTo<Layout::present>> kLayouts{

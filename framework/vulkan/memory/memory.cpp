@@ -39,12 +39,13 @@ uint32_t pick_memory_type(const Device& device, uint32_t type_bits, VkMemoryProp
 }
 
 Result<MemoryBlock> allocate(Device& device, const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted,
-                             bool mapped, const std::string& name) {
+                             bool mapped, const std::string& name, MemoryContent content) {
     const std::string what = "allocating " + std::to_string(needs.size) + " bytes for \"" + name + "\"";
     const uint32_t type = pick_memory_type(device, needs.memoryTypeBits, wanted);
     if (type == UINT32_MAX) return vk_error(VK_ERROR_OUT_OF_DEVICE_MEMORY, what);
     MemoryBlock block;
-    const VkResult result = allocate_memory(device, {needs.size, needs.alignment, type, mapped, name}, block);
+    const VkResult result =
+        allocate_memory(device, {needs.size, needs.alignment, type, mapped, name, content}, block);
     if (result != VK_SUCCESS) return vk_error(result, what);
     return block;
 }
@@ -182,8 +183,8 @@ Result<Buffer> Buffer::create(Device& device, uint64_t size_bytes, VkBufferUsage
 
     VkMemoryRequirements needs{};
     fn.vkGetBufferMemoryRequirements(device.handle(), buffer.buffer_, &needs);
-    Result<MemoryBlock> allocated =
-        allocate(device, needs, wanted_properties(memory), memory != Memory::device, name);
+    Result<MemoryBlock> allocated = allocate(device, needs, wanted_properties(memory),
+                                             memory != Memory::device, name, MemoryContent::buffers);
     if (!allocated) return allocated.take_errors();
     buffer.memory_ = *allocated;
     result = fn.vkBindBufferMemory(device.handle(), buffer.buffer_, buffer.memory_.memory,
@@ -226,7 +227,7 @@ Result<Image> Image::create(Device& device, const ResourceDecl& decl) {
     VkMemoryRequirements needs{};
     fn.vkGetImageMemoryRequirements(device.handle(), image.image_, &needs);
     Result<MemoryBlock> allocated =
-        allocate(device, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false, decl.name);
+        allocate(device, needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, false, decl.name, MemoryContent::images);
     if (!allocated) return allocated.take_errors();
     image.memory_ = *allocated;
     result =

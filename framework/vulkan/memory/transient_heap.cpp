@@ -68,6 +68,17 @@ uint64_t heap_alignment(Device& device, const FramePlan& plan, size_t heap) {
     return alignment_bytes;
 }
 
+MemoryContent heap_content(const FramePlan& plan, size_t heap) {
+    bool images = false, buffers = false;
+    for (const Placement& placement : plan.memory.placements) {
+        if (placement.heap != heap) continue;
+        const bool image = plan.graph.resources[placement.resource].kind == ResourceKind::image;
+        (image ? images : buffers) = true;
+    }
+    if (images && buffers) return MemoryContent::both;
+    return images ? MemoryContent::images : MemoryContent::buffers;
+}
+
 Result<DeviceMemory> allocate_heap(Device& device, const FramePlan& plan, size_t index,
                                    const std::string& what, const std::string& name) {
     const HeapPlan& heap = plan.memory.heaps[index];
@@ -76,7 +87,9 @@ Result<DeviceMemory> allocate_heap(Device& device, const FramePlan& plan, size_t
         return failed_call("V411", what + " in any memory type of the device", VK_ERROR_FEATURE_NOT_PRESENT);
     MemoryBlock block;
     const VkResult result = allocate_memory(
-        device, {heap.size_bytes, heap_alignment(device, plan, index), type, false, name}, block);
+        device,
+        {heap.size_bytes, heap_alignment(device, plan, index), type, false, name, heap_content(plan, index)},
+        block);
     if (result != VK_SUCCESS) return failed_call("V411", what, result);
     return DeviceMemory(device, block);
 }

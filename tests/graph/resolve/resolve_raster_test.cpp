@@ -172,6 +172,31 @@ TEST_F(ResolveRaster, VertexInputsComeFromTheDrawList) {
     expect_help(d, "did you mean \"position\"");
 }
 
+TEST_F(ResolveRaster, VertexInputsHaveTheNumberClassOfTheDrawList) {
+    const std::string body =
+        graph(R"j("hdr": "rgba16f")j", R"j("a": )j" + raster(R"j("shader": "mesh", "out": ["hdr"])j"));
+    const std::map<Format, ScalarType> types{{Format::rgb32f, ScalarType::f32},
+                                             {Format::rgba8, ScalarType::f32},
+                                             {Format::rgb32u, ScalarType::u32},
+                                             {Format::rgb32i, ScalarType::i32}};
+    for (const auto& [format, right] : types) {
+        imports.imports["opaque"].vertex_format.attributes = {{.name = "position", .format = format}};
+        for (const ScalarType scalar : {ScalarType::f32, ScalarType::u32, ScalarType::i32}) {
+            StageVariable input;
+            input.name = "position";
+            input.scalar = scalar;
+            shaders["mesh"].interface.vertex_inputs = {input};
+            if (scalar == right) {
+                good(body);
+                continue;
+            }
+            const Diagnostic d = bad(body);
+            EXPECT_EQ(d.code, "W167");
+            expect_help(d, "float, uint or int");
+        }
+    }
+}
+
 TEST_F(ResolveRaster, DeferredShape) {
     // The lighting pass modifies hdr in place. It must run after the G-buffer pass, because it also reads the
     // G-buffer output `albedo`.

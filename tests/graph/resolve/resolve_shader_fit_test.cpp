@@ -86,6 +86,23 @@ TEST_F(ResolveShaderFit, EachBindingMustBeThere) {
     good(lists());
 }
 
+TEST_F(ResolveShaderFit, TheSourceOfAListBindsTheSetsOfTheShader) {
+    shaders["s"] = with_binding(fragment({"color"}), at(2, 0, BindingKind::uniform_buffer));
+    imports.imports["opaque"].draw_sets = 1u << 2;
+    good(lists());
+    imports.imports["opaque"].draw_sets = 1u << 3;
+    const Diagnostic d = bad(lists());
+    EXPECT_EQ(d.code, "W256");
+    expect_help(d, "SessionInput::draw_sets");
+}
+
+TEST_F(ResolveShaderFit, AFaultListsWhatTheProgramBinds) {
+    shaders["s"] = with_binding(fragment({"color"}), at(3, 1, BindingKind::storage_buffer));
+    expect_help(bad(lists()), "the program binds in set 3: 0: storage buffer in vertex shaders");
+    std::erase_if(imports.bindings, [](const OfferedBinding& offered) { return offered.set == 3; });
+    expect_help(bad(lists()), "the program binds in set 3: nothing");
+}
+
 TEST_F(ResolveShaderFit, PointsHaveASize) {
     shaders["s"] = fragment({"color"});
     for (const char* state : {R"j("topology": "points")j", R"j("fill": "point")j"}) {

@@ -35,15 +35,18 @@ class TriangleList final : public render::DrawList {
         const VkBuffer vertices = vertices_.handle();
         const VkDeviceSize offset = 0;
         draw.fn->vkCmdBindVertexBuffers(draw.commands, 0, 1, &vertices, &offset);
-        if (draw.uses_materials)
-            draw.fn->vkCmdBindDescriptorSets(draw.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.layout, 2,
-                                             1, &sets_.sets[0], 0, nullptr);
+        bind_material(draw);
         draw.fn->vkCmdDraw(draw.commands, 3, 1, 0, 0);
         targets = draw.targets;
         views = view.all_view_projections.size();
         seen = view;
         seen.all_view_projections = {};  // They exist only during the call.
         return 0;
+    }
+    void bind_material(const vk::DrawContext& draw) const {
+        if (draw.uses_materials)
+            draw.fn->vkCmdBindDescriptorSets(draw.commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.layout, 2,
+                                             1, &sets_.sets[0], 0, nullptr);
     }
     std::optional<uint64_t> version() const override { return 1; }
     std::optional<scene::Bounds> bounds() const override { return scene::Bounds{{-20, -20, 0}, {20, 40, 0}}; }

@@ -41,6 +41,9 @@ const std::map<std::string, std::string> kWithoutFile{
     {"W245", "the program offers imports and draw lists, not the graph file"},
     {"W246", "the program offers descriptor sets, not the graph file"},
     {"W247", "the program removes parts of the scene, not the graph file"},
+    {"W254", "the program gives the pass types, not the graph file"},
+    {"W255", "the program gives the vertex formats of its draw lists, not the graph file"},
+    {"W256", "the program offers descriptor sets, not the graph file"},
     {"W177", "of files, W108 and W201 come first; a program may hand in shaders that it compiled itself"},
 };
 

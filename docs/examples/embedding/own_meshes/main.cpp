@@ -57,35 +57,12 @@ VkImageCreateInfo paint_info() {
     return info;
 }
 
-// Fills the image with one colour, and leaves it in the layout that Weft expects.
-void paint_image(const OwnDevice& own, VkImage image) {
-    const OwnCommands commands(own);
-    const VkCommandBuffer recorded = commands.begin();
-    VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
-    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    barrier.image = image;
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-    vkCmdPipelineBarrier(recorded, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0,
-                         nullptr, 0, nullptr, 1, &barrier);
-    const VkClearColorValue colour{{1, 0.75f, 0.5f, 1}};
-    vkCmdClearColorImage(recorded, image, barrier.newLayout, &colour, 1, &barrier.subresourceRange);
-    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    vkCmdPipelineBarrier(recorded, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, 0,
-                         0, nullptr, 0, nullptr, 1, &barrier);
-    commands.submit(recorded, VK_NULL_HANDLE, commands.timeline, 1);
-    commands.wait_for(1);
-}
-
 void draw(OwnDevice& own) {
     const std::unique_ptr<weft::vk::Device> device = take(weft::vk::Device::adopt(
         {own.instance, own.physical, own.device, {{own.queue, own.family}}, &own.enabled}));
     const OwnImage target = make_image(own, weft::render::output_create_info(*device, kSize_px));
     const OwnImage paint = make_image(own, paint_info());
-    paint_image(own, paint.image);
+    paint_image(own, paint.image, {1, 0.75f, 0.5f, 1});
     const OwnBuffer vertices = make_buffer(own, sizeof kTriangle, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
     std::memcpy(vertices.mapped, kTriangle.data(), sizeof kTriangle);
 

@@ -34,6 +34,11 @@ void print_plan() {
     const weft::Diagnostics faults = weft::check_plan(planned.plan);
     if (!faults.empty()) throw std::runtime_error(weft::to_text(faults));
 
+    // A menu can show this: the quality tiers of the graph, and its parameters.
+    for (const weft::TierDesc& tier : planned.loaded.desc.tiers) std::printf("tier %s\n", tier.name.c_str());
+    for (const auto& [name, param] : planned.loaded.desc.params)
+        std::printf("parameter %s, default %g %s\n", name.c_str(), param.default_value, param.unit.c_str());
+
     const weft::FramePlan& plan = planned.plan;
     for (const weft::PassId pass : plan.schedule.order)
         std::printf("%s\n", plan.graph.passes[pass].name.c_str());

@@ -29,6 +29,32 @@ void report_bad_list(PassBinding& pass, const std::string& list, SourceLoc loc) 
     }
 }
 
+// Returns true if the shader reads numbers of another class than the attribute has.
+bool has_other_class(const StageVariable& input, Format format) {
+    if (format == Format::undefined) return false;
+    switch (format_info(format).numeric) {
+        case NumericClass::sint:
+            return input.scalar != ScalarType::i32;
+        case NumericClass::uint:
+            return input.scalar != ScalarType::u32;
+        default:
+            return input.scalar != ScalarType::f32;
+    }
+}
+
+void report_other_class(PassBinding& pass, const std::string& list, const StageVariable& input,
+                        const VertexAttribute& offered) {
+    const auto type = [](ScalarType scalar) {
+        return scalar == ScalarType::i32 ? "int" : scalar == ScalarType::u32 ? "uint" : "float";
+    };
+    const PassDesc& desc = *pass.draft.desc;
+    Diagnostic& d = pass.error(desc.shader_loc, "W167",
+                               "shader " + quote(desc.shader) + " reads vertex input " + quote(input.name) +
+                                   " as " + type(input.scalar) + ", but in draw list " + quote(list) +
+                                   " it has the format " + std::string(format_info(offered.format).name));
+    add_help(d, "give the input of the shader the type of the format: float, uint or int, or a vector of it");
+}
+
 // Checks that the meshes of a draw list have each vertex input of the shader. Vertex inputs are bound by
 // name.
 void check_vertex_inputs(PassBinding& pass, const std::string& list) {
@@ -40,8 +66,12 @@ void check_vertex_inputs(PassBinding& pass, const std::string& list) {
     std::vector<std::string> names;
     for (const VertexAttribute& attribute : offered_attributes) names.push_back(attribute.name);
     for (const StageVariable& input : shader->vertex_inputs) {
-        if (std::ranges::find(names, input.name) != names.end()) continue;
         const PassDesc& desc = *pass.draft.desc;
+        const auto offered = std::ranges::find(offered_attributes, input.name, &VertexAttribute::name);
+        if (offered != offered_attributes.end()) {
+            if (has_other_class(input, offered->format)) report_other_class(pass, list, input, *offered);
+            continue;
+        }
         Diagnostic& d =
             pass.error(desc.shader_loc, "W167",
                        "shader " + quote(desc.shader) + " reads vertex input " + quote(input.name) +

@@ -25,8 +25,10 @@ class ShaderFit {
     }
     std::string shader() const { return "shader " + quote(at_.draft.desc->shader); }
 
-    void error(const char* code, const std::string& message, const std::string& help) {
-        add_help(at_.error(loc(), code, message), help);
+    Diagnostic& error(const char* code, const std::string& message, const std::string& help) {
+        Diagnostic& fault = at_.error(loc(), code, message);
+        add_help(fault, help);
+        return fault;
     }
 
     bool draws_lists() const {
@@ -44,18 +46,78 @@ class ShaderFit {
                       "remove set and binding from the layout: then the variable is a port of the pass");
             return;
         }
+        if (binding.set != kFrameSet && report_missing_set(what, binding.set)) return;
         const std::vector<OfferedBinding>& offered = at_.declared.input.imports.bindings;
         if (offered.empty()) return;
         const auto found = std::ranges::find_if(offered, [&](const OfferedBinding& o) {
             return o.set == binding.set && o.binding == binding.binding;
         });
         if (found == offered.end())
-            return error("W185", what + ", but the program binds nothing there",
-                         "remove set and binding from the layout: then the variable is a port of the pass");
+            return add_offers(error("W185", what + ", but the program binds nothing there",
+                                    "remove set and binding from the layout: then the variable is a port of "
+                                    "the pass"),
+                              binding.set);
         const std::string fault = mismatch(binding, *found);
         if (!fault.empty())
-            error("W185", what + ", " + fault,
-                  "include frame_set.glsl or material_set.glsl, which declare these bindings correctly");
+            add_offers(
+                error("W185", what + ", " + fault,
+                      "include frame_set.glsl, material_set.glsl or surface_vertex.glsl, which declare "
+                      "the bindings of Weft correctly"),
+                binding.set);
+    }
+
+    // Reports the first draw list of the pass whose source does not bind the set. Returns false if there is
+    // none.
+    bool report_missing_set(const std::string& what, uint32_t set) {
+        const auto& catalog = at_.declared.input.imports.imports;
+        for (const std::string& list : at_.draft.desc->draws) {
+            const auto found = catalog.find(list);
+            if (found == catalog.end() || (found->second.draw_sets >> set & 1) != 0) continue;
+            error("W256",
+                  what + ", but the program binds no set " + std::to_string(set) + " for its draw list " +
+                      quote(list),
+                  "give the layout and the bindings of this set in SessionInput::draw_sets, and bind the set "
+                  "in "
+                  "DrawList::record()");
+            return true;
+        }
+        return false;
+    }
+
+    // Adds what the program binds in set 2 or 3.
+    void add_offers(Diagnostic& fault, uint32_t set) {
+        if (set == kFrameSet) return;
+        std::string offers;
+        for (const OfferedBinding& o : at_.declared.input.imports.bindings) {
+            if (o.set != set) continue;
+            offers += (offers.empty() ? "" : ", ") + std::to_string(o.binding) + ": " + kind_text(o) +
+                      " in " + stages_text(o.stages);
+        }
+        add_help(fault, "the program binds in set " + std::to_string(set) + ": " +
+                            (offers.empty() ? "nothing" : offers));
+    }
+
+    static std::string kind_text(const OfferedBinding& offered) {
+        switch (offered.kind) {
+            case BindingKind::sampled_image:
+                return offered.arrayed ? "sampler2DArray" : "sampler2D";
+            case BindingKind::storage_image:
+                return "storage image";
+            case BindingKind::uniform_buffer:
+                return "uniform block of " + std::to_string(offered.bytes) + " bytes";
+            case BindingKind::storage_buffer:
+                return "storage buffer";
+        }
+        return "";
+    }
+
+    static std::string stages_text(ShaderStageMask stages) {
+        std::string text;
+        for (const auto& [stage, name] :
+             {std::pair{ShaderStage::vertex, "vertex"}, std::pair{ShaderStage::fragment, "fragment"},
+              std::pair{ShaderStage::compute, "compute"}})
+            if ((stages & stage_bit(stage)) != 0) text += (text.empty() ? "" : " and ") + std::string(name);
+        return text.empty() ? "no stage" : text + " shaders";
     }
 
     // Returns the first reason why a binding of the shader does not match the descriptor that the program

@@ -33,7 +33,8 @@ using SharedUsages = std::map<std::string, UsageMask>;
 
 // Settings for loading graphs: the folders of graphs and shaders, and the limits.
 struct LoadSettings {
-    FileReader reader;  // Function that reads the texts of graph files.
+    // Function that reads the texts of graph files. Empty: they are read from disk.
+    FileReader reader;
     // True: `reader` returns the contents of files on disk. Then a session looks only at the times and sizes
     // of the files to see that a graph has not changed.
     bool reads_disk = false;

@@ -41,6 +41,14 @@ struct InstanceTransform {
 // Values of the graph's parameters by name.
 using ParameterValues = std::map<std::string, double, std::less<>>;
 
+// The colours of the sky: radiance in cd/m².
+struct SkyColors {
+    glm::vec3 zenith{0};
+    glm::vec3 horizon{0};
+    // The colour below the horizon. Absent: the light of the horizon, reflected by a grey ground.
+    std::optional<glm::vec3> ground = {};
+};
+
 struct FrameInput {
     // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
@@ -69,6 +77,9 @@ struct FrameInput {
     // The lights of this frame; they replace the lights of the scene. Their `node` is ignored. The graph's
     // buffer of lights has a fixed size: further lights are left out. Absent: the lights of the scene.
     std::optional<std::vector<scene::Light>> lights = {};
+    // The sky of this frame; it replaces the colours of the scene. A scene with an environment map shows this
+    // map instead. Absent: the colours of the scene, which are black in a session without a scene.
+    std::optional<SkyColors> sky = {};
     // The instances that move in this frame. The part must have been made with `moves_instances`, and the
     // instance must not follow a node. Error: W244.
     std::vector<InstanceTransform> transforms = {};

@@ -42,6 +42,8 @@ namespace weft::render {
 struct SessionInput {
     GraphRequest request;
     LoadSettings load;
+    // The pass types in C++ that graphs may use: those of registered_passes() and of the program. create()
+    // copies the catalogue. Error: W254 it is null.
     const PassCatalog* passes = nullptr;
     const ParsedGraph* parsed = nullptr;  // The parsed graph of the request; null: create() parses it.
     VkImage output = VK_NULL_HANDLE;      // The embedder's output image; see Selection::output.
@@ -54,10 +56,12 @@ struct SessionInput {
     // Images and buffers of the program that graphs may import, by name. Error: W245 the scene has an import
     // of this name.
     std::map<std::string, OwnImport, std::less<>> imports = {};
-    // Draw lists of the program, by name. Error: W245.
+    // Draw lists of the program, by name. If the scene has no instances, they may replace the lists of the
+    // scene, such as "opaque". Errors: W245 the name is taken, W255 the vertex format has a fault.
     OwnDrawLists draw_lists = {};
     // Descriptor sets 2 and 3 of the program. They replace those of the scene, so the scene must have no
-    // instances (W246).
+    // instances and no parts (W246). DrawList::record() binds them. Error: W256 a shader reads a set that is
+    // missing here.
     OwnDrawSets draw_sets = {};
     // True: FrameInput::transforms may move the instances of the scene. Their buffers are then in memory that
     // the CPU writes, one for each frame slot.
@@ -87,7 +91,8 @@ class Session {
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, scene::Scene&& scene, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
-    // Creates a session without a scene: the program draws its own draw lists.
+    // Creates a session without a scene: the program draws its own draw lists. Graphs see one directional
+    // light (`directionalLights` is 1), so that FrameInput::lights may contain a sun with shadows.
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const SessionInput& input, Diagnostics& warnings,
         std::set<std::filesystem::path>* files = nullptr);
@@ -107,9 +112,10 @@ class Session {
     // made after `next` was prepared; then prepare again. After an error of the checker (C…) the running
     // graph continues.
     [[nodiscard]] Result<bool> swap_in(PendingSwap next);
-    // Prepares the loaded graph at another size and swaps it in. Does nothing if the size is the same. After
-    // an error of the graph (W…, C…) or of memory, the running graph continues at the old size. `output`
-    // replaces Selection::output; frames in flight may still use the old image. Errors: those of create().
+    // Prepares the loaded graph at another size and swaps it in. Does nothing if the size and the image are
+    // the same. After an error of the graph (W…, C…) or of memory, the running graph continues at the old
+    // size. `output` replaces Selection::output; frames in flight may still use the old image. Errors: those
+    // of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
     // Exchanges the object of one of the program's imports, for example because its size has changed. The
     // loaded graph is prepared with it and swapped in, as resize() does. `size` may be the old one. Frames in
@@ -126,7 +132,8 @@ class Session {
     [[nodiscard]] Result<ScenePart> prepare_part(const scene::Scene& scene,
                                                  bool moves_instances = false) const;
     // Draws the part from the next frame on. The part belongs to the draw lists of the scene. It allocates no
-    // memory and waits for nothing. Returns the number of the part.
+    // memory and waits for nothing. Returns the number of the part. Error: W246 SessionInput::draw_sets
+    // replaces descriptor sets that the part needs.
     [[nodiscard]] Result<PartId> add_part(ScenePart part);
     // Draws the part no longer. Frames in flight still use its memory, which is freed when they have
     // finished. Error: W247 there is no such part.

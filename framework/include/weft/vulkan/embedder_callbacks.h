@@ -13,12 +13,17 @@
 
 namespace weft::vk {
 
+// The objects that a block of memory contains. A block with both must keep VkPhysicalDeviceLimits::
+// bufferImageGranularity to its neighbours, like a block with images.
+enum class MemoryContent : uint8_t { buffers, images, both };
+
 struct MemoryRequest {
     uint64_t size_bytes = 0;
     uint64_t alignment_bytes = 1;  // The offset of the block must be a multiple of this number.
     uint32_t type = 0;             // Index of the memory type.
     bool mapped = false;           // True: the block must be mapped, and its memory is host-coherent.
     std::string_view name;         // For messages, such as "lights".
+    MemoryContent content = MemoryContent::both;
 };
 
 struct MemoryBlock {
@@ -49,7 +54,9 @@ struct EmbedderCallbacks {
     std::function<void(VkQueue)> lock_queue;
     std::function<void(VkQueue)> unlock_queue;
     // Receives the warnings of sessions, the errors V407 and V408, and, if VK_EXT_debug_utils is enabled in
-    // the instance, the messages of the validation layer with the name of the pass. Any thread may call it.
+    // the instance, the messages of the validation layer with the name of the pass. These messages are about
+    // all Vulkan calls with the instance, also those of the program; then the pass is empty. Any thread may
+    // call it.
     std::function<void(const Message&)> log;
 };
 
