@@ -6,6 +6,7 @@
 #version 460
 #include "cube_texels.glsl"
 #include "environment_cube.glsl"
+#include "half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -73,5 +74,5 @@ void main() {
         const vec3 direction = tangent * light.x + bitangent * light.y + n * light.z;
         sum += light.z * vec4(textureLod(raw, direction, light.w).rgb, 1.0);
     }
-    imageStore(dst, ivec3(at), vec4(sum.rgb / sum.w, 1.0));
+    imageStore(dst, ivec3(at), vec4(nearest_half(sum.rgb / sum.w), 1.0));
 }

@@ -103,8 +103,8 @@ TEST(Explain, WithoutABarrierItSaysWhyThereIsNone) {
 
 TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
     expect_parts(ask({"alias", "hdr", "albedo"}),
-                 {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"),
-                  "has bytes 0 to ", "Both are alive from 0 \"gbuffer\" to 5 \"lighting\""});
+                 {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"), "has bytes ",
+                  "Both are alive from ", " \"gbuffer\" to ", " \"lighting\""});
     expect_parts(ask({"alias", "velocity", "lights"}),
                  {"They share memory", "\"lights\" (" + place_of(kDeferredGraph, "\"lights\":"),
                   "takes over the memory from \"velocity\""});
@@ -153,8 +153,8 @@ TEST(Explain, AResourceIsDescribedWithItsUsers) {
     expect_parts(ask({"resource", "hdr"}),
                  {"\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":") +
                       ") is an image, rgba16f, 1280x720 (d2), transient",
-                  "It needs 7200.0 KiB: bytes 0 to 7372799 of heap 0", "from 0 \"gbuffer\" to 8 \"tonemap\"",
-                  "5 \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
+                  "It needs 7200.0 KiB: bytes ", " of heap 0", " \"gbuffer\" to ", " \"tonemap\"",
+                  " \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
                   "No other resource shares this memory"});
     expect_parts(ask({"resource", "hdr", "--size", "64x32"}), {"64x32", "It needs 16.0 KiB"});
 }
