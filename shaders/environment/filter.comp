@@ -22,7 +22,7 @@ shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the 
 // The mips from which the samples read widen the lobe. So half vectors are distributed for a smaller roughness. It was
 //  chosen so that the orders 1 and 2 of spherical harmonics have errors of less than 0.5 % with 32 samples and the
 // bias −0.5. The effect is inversely proportional to the number of samples.
-const float kNarrower[6] = float[6](0.0, 0.0, 0.014, 0.009, 0.006, 0.013);
+const float kNarrower[6] = float[6](0.0, 0.0, 0.012, 0.007, 0.0045, 0.010);
 
 float sampled_roughness() {
     return roughness_of_mip(params.i) - kNarrower[params.i] * min(32.0 / float(params.environmentSamples), 1.0);
