@@ -6,6 +6,7 @@
 #version 460
 #include "cube_texels.glsl"
 #include "environment_cube.glsl"
+#include "half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -21,7 +22,7 @@ shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the 
 // The mips from which the samples read widen the lobe. So half vectors are distributed for a smaller roughness. It was
 //  chosen so that the orders 1 and 2 of spherical harmonics have errors of less than 0.5 % with 32 samples and the
 // bias −0.5. The effect is inversely proportional to the number of samples.
-const float kNarrower[6] = float[6](0.0, 0.0, 0.014, 0.009, 0.006, 0.013);
+const float kNarrower[6] = float[6](0.0, 0.0, 0.012, 0.007, 0.0045, 0.010);
 
 float sampled_roughness() {
     return roughness_of_mip(params.i) - kNarrower[params.i] * min(32.0 / float(params.environmentSamples), 1.0);
@@ -73,5 +74,5 @@ void main() {
         const vec3 direction = tangent * light.x + bitangent * light.y + n * light.z;
         sum += light.z * vec4(textureLod(raw, direction, light.w).rgb, 1.0);
     }
-    imageStore(dst, ivec3(at), vec4(sum.rgb / sum.w, 1.0));
+    imageStore(dst, ivec3(at), vec4(nearest_half(sum.rgb / sum.w), 1.0));
 }

@@ -1,6 +1,7 @@
 // Writes the next smaller mip of a cube. The four texels are weighted by their solid angles.
 #version 460
 #include "cube_texels.glsl"
+#include "half_float.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -17,5 +18,5 @@ void main() {
         const float angle = texel_solid_angle(face_position(uvec2(texel), 2.0 * float(size.x)), 2.0 * float(size.x));
         sum += angle * vec4(texelFetch(src, ivec3(texel, at.z), 0).rgb, 1.0);
     }
-    imageStore(dst, at, vec4(sum.rgb / sum.w, 1.0));
+    imageStore(dst, at, vec4(nearest_half(sum.rgb / sum.w), 1.0));
 }

@@ -30,7 +30,7 @@ shared vec3 coefficients[9];
 shared vec3 beams[kBeams];  // Direction and flux of the light of each texel of `raw`.
 shared vec3 fluxes[kBeams];
 shared uint least_bits[3];
-shared int most_steps;
+shared uint failed_steps;  // Bit i is 1 if the sum is too small in some direction after i steps.
 
 vec3 side(uint i) {
     const float polar = kPi * (float(i / 16u) + 0.5) / 8.0, azimuth = kPi * float(i % 16u) / 8.0;
@@ -56,7 +56,7 @@ void find_beams() {
 void main() {
     const uint thread = gl_LocalInvocationIndex;
     if (thread < 3u) least_bits[thread] = floatBitsToUint(1e30);
-    if (thread == 0u) most_steps = 0;
+    if (thread == 0u) failed_steps = 0u;
     if (thread < 9u) {
         vec3 sum = vec3(0.0);
         for (uint part = 0u; part < uint(parts.items.length()) / 9u; ++part) sum += parts.items[part * 9u + thread].rgb;
@@ -74,15 +74,15 @@ void main() {
     vec3 orders[3] = vec3[3](coefficients[0], vec3(0.0), vec3(0.0));
     for (int i = 1; i < 9; ++i) orders[i < 4 ? 1 : 2] += coefficients[i] * basis[i];
     const vec3 enough = least - kTolerance * coefficients[0];
-    int steps = 0;
-    for (; steps < kMostSteps; ++steps) {
+    uint failed = 0u;
+    for (int steps = 0; steps < kMostSteps; ++steps) {
         const vec2 factors = window(steps);
-        if (all(greaterThanEqual(orders[0] + factors.x * orders[1] + factors.y * orders[2], enough))) break;
+        if (any(lessThan(orders[0] + factors.x * orders[1] + factors.y * orders[2], enough))) failed |= 1u << steps;
     }
-    atomicMax(most_steps, steps);
+    atomicOr(failed_steps, failed);
     barrier();
     if (thread >= uint(environmentSh.items.length())) return;
-    const vec2 factors = window(most_steps);
+    const vec2 factors = window(findLSB(~failed_steps));
     const float factor = thread == 0u ? 1.0 : (thread < 4u ? factors.x : factors.y);
     environmentSh.items[thread] = vec4(coefficients[thread] * (factor * frame.environment_unit), 0.0);
 }

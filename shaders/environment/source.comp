@@ -3,6 +3,7 @@
 #version 460
 #include "cube_texels.glsl"
 #include "frame_set.glsl"
+#include "half_float.glsl"
 #include "sky.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -29,7 +30,8 @@ void main() {
         const vec2 offset = vec2((i & 1) * 2 - 1, (i >> 1) * 2 - 1) * (0.5 / float(size.x));
         sum += source_radiance(normalize(face_direction(at.z, middle + offset)), float(size.x));
     }
-    const vec4 texel = vec4(min(sum * (0.25 / frame.environment_unit), vec3(kMaxStored)), 1.0);
+    const vec3 light = min(sum * (0.25 / frame.environment_unit), vec3(kMaxStored));
+    const vec4 texel = vec4(nearest_half(light), 1.0);
     imageStore(raw, ivec3(at), texel);
     imageStore(cube, ivec3(at), texel);
 }

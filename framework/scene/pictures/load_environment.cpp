@@ -4,6 +4,7 @@
 
 #include "scene/loading/memory_budget.h"
 #include "scene/loading/rooted_folder.h"
+#include "scene/pictures/light_picture.h"
 #include "scene/pictures/radiance_picture.h"
 
 namespace weft::scene {
@@ -16,6 +17,10 @@ namespace {
 // Copies in staging memory and on the GPU do not count, because the decoded picture is freed before they are
 // made.
 constexpr uint64_t kBytesPerTexel = sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
+
+// Peak memory for the small picture for lighting, in bytes per texel of it: two levels as floats, and 6 for
+// the packed texels of all mips.
+constexpr uint64_t kLightBytesPerTexel = 2 * sizeof(glm::vec3) + 6;
 
 Diagnostic fault(const char* code, const std::filesystem::path& file, std::string message, std::string help) {
     Diagnostic d;
@@ -38,7 +43,10 @@ Result<Environment> load_environment(const std::filesystem::path& file, const Sc
         return fault("S180", file, "the file is not a Radiance picture: " + header.error,
                      "save the picture as equirectangular Radiance HDR (32-bit_rle_rgbe)");
     const uint64_t texels = uint64_t{header.width_px} * header.height_px;
-    const uint64_t bytes = saturating_add(saturating_mul(texels, kBytesPerTexel), read.bytes.size());
+    const uint64_t light_texels = uint64_t{std::min(header.width_px, kMostLightWidth_px)} *
+                                  std::min(header.height_px, kMostLightHeight_px);
+    const uint64_t bytes = saturating_add(saturating_mul(texels, kBytesPerTexel),
+                                          light_texels * kLightBytesPerTexel + read.bytes.size());
     const bool large = header.width_px > limits.image_side_px || header.height_px > limits.image_side_px;
     if (large || bytes > limits.memory_bytes)
         return fault(

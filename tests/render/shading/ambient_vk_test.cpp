@@ -157,6 +157,34 @@ TEST_F(AmbientLight, TheGpuComputesTheHarmonicsOfTheCpu) {
     }
 }
 
+// Away from a small bright source, the sum of nine terms would be negative. It must keep some of the little
+// light that comes from there.
+TEST_F(AmbientLight, TheSideAwayFromASpotKeepsItsLight) {
+    const std::vector<glm::vec4> found =
+        run([](const glm::dvec3& d) { return spot_sky(d) > 1 ? 1000 : 0.02; })["diffuse"];
+    ASSERT_EQ(found.size(), kDirections);
+    float least = 1;
+    for (const glm::vec4& texel : found) least = std::min(least, texel.g);
+    std::printf("least light %.4f\n", double(least));
+    EXPECT_GT(least, 0.004);
+}
+
+// The smallest mip has one texel per face, which is the mean over the solid angle of the face.
+TEST_F(AmbientLight, MipsAreMeansOverSolidAngles) {
+    const std::vector<glm::vec4> found =
+        run([](const glm::dvec3& d) { return 2 + d.x; }, {"environmentRaw.mip(8)"})["environmentRaw.mip(8)"];
+    ASSERT_EQ(found.size(), 6u);
+    const CubeSum cube = cube_sum([](const glm::dvec3& d) { return d.x; });
+    double sum = 0, angle = 0;
+    for (size_t i = 0; i < CubeSum::kSide * CubeSum::kSide; ++i) {  // the face +x
+        sum += cube.radiance[i] * cube.angles[i];
+        angle += cube.angles[i];
+    }
+    EXPECT_NEAR(found[0].g / 4096 - 2, sum / angle, 0.003);
+    EXPECT_NEAR(found[1].g / 4096 - 2, -sum / angle, 0.003);
+    EXPECT_NEAR(found[2].g / 4096 - 2, 0, 0.003);
+}
+
 TEST_F(AmbientLight, TheGradientSkyLightsWithoutAPicture) {
     scene::Scene scene;
     scene.sky_zenith = glm::vec3(4000);

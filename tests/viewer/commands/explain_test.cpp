@@ -103,8 +103,8 @@ TEST(Explain, WithoutABarrierItSaysWhyThereIsNone) {
 
 TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
     expect_parts(ask({"alias", "hdr", "albedo"}),
-                 {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"), " has bytes ",
-                  "Both are alive from ", " \"gbuffer\" to "});
+                 {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"), "has bytes ",
+                  "Both are alive from ", " \"gbuffer\" to ", " \"lighting\""});
     expect_parts(ask({"alias", "velocity", "lights"}),
                  {"They share memory", "\"lights\" (" + place_of(kDeferredGraph, "\"lights\":"),
                   "takes over the memory from \"velocity\""});
@@ -153,7 +153,7 @@ TEST(Explain, AResourceIsDescribedWithItsUsers) {
     expect_parts(ask({"resource", "hdr"}),
                  {"\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":") +
                       ") is an image, rgba16f, 1280x720 (d2), transient",
-                  "It needs 7200.0 KiB: bytes ", " of heap 0", " \"gbuffer\" to ",
+                  "It needs 7200.0 KiB: bytes ", " of heap 0", " \"gbuffer\" to ", " \"tonemap\"",
                   " \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
                   "No other resource shares this memory"});
     expect_parts(ask({"resource", "hdr", "--size", "64x32"}), {"64x32", "It needs 16.0 KiB"});
