@@ -52,13 +52,18 @@ std::vector<uint32_t> morton_order(std::span<const glm::vec3> points) {
     return order;
 }
 
+// Returns a corner of a triangle. A wrong index in a mesh of the program gives the point 0.
+glm::vec3 corner_of(const scene::Mesh& mesh, size_t triangle, size_t corner) {
+    const uint32_t vertex = mesh.indices[3 * triangle + corner];
+    return vertex < mesh.positions.size() ? mesh.positions[vertex] : glm::vec3(0);
+}
+
 // Returns the triangles of a mesh along a Morton curve. A triangle is the index of its first element in
 // Mesh::indices, divided by 3.
 std::vector<uint32_t> ordered_triangles(const scene::Mesh& mesh) {
     std::vector<glm::vec3> centers(mesh.indices.size() / 3);
     for (size_t i = 0; i < centers.size(); ++i)
-        for (size_t corner = 0; corner < 3; ++corner)
-            centers[i] += mesh.positions[mesh.indices[3 * i + corner]] / 3.0f;
+        for (size_t corner = 0; corner < 3; ++corner) centers[i] += corner_of(mesh, i, corner) / 3.0f;
     return morton_order(centers);
 }
 
@@ -153,7 +158,7 @@ std::vector<scene::Bounds> still_surfaces(const scene::Scene& scene, bool moves_
         for (size_t i = 0; i < order.size(); ++i) {
             if (i % run == 0) boxes.push_back(kEmptyBox);
             for (size_t corner = 0; corner < 3; ++corner) {
-                const glm::vec3& position = mesh.positions[mesh.indices[3 * size_t{order[i]} + corner]];
+                const glm::vec3 position = corner_of(mesh, order[i], corner);
                 add_point(boxes.back(), glm::vec3(instance->transform * glm::vec4(position, 1)));
             }
         }

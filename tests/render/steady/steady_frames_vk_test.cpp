@@ -168,9 +168,10 @@ TEST_P(SteadyGraph, CompilesNothingInAnyTierAndLetsStillPassesRest) {
     EXPECT_EQ(objects.live(), 0);
 }
 
-// With a sun, the shadow maps rest while nothing moves. They are drawn again if the camera moves far enough.
+// With a sun, the shadow maps rest while nothing moves, also with the jitter of the graph taa. They are drawn
+// again if the camera moves far enough.
 TEST_F(Steady, SunMapsRestWhileNothingMoves) {
-    for (const char* graph : {"deferred", "forward"}) {
+    for (const char* graph : {"deferred", "forward", "taa"}) {
         ASSERT_NO_FATAL_FAILURE(begin(shipped(graph), "atrium"));
         ASSERT_NO_FATAL_FAILURE(draw_apart(2));
         expect_sleepers(*session_, graph, true);

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 #include <random>
 
@@ -223,6 +225,43 @@ TEST(SunCascades, OfObjectsThatMayBeAnywhereFollowTheCamera) {
         if (distance_m <= 5) {
             EXPECT_LE(sun.cascades[i].texel_m.x, 0.1) << distance_m;
         }
+    }
+}
+
+// The cache gives what sun_cascades() gives, whatever changes.
+TEST(SunCascades, AreComputedAgainWhenAnythingChanges) {
+    Random random(5);
+    Shot shot = random_shot(random);
+    render::SunCascadesCache cache;
+    render::SunMaps maps = kMaps;
+    float aspect = kAspect;
+    uint64_t version = 0;
+    render::SurfaceTree wall;
+    const std::vector<std::function<void()>> changes{
+        [&] { shot.camera.transform[3].x += 3; },
+        [&] { shot.scene.unknown = shot.scene.bounds; },
+        [&] { shot.camera.fov_y_rad *= 0.5f; },
+        [&] { aspect = 1; },
+        [&] { shot.scene.to_sun = random.direction(); },
+        [&] { shot.scene.bounds.max *= 2.0f; },
+        [&] { maps.size_px[1] = 512; },
+        [&] { maps.count = 2; },
+        [&] {
+            const glm::vec3 ahead =
+                glm::vec3(shot.camera.transform[3]) - 5.0f * glm::vec3(shot.camera.transform[2]);
+            wall = render::SurfaceTree(std::vector{scene::Bounds{ahead - 1.0f, ahead + 1.0f}});
+            shot.scene.surfaces = {&wall}, ++version;
+        },
+        [&] { shot.scene.is_unbounded = true; },
+    };
+    std::optional<shared::SunConstants> before;
+    for (size_t i = 0; i < changes.size(); ++i) {
+        changes[i]();
+        const render::SunCascades& cached = cache.find(shot.camera, aspect, shot.scene, maps, version);
+        const render::SunCascades fresh = render::sun_cascades(shot.camera, aspect, shot.scene, maps);
+        EXPECT_EQ(std::memcmp(&cached.constants, &fresh.constants, sizeof fresh.constants), 0) << i;
+        EXPECT_TRUE(!before || std::memcmp(&*before, &fresh.constants, sizeof fresh.constants) != 0) << i;
+        before = fresh.constants;
     }
 }
 
