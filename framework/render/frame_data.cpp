@@ -126,6 +126,7 @@ shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
     const float inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
     gpu.cone_scale = 1.0f / std::max(0.001f, inner - outer);
     gpu.cone_offset = -outer * gpu.cone_scale;
+    if (light.type == scene::LightType::directional) gpu.cone_scale = light.angular_radius_rad;
     gpu.side = light.side;
     gpu.half_size_m = light.half_size_m;
     gpu.function = light.function == scene::kNone ? 0 : light.function + 1;
@@ -148,7 +149,8 @@ std::vector<shared::Light> gpu_lights(std::span<const scene::Light> scene_lights
     }
     std::ranges::stable_sort(lights, {}, rank);
     lights.resize(std::min<size_t>(lights.size(), scene::kMaxLights));
-    if (!lights.empty() && lights[0].type == shared::kLightDirectional) lights[0].shadow = 1;
+    for (uint32_t i = 0; i < std::min<size_t>(lights.size(), shared::kMostSuns); ++i)
+        if (lights[i].type == shared::kLightDirectional) lights[i].shadow = i + 1;
     return lights;
 }
 

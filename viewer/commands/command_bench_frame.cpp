@@ -141,7 +141,8 @@ class Run {
         render_.lights = lights;
         Diagnostics warnings;
         Result<scene::Scene> scene =
-            open_scene({render_.scene, render_.env, render_.hour, render_.lights, render_.seed},
+            open_scene({render_.scene, render_.env, render_.hour, render_.lights, render_.seed,
+                    render_.env_gain},
                        options_.limits.scene, warnings);
         if (!scene) return scene.take_errors();
         if (lights == options_.lights.front()) report(warnings);

@@ -48,11 +48,25 @@ scene::Light plain_sun() {
     return sun;
 }
 
-Status apply_environment(scene::Scene& scene, const std::string& env, const SceneLimits& limits) {
+// Returns the directional light for a sun of the environment picture. `number`: 0 for the brightest sun.
+scene::Light light_of_sun(const scene::PictureSun& sun, const std::string& picture, size_t number) {
+    const glm::vec3& lx = sun.illuminance_lx;
+    scene::Light light;
+    light.name = picture + " sun " + std::to_string(number + 1);
+    light.type = scene::LightType::directional;
+    light.intensity = std::max({lx.r, lx.g, lx.b});
+    light.color = lx / light.intensity;
+    light.direction = -sun.to_sun;
+    light.angular_radius_rad = sun.angular_radius_rad;
+    return light;
+}
+
+Status apply_environment(scene::Scene& scene, const SceneChoice& choice, const SceneLimits& limits) {
+    const std::string& env = choice.env;
     if (env != "sky") scene.sky_zenith = scene.sky_horizon = glm::vec3(0);
     if (env == "none") return Unit{};
     if (env != "sky") {
-        Result<scene::Environment> picture = scene::load_environment(env, limits);
+        Result<scene::Environment> picture = scene::load_environment(env, limits, choice.env_gain);
         if (!picture) return picture.take_errors();
         scene.environment = std::move(*picture);
         return Unit{};
@@ -177,10 +191,13 @@ Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& li
     // The environment picture may use only the part of the memory limit that the scene does not use.
     SceneLimits rest = limits;
     rest.memory_bytes -= std::min(rest.memory_bytes, scene->memory_bytes);
-    if (Status applied = apply_environment(*scene, choice.env, rest); !applied) return applied.take_errors();
+    if (Status applied = apply_environment(*scene, choice, rest); !applied) return applied.take_errors();
     const bool has_seeded_lights = builtin && name == "lights";
     if (choice.lights && !has_seeded_lights)
         scene->lights = scene::seeded_lights(*scene, *choice.lights, choice.seed);
+    const std::vector<scene::PictureSun>& suns = scene->environment.suns;
+    for (size_t i = 0; i < suns.size(); ++i)
+        scene->lights.push_back(light_of_sun(suns[i], scene->environment.name, i));
     return scene;
 }
 

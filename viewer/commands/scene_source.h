@@ -19,12 +19,14 @@ struct SceneChoice {
     std::optional<float> hour;       // Hour of the day, 0 to 24, for a built-in scene that has a time of day.
     std::optional<uint32_t> lights;  // Number of generated lights that replace the lights of the scene.
     uint32_t seed = 1;
+    float env_gain = 1;  // Factor of the values of the environment picture.
 };
 
 // Opens a scene. The name is a .gltf or .glb file, a folder that contains such a file, or "builtin:NAME". The
 // environment `env` is "sky", "none" or the path of a Radiance picture. With "sky", a scene without its own
 // sky gets the default sky, and also a sun if it has no lights. If `lights` is set, generated lights replace
-// the lights of the scene. In builtin:lights the generated lights move.
+// the lights of the scene. In builtin:lights the generated lights move. The suns of the picture become
+// directional lights behind the other lights.
 [[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
                                               Diagnostics& warnings);
 

@@ -124,7 +124,8 @@ Result<ParsedGraph> SessionOpener::parse_checked() {
 Status SessionOpener::load_scene(bool automatic_exposure) {
     Diagnostics warnings;
     Result<scene::Scene> scene =
-        open_scene({options_.scene, options_.env, options_.hour, options_.lights, options_.seed},
+        open_scene({options_.scene, options_.env, options_.hour, options_.lights, options_.seed,
+                    options_.env_gain},
                    options_.limits.scene, warnings);
     if (!options_.quiet) report(warnings);
     if (!scene) return scene.take_errors();

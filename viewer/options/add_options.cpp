@@ -93,6 +93,11 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
         ->check(env_validator())
         ->capture_default_str();
     command
+        .add_option("--env-gain", o.env_gain,
+                    "a factor on the light of the environment picture, including its suns")
+        ->transform(number_in({1e-6, 1e9, ""}))
+        ->capture_default_str();
+    command
         .add_option("--time", o.hour, "the hour of the day, 0 to 24, in builtin:atrium and builtin:lights")
         ->transform(number_in({0, 24, "hours"}));
     command.add_option("--lights", o.lights, "number of random lights that replace the scene's lights")

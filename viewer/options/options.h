@@ -23,6 +23,7 @@ struct RenderOptions {
     double fixed_dt_s = 1.0 / 60.0;
     std::string camera;
     std::string env = "sky";
+    float env_gain = 1;  // Factor of the values of the environment picture.
     std::optional<float> hour;
     std::optional<uint32_t> lights;  // Number of generated lights that replace the lights of the scene.
     uint32_t seed = 1;

@@ -14,6 +14,7 @@ constexpr float kMaxLength_m = 1e9f;
 constexpr float kMinHalfSize_m = 1e-4f;
 constexpr float kMaxHalfSize_m = 1e6f;
 constexpr float kHalfPi = 1.5707963268f;
+constexpr float kMostAngularRadius_rad = 0.5235987756f;
 constexpr float kMinSoftness = 1e-4f;
 constexpr float kMaxFactor = 1e6f;
 constexpr size_t kMaxNamed = 8;  // Number of faults that have their own warning.
@@ -77,6 +78,9 @@ void clamp_shape(Light& light, Faults& faults) {
         faults.clamp(light.half_size_m.x, least, kMaxHalfSize_m, "the size was out of range");
         faults.clamp(light.half_size_m.y, kMinHalfSize_m, kMaxHalfSize_m, "the size was out of range");
     }
+    if (light.type == LightType::directional)
+        faults.clamp(light.angular_radius_rad, 0, kMostAngularRadius_rad,
+                     "the angular radius was not within 0 to 30°");
     if (light.type != LightType::spot) return;
     faults.clamp(light.outer_cone_rad, 0, kHalfPi, "the outer cone was not within 0 to 90°");
     faults.clamp(light.inner_cone_rad, 0, light.outer_cone_rad,

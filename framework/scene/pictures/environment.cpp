@@ -155,28 +155,41 @@ std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coeffic
     return calm;
 }
 
+// Returns Environment::irradiance_over_pi for a picture.
+std::array<glm::vec3, 9> calm_irradiance_over_pi(uint32_t width_px, uint32_t height_px,
+                                                 std::span<const glm::vec3> texels) {
+    const std::array<glm::vec3, 9> coefficients = irradiance_over_pi(width_px, height_px, texels);
+    PictureLevel level{width_px, height_px, {}};
+    do {
+        if (level.width_px <= 1 && level.height_px <= 1) return coefficients;
+        level = half_of(level.width_px, level.height_px, texels);
+        texels = level.texels;
+    } while (level.width_px > kBeamColumns);
+    return without_ringing(coefficients, level);
+}
+
 }  // namespace
 
 Environment build_environment(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> radiance) {
+    return build_environment(width_px, height_px, radiance, radiance);
+}
+
+Environment build_environment(uint32_t width_px, uint32_t height_px, std::span<const glm::vec3> radiance,
+                              std::span<const glm::vec3> without_suns) {
     Environment environment;
     environment.width_px = width_px;
     environment.height_px = height_px;
     environment.scale = stored_scale(radiance);
-    environment.irradiance_over_pi = irradiance_over_pi(width_px, height_px, radiance);
+    environment.irradiance_over_pi = calm_irradiance_over_pi(width_px, height_px, without_suns);
     environment.mips.push_back(packed(radiance, environment.scale));
     PictureLevel level{width_px, height_px, {}};
     std::span<const glm::vec3> texels = radiance;
-    bool calm = false;
     while (level.width_px > 1 || level.height_px > 1) {
         level = half_of(level.width_px, level.height_px, texels);
         texels = level.texels;
-        if (!calm && level.width_px <= kBeamColumns) {
-            environment.irradiance_over_pi = without_ringing(environment.irradiance_over_pi, level);
-            calm = true;
-        }
         environment.mips.push_back(packed(evened_towards_poles(level).texels, environment.scale));
     }
-    environment.light = light_picture(width_px, height_px, radiance);
+    environment.light = light_picture(width_px, height_px, without_suns);
     return environment;
 }
 

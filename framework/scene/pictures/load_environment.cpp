@@ -1,9 +1,11 @@
 #include "scene/pictures/load_environment.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "scene/loading/memory_budget.h"
 #include "scene/loading/rooted_folder.h"
+#include "scene/pictures/extract_suns.h"
 #include "scene/pictures/light_picture.h"
 #include "scene/pictures/radiance_picture.h"
 
@@ -11,12 +13,13 @@ namespace weft::scene {
 namespace {
 
 // Peak memory while loading, in bytes per texel of the picture:
-// 12 for the decoded picture (three floats),
+// 24 for the decoded picture (three floats), with and without its suns,
 // 6 for two mip levels as floats (each has at most a quarter of the texels: 2 * 12 / 4),
 // 6 for the packed texels of all mips (4 bytes * 4 / 3, rounded up).
+// Finding the suns needs at most 9 bytes, before the mips are made.
 // Copies in staging memory and on the GPU do not count, because the decoded picture is freed before they are
 // made.
-constexpr uint64_t kBytesPerTexel = sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
+constexpr uint64_t kBytesPerTexel = 2 * sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
 
 // Peak memory for the small picture for lighting, in bytes per texel of it: two levels as floats, and 6 for
 // the packed texels of all mips.
@@ -33,7 +36,8 @@ Diagnostic fault(const char* code, const std::filesystem::path& file, std::strin
 
 }  // namespace
 
-Result<Environment> load_environment(const std::filesystem::path& file, const SceneLimits& limits) {
+Result<Environment> load_environment(const std::filesystem::path& file, const SceneLimits& limits,
+                                     float gain) {
     const FileBytes read = read_plain_file(file, std::min(limits.resource_bytes, limits.memory_bytes));
     if (read.fault)
         return fault("S180", file, "the environment cannot be read: " + read.message,
@@ -58,11 +62,17 @@ Result<Environment> load_environment(const std::filesystem::path& file, const Sc
                            std::to_string(limits.memory_bytes) + " bytes"),
             "scale the picture down (2048x1024 is usually enough), " +
                 raise_limit_text(large ? "scene.imageSidePx" : "scene.memoryBytes"));
-    const RadiancePicture picture = decode_radiance(header, read.bytes);
+    RadiancePicture picture = decode_radiance(header, read.bytes);
     if (!picture.error.empty())
         return fault("S180", file, "the environment cannot be decoded: " + picture.error,
                      "save the picture again");
-    Environment environment = build_environment(header.width_px, header.height_px, picture.texels);
+    for (glm::vec3& texel : picture.texels)
+        texel = glm::min(texel * gain, glm::vec3(std::numeric_limits<float>::max()));
+    std::vector<glm::vec3> without_suns = picture.texels;
+    std::vector<PictureSun> suns = extract_suns(header.width_px, header.height_px, without_suns);
+    Environment environment =
+        build_environment(header.width_px, header.height_px, picture.texels, without_suns);
+    environment.suns = std::move(suns);
     environment.name = file.stem().string();
     return environment;
 }

@@ -1,5 +1,5 @@
 // Purpose: loads a Radiance picture (.hdr, "#?RADIANCE", equirectangular) as an Environment. Its values are
-// interpreted as cd/m². The file is untrusted: its size is read from the header before a texel is decoded.
+// interpreted as cd/m², multiplied by `gain`. The file is untrusted: its size is read from the header before a texel is decoded.
 // Errors: S180 the file cannot be read, or is not a complete picture of this format; S181 the size of the
 // picture exceeds the limits. Source: G. Ward, "Real Pixels", in "Graphics Gems II", 1991.
 #pragma once
@@ -13,6 +13,6 @@
 namespace weft::scene {
 
 [[nodiscard]] Result<Environment> load_environment(const std::filesystem::path& file,
-                                                   const SceneLimits& limits = {});
+                                                   const SceneLimits& limits = {}, float gain = 1);
 
 }  // namespace weft::scene

@@ -16,13 +16,15 @@ struct Light {
     vec3 intensity;      // Colour × intensity in the unit of the light type, Rec.709.
     uint type;
     vec3 direction;      // Unit vector along which the light travels; for a capsule, its axis.
-    float cone_scale;    // Spot: saturate(cos(angle) · scale + offset)², as in KHR_lights_punctual.
+    float cone_scale;    // Spot: saturate(cos(angle) · scale + offset)², as in KHR_lights_punctual. Directional: the
+                         // angular radius of the light's disc in radians; 0: the light has no disc.
     vec3 side;           // Unit vector perpendicular to `direction`: the width axis of a rectangle, and of the doors
                          // and the picture of the light. For a capsule: the direction that its doors and picture face.
     float cone_offset;
     vec2 half_size_m;    // Rectangle: half width, half height; capsule: half length without caps, radius.
     uint function;       // 0: no light function; otherwise 1 + the index of the light function.
-    uint shadow;         // 0: no shadow; otherwise 1 + the index of the shadow.
+    uint shadow;         // 0: no shadow; 1 to kMostSuns: number of the directional light, which has a shadow map. Light
+                         // 1 has the cascades of sun_shadow.glsl, the others have the maps of further_suns.glsl.
 };
 
 #include "end.glsl"

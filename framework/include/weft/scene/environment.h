@@ -24,6 +24,15 @@ struct LightPicture {
     float brightest = 0;  // The largest channel of all texels of mip 0, in cd/m².
 };
 
+// A sun that was found in a picture of the surroundings: a small region of very bright texels.
+struct PictureSun {
+    glm::vec3 to_sun{0, 1, 0};     // Unit vector to the centroid of the light.
+    float solid_angle_sr = 0;      // Of the region.
+    float angular_radius_rad = 0;  // Of the disc of uniform luminance whose light is spread as much.
+    // The illuminance that the region adds on a plane that faces it, in lx, Rec.709.
+    glm::vec3 illuminance_lx{0};
+};
+
 // A picture of the surroundings of a scene. If `mips` is empty, the scene has none.
 struct Environment {
     std::string name;
@@ -40,11 +49,19 @@ struct Environment {
     // can cause negative values for directions away from it (ringing). Then the orders 1 and 2 are reduced.
     std::array<glm::vec3, 9> irradiance_over_pi{};
     LightPicture light;
+    // The suns of the picture, the brightest first. `mips` shows them, but irradiance_over_pi does not contain
+    // their light, because the scene has a directional light for each of them.
+    std::vector<PictureSun> suns;
 };
 
 // Makes an Environment from radiance in cd/m²: width_px × height_px texels, all finite and not negative.
 [[nodiscard]] Environment build_environment(uint32_t width_px, uint32_t height_px,
                                             std::span<const glm::vec3> radiance);
+// The same for a picture with suns. `without_suns` has the same texels, except that it does not contain the
+// suns. The light of the environment is computed from it.
+[[nodiscard]] Environment build_environment(uint32_t width_px, uint32_t height_px,
+                                            std::span<const glm::vec3> radiance,
+                                            std::span<const glm::vec3> without_suns);
 
 // Returns the mean Rec.709 luminance over the whole sphere in cd/m²; 0 if there is no environment.
 [[nodiscard]] float mean_luminance(const Environment& environment);

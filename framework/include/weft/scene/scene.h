@@ -161,6 +161,8 @@ struct Light {
     // Size of the light. Rectangle: half width and half height. Capsule: half length without the caps, and
     // radius.
     glm::vec2 half_size_m{0};
+    // Directional lights: angular radius of the disc from which the light comes; 0: the light is parallel.
+    float angular_radius_rad = 0;
     // Light function: an index into Scene::light_functions; kNone: no light function.
     uint32_t function = kNone;
     uint32_t node = kNone;  // The node of Scene::motion that moves the light; kNone: only `path` moves it.

@@ -1,0 +1,232 @@
+#include "scene/pictures/extract_suns.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace weft::scene {
+namespace {
+
+constexpr double kMedians = 30;     // A region's texels are brighter than this number of medians.
+constexpr double kLeastShare = 0.02;  // Share of the picture's light that a sun has at least.
+constexpr double kMostRadius_rad = 10 * std::numbers::pi / 180;
+// Largest (radius of the light's spread)² / (radius of a disc with the region's solid angle)². It is 1 for a
+// disc and 0.52 · (k + 1 / k) for a rectangle with the sides' ratio k.
+constexpr double kMostElongation = 2;
+
+double luminance_of(const glm::vec3& texel) {
+    return glm::dot(glm::dvec3(texel), glm::dvec3(0.2126, 0.7152, 0.0722));
+}
+
+// Integrals over the texels of one row, for the exact sums over a region.
+struct RowShape {
+    double solid_angle = 0;  // Of one texel.
+    double across = 0;       // ∫ sin² θ over the row's polar angles θ, times 2 sin(half the texel's azimuth).
+    double up = 0;           // ∫ cos θ over one texel, the y of its direction.
+};
+
+// Light that comes from a set of texels.
+struct RegionLight {
+    double solid_angle = 0;
+    double flux = 0;                               // ∫ luminance.
+    glm::dvec3 flow{0};                            // ∫ luminance × direction.
+    std::array<glm::dvec3, 3> channel_flow{};      // ∫ radiance × direction for each channel.
+    [[nodiscard]] double spread_rad() const {
+        // The mean direction of a uniform disc with the radius a has the length cos²(a / 2).
+        const double missing = std::clamp(1 - glm::length(flow) / flux, 0.0, 1.0);
+        return 2 * std::asin(std::sqrt(missing));
+    }
+};
+
+enum Mark : uint8_t { kUnseen, kCounted, kInside, kRing };
+
+class SunFinder {
+ public:
+    SunFinder(uint32_t width_px, uint32_t height_px, std::span<glm::vec3> radiance)
+        : width_(width_px), height_(height_px), radiance_(radiance), marks_(radiance.size(), kUnseen) {
+        const double step = 2 * std::numbers::pi / width_;
+        for (uint32_t y = 0; y < height_; ++y) {
+            const double top = std::numbers::pi * y / height_, bottom = std::numbers::pi * (y + 1) / height_;
+            const double sines = (bottom - top - (std::sin(bottom) * std::cos(bottom) -
+                                                  std::sin(top) * std::cos(top))) / 2;
+            const double squares = std::sin(bottom) * std::sin(bottom) - std::sin(top) * std::sin(top);
+            rows_.push_back({step * (std::cos(top) - std::cos(bottom)), sines * 2 * std::sin(step / 2),
+                             step * squares / 2});
+        }
+        for (uint32_t x = 0; x < width_; ++x) {
+            const double azimuth = (x + 0.5) * step - std::numbers::pi;
+            columns_.emplace_back(std::sin(azimuth), -std::cos(azimuth));
+        }
+    }
+
+    std::vector<PictureSun> run() {
+        find_threshold();
+        std::vector<Candidate> candidates = find_candidates();
+        std::ranges::stable_sort(candidates, std::greater{}, &Candidate::flux);
+        std::vector<PictureSun> suns;
+        for (const Candidate& candidate : candidates)
+            if (suns.size() < kMostSuns) take_out(candidate.seed, suns);
+        std::ranges::stable_sort(suns, std::greater{},
+                                 [](const PictureSun& sun) { return luminance_of(sun.illuminance_lx); });
+        return suns;
+    }
+
+ private:
+    struct Candidate {
+        uint32_t seed = 0;
+        double flux = 0;
+    };
+
+    [[nodiscard]] bool is_bright(size_t i) const { return luminance_of(radiance_[i]) > threshold_; }
+
+    // Clears bad channels, adds up the light of the picture, and finds the median. The histogram has one bin
+    // for each value of the upper 16 bits of a float, so the median is exact to 0.8 %.
+    void find_threshold() {
+        std::vector<double> histogram(size_t{1} << 16);
+        double all = 0;
+        for (uint32_t y = 0; y < height_; ++y) {
+            for (uint32_t x = 0; x < width_; ++x) {
+                glm::vec3& texel = radiance_[size_t{y} * width_ + x];
+                for (int c = 0; c < 3; ++c)
+                    if (!(texel[c] >= 0 && std::isfinite(texel[c]))) texel[c] = 0;
+                const double luminance = luminance_of(texel);
+                flux_ += luminance * rows_[y].solid_angle;
+                all += rows_[y].solid_angle;
+                histogram[std::bit_cast<uint32_t>(static_cast<float>(luminance)) >> 16] +=
+                    rows_[y].solid_angle;
+            }
+        }
+        double below = 0;
+        uint32_t bin = 0;
+        while (bin + 1 < histogram.size() && (below += histogram[bin]) < all / 2) ++bin;
+        threshold_ = kMedians * double{std::bit_cast<float>(bin << 16)};
+    }
+
+    // Calls `visit(i)` for each texel that touches texel i, also across the border and over a pole. All texels
+    // of the first row touch each other, and so do those of the last row. They are visited once in a fill.
+    template <typename Visit>
+    void visit_neighbours(uint32_t i, std::array<bool, 2>& poles, const Visit& visit) const {
+        const uint32_t x = i % width_, y = i / width_;
+        for (const uint32_t row : {y - 1, y, y + 1}) {
+            if (row >= height_) continue;  // The row above row 0 is a large number.
+            for (const uint32_t column : {x == 0 ? width_ - 1 : x - 1, x, x + 1 == width_ ? 0 : x + 1})
+                visit(row * width_ + column);
+        }
+        for (const bool last : {false, true}) {
+            const uint32_t row = last ? height_ - 1 : 0;
+            if (y != row || poles[last ? 1 : 0]) continue;
+            poles[last ? 1 : 0] = true;
+            for (uint32_t column = 0; column < width_; ++column) visit(row * width_ + column);
+        }
+    }
+
+    // Puts the region of bright texels around `seed` into region_. Its texels change from one mark to another.
+    void fill(uint32_t seed, Mark from, Mark to) {
+        region_.assign(1, seed);
+        marks_[seed] = to;
+        std::array<bool, 2> poles{};
+        for (size_t next = 0; next < region_.size(); ++next) {
+            visit_neighbours(region_[next], poles, [&](uint32_t i) {
+                if (marks_[i] != from || !is_bright(i)) return;
+                marks_[i] = to;
+                region_.push_back(i);
+            });
+        }
+    }
+
+    // Adds up the light of region_, less the radiance `ground` everywhere.
+    [[nodiscard]] RegionLight light_of_region(const glm::vec3& ground) const {
+        RegionLight light;
+        for (const uint32_t i : region_) {
+            const RowShape& row = rows_[i / width_];
+            const glm::dvec2& azimuth = columns_[i % width_];
+            const glm::dvec3 flow(azimuth.x * row.across, row.up, azimuth.y * row.across);
+            const glm::dvec3 excess = glm::dvec3(radiance_[i]) - glm::dvec3(ground);
+            const double luminance = luminance_of(radiance_[i]) - luminance_of(ground);
+            light.solid_angle += row.solid_angle;
+            light.flux += luminance * row.solid_angle;
+            light.flow += luminance * flow;
+            for (size_t c = 0; c < 3; ++c) light.channel_flow[c] += excess[static_cast<int>(c)] * flow;
+        }
+        return light;
+    }
+
+    [[nodiscard]] bool is_sun(const RegionLight& light) const {
+        if (light.flux <= kLeastShare * flux_) return false;
+        const double spread = light.spread_rad();
+        const double half_sine = std::sin(spread / 2);
+        // A disc with the radius a has the solid angle 4π sin²(a / 2).
+        return spread <= kMostRadius_rad &&
+               4 * std::numbers::pi * half_sine * half_sine <= kMostElongation * light.solid_angle;
+    }
+
+    std::vector<Candidate> find_candidates() {
+        std::vector<Candidate> candidates;
+        for (uint32_t i = 0; i < radiance_.size(); ++i) {
+            if (marks_[i] != kUnseen || !is_bright(i)) continue;
+            fill(i, kUnseen, kCounted);
+            const RegionLight light = light_of_region(glm::vec3(0));
+            if (is_sun(light)) candidates.push_back({i, light.flux});
+        }
+        return candidates;
+    }
+
+    // Returns the median of the texels that touch region_, separately for each channel.
+    glm::vec3 ring_median() {
+        std::vector<uint32_t> ring;
+        std::array<bool, 2> poles{};
+        for (const uint32_t texel : region_) {
+            visit_neighbours(texel, poles, [&](uint32_t i) {
+                if (marks_[i] == kInside || marks_[i] == kRing) return;
+                marks_[i] = kRing;
+                ring.push_back(i);
+            });
+        }
+        glm::vec3 median(0);
+        std::vector<float> values(ring.size());
+        for (int c = 0; c < 3 && !ring.empty(); ++c) {
+            std::ranges::transform(ring, values.begin(), [&](uint32_t i) { return radiance_[i][c]; });
+            const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+            std::ranges::nth_element(values, middle);
+            median[c] = *middle;
+        }
+        for (const uint32_t i : ring) marks_[i] = kUnseen;
+        return median;
+    }
+
+    void take_out(uint32_t seed, std::vector<PictureSun>& suns) {
+        fill(seed, kCounted, kInside);
+        const glm::vec3 ground = ring_median();
+        const RegionLight light = light_of_region(ground);
+        if (!is_sun(light)) return;
+        const glm::dvec3 to_sun = glm::normalize(light.flow);
+        PictureSun sun;
+        sun.to_sun = glm::vec3(to_sun);
+        sun.solid_angle_sr = static_cast<float>(light.solid_angle);
+        sun.angular_radius_rad = static_cast<float>(light.spread_rad());
+        for (size_t c = 0; c < 3; ++c)
+            sun.illuminance_lx[static_cast<int>(c)] =
+                static_cast<float>(std::max(0.0, glm::dot(light.channel_flow[c], to_sun)));
+        for (const uint32_t i : region_) radiance_[i] = ground;
+        suns.push_back(sun);
+    }
+
+    uint32_t width_, height_;
+    std::span<glm::vec3> radiance_;
+    std::vector<uint8_t> marks_;
+    std::vector<uint32_t> region_;
+    std::vector<RowShape> rows_;
+    std::vector<glm::dvec2> columns_;  // The sine of the azimuth and its negative cosine: x and z of a direction.
+    double flux_ = 0;
+    double threshold_ = 0;
+};
+
+}  // namespace
+
+std::vector<PictureSun> extract_suns(uint32_t width_px, uint32_t height_px, std::span<glm::vec3> radiance) {
+    return radiance.empty() ? std::vector<PictureSun>{} : SunFinder(width_px, height_px, radiance).run();
+}
+
+}  // namespace weft::scene

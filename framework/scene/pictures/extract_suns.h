@@ -1,0 +1,32 @@
+// Purpose: finds the suns in a picture of the surroundings and takes them out of it. A sun is a small region
+// of very bright texels. The scene gets a directional light for each sun, because a light gives sharp
+// highlights and shadows, which filtered pictures cannot give. Picture: equirectangular, as in Environment.
+//
+// A region is a set of connected texels whose luminance is more than 30 times the median of the picture,
+// weighted by solid angle. Texels are connected across the left and right border and over the poles. A region
+// is a sun if
+//   - its light is more than 2 % of the light of the picture. Light: luminance, integrated over the sphere,
+//     less the luminance of the region's surroundings;
+//   - its light comes from a spot of at most 10° radius; larger sources cast shadows too soft for a light;
+//   - it is not elongated: a rectangle of up to about 3.5 : 1 is a sun, a line or a bright horizon is not.
+// At most 16 suns are taken out, those with the most light. All other regions stay in the picture.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "weft/scene/environment.h"
+
+namespace weft::scene {
+
+inline constexpr size_t kMostSuns = 16;
+
+// Returns the suns, the one with the largest illuminance first. Replaces the texels of each sun by the median
+// of the texels around it, separately for each channel. Channels that are negative or not finite become 0.
+// The time is proportional to the number of texels.
+[[nodiscard]] std::vector<PictureSun> extract_suns(uint32_t width_px, uint32_t height_px,
+                                                     std::span<glm::vec3> radiance);
+
+}  // namespace weft::scene
