@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Renders the scenes of the references with Weft and compares the pictures with those of a path tracer.
+
+usage: compare.py WEFT [WORD...] [--graph NAME] [--keep FOLDER] [--report]
+
+WEFT is the program `weft`. WORD: only the references whose names contain it. The table shows for each reference:
+  sum     Σ Weft / Σ reference − 1, over all pixels and channels
+  L1      Σ |Weft − reference| / Σ reference
+Both are taken of the absolute radiance; no factor is fitted. The references with limits are tests; the exit code is 1
+if one exceeds its limit. --report compares all references and ignores the limits. --keep keeps Weft's pictures (PFM).
+"""
+import argparse
+import math
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+GRAPHS = FOLDER.parent.parent / "graphs"
+# Limits of |sum| and L1 for pictures of a sphere under an environment.
+MOST_SUM, MOST_L1 = 0.03, 0.10
+# Exit codes: of `weft` without a Vulkan device, and of a test that is skipped.
+NO_DEVICE, SKIPPED = 4, 77
+
+
+def read_radiance(path):
+    """Returns width, height and rows of (r, g, b) of a Radiance picture with run-length codes."""
+    data = path.read_bytes()
+    at = data.index(b"\n\n") + 2
+    end = data.index(b"\n", at)
+    words = data[at:end].split()
+    height, width, at, rows = int(words[1]), int(words[3]), end + 1, []
+    for _ in range(height):
+        at, channels = at + 4, []
+        for _ in range(4):
+            channel = []
+            while len(channel) < width:
+                count = data[at]
+                if count > 128:
+                    channel += [data[at + 1]] * (count - 128)
+                    at += 2
+                else:
+                    channel += data[at + 1:at + 1 + count]
+                    at += 1 + count
+            channels.append(channel)
+        rows.append([tuple(m * 2.0 ** (e - 136) if e else 0.0 for m in (r, g, b)) for r, g, b, e in zip(*channels)])
+    return width, height, rows
+
+
+def read_pfm(path):
+    data = path.read_bytes()
+    kind, size, scale, values = data.split(b"\n", 3)
+    width, height = (int(x) for x in size.split())
+    assert kind == b"PF" and float(scale) < 0
+    floats = struct.unpack("<%df" % (3 * width * height), values[:12 * width * height])
+    rows = [[floats[3 * (y * width + x):3 * (y * width + x) + 3] for x in range(width)] for y in range(height)]
+    return width, height, rows[::-1]  # PFM begins with the lowest row.
+
+
+def render(weft, reference, graph, folder):
+    out = folder / (reference["name"] + ".pfm")
+    command = [weft, "render", FOLDER / "scenes" / (reference["scene"] + ".gltf"),
+               "--graph", GRAPHS / (graph + ".json"),
+               "--env", FOLDER / "environments" / (reference["environment"] + ".hdr"),
+               "--exposure", "0", "--size", "%dx%d" % reference["size"], "--camera", reference["camera"],
+               "--resource", "hdr", "--timeout", "1200", "-o", out, *reference["options"]]
+    run = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+    if run.returncode == NO_DEVICE:
+        print(run.stderr)
+        sys.exit(SKIPPED)
+    if run.returncode != 0:
+        sys.exit("%s\n%s%s" % (" ".join(str(c) for c in command), run.stdout, run.stderr))
+    return read_pfm(out)
+
+
+def sphere_pixels(width, height, camera):
+    """Returns the pixels within 95 % of the radius of the unit sphere at the origin."""
+    numbers = [float(x) for x in camera.split(",")]
+    distance = math.sqrt(sum((a - b) ** 2 for a, b in zip(numbers[0:3], numbers[3:6])))
+    radius = 0.95 * (height / 2) * math.tan(math.asin(1 / distance)) / math.tan(math.radians(numbers[6] / 2))
+    return [(x, y) for y in range(height) for x in range(width)
+            if math.hypot(x + 0.5 - width / 2, y + 0.5 - height / 2) < radius]
+
+
+def medians(rows, width, height):
+    """Returns the medians of blocks of 4 × 4 pixels, for each channel: they remove single bright paths."""
+    result = []
+    for y in range(0, height - 3, 4):
+        for x in range(0, width - 3, 4):
+            block = [rows[y + j][x + i] for j in range(4) for i in range(4)]
+            result.append([sorted(p[c] for p in block)[8] for c in range(3)])
+    return result
+
+
+def difference(weft, reference):
+    total = sum(sum(p) for p in reference)
+    summed = sum(sum(p) for p in weft) / total - 1
+    l1 = sum(abs(a - b) for p, q in zip(weft, reference) for a, b in zip(p, q)) / total
+    return summed, l1
+
+
+def references():
+    for line in (FOLDER / "pictures.txt").read_text().splitlines():
+        words = line.split()
+        if not words or words[0] == "#":
+            continue
+        name, scene, environment, width, height, _, bounces, scattering, camera = words
+        options = ["--param", "multipleScattering=0"] if scattering == "single" else []
+        yield {"name": name, "scene": scene, "environment": environment, "size": (int(width), int(height)),
+               "camera": camera, "options": options, "is_sphere": bounces == "0"}
+
+
+def compared(weft, reference, graph, folder):
+    width, height, found = render(weft, reference, graph, folder)
+    size_and_rows = read_radiance(FOLDER / "pictures" / (reference["name"] + ".hdr"))
+    assert size_and_rows[:2] == (width, height)
+    wanted = size_and_rows[2]
+    if not reference["is_sphere"]:
+        return difference(medians(found, width, height), medians(wanted, width, height))
+    pixels = sphere_pixels(width, height, reference["camera"])
+    return difference([found[y][x] for x, y in pixels], [wanted[y][x] for x, y in pixels])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("weft")
+    parser.add_argument("words", nargs="*")
+    parser.add_argument("--graph", default="deferred")
+    parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--report", action="store_true")
+    a = parser.parse_args()
+    failed = 0
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = a.keep or pathlib.Path(scratch)
+        folder.mkdir(parents=True, exist_ok=True)
+        print("%-26s %8s %8s" % ("reference", "sum", "L1"))
+        for reference in references():
+            if a.words and not any(word in reference["name"] for word in a.words):
+                continue
+            if not reference["is_sphere"] and not a.report:
+                continue
+            summed, l1 = compared(a.weft, reference, a.graph, folder)
+            wrong = reference["is_sphere"] and (abs(summed) > MOST_SUM or l1 > MOST_L1)
+            failed += wrong
+            print("%-26s %+8.4f %8.4f%s" % (reference["name"], summed, l1, "  exceeds the limit" if wrong else ""))
+    if failed and not a.report:
+        sys.exit("%d references exceed |sum| %g or L1 %g" % (failed, MOST_SUM, MOST_L1))
+
+
+main()
