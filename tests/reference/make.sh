@@ -13,7 +13,7 @@ is_wanted() {
     return 1
 }
 
-while read -r picture scene environment width height samples bounces scattering camera; do
+while read -r picture scene environment width height samples bounces scattering camera _; do
     case $picture in ''|'#'*) continue;; esac
     is_wanted "$picture" || continue
     echo "$picture"
