@@ -157,6 +157,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     catalog.views = {"camera", "sun"};
     catalog.imports.emplace("sun", view_list("sun", shared::kMostSunCascades));
     catalog.imports.emplace(kLampViews, view_list(kLampViews, count_all_lamp_views(scene)));
+    // The first directional light has the list "sun".
+    const uint32_t suns = std::clamp(count_directional_lights(scene), 1u, shared::kMostSuns);
+    catalog.imports.emplace(kFurtherSunViews, view_list(kFurtherSunViews, suns - 1));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0},
                        {"outputIsLinear", 0}};
