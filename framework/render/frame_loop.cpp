@@ -23,6 +23,7 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
     size_ = size;
     jitter_length_ = jitter_length;
     sun_maps_ = sun_maps_of(plan());
+    further_sun_sizes_ = further_sun_sizes(plan());
     views_.set_plan(plan());
 }
 
@@ -60,6 +61,7 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     views_.set_scales(plan().graph, live.scales);
     view_ = find_view(camera);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
+    further_suns_ = scene.find_further_suns(further_sun_sizes_);
     shared::FrameConstants constants = scene.frame_constants();
     if (input.sky) set_sky(*input.sky, constants);
     constants.frame_index = static_cast<uint32_t>(frame_index_++);
@@ -67,9 +69,9 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    views_.update({view_, sun_, scene.lights(), input.views}, plan().graph);
-    if (Status set =
-            scene.gpu().set_frame(*slot, constants, sun_.constants, views_.views(), views_.united_views());
+    views_.update({view_, sun_, scene.lights(), input.views, further_suns_}, plan().graph);
+    if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, further_suns_.constants,
+                                           views_.views(), views_.united_views());
         !set)
         return set;
     const LightList lights{std::as_bytes(std::span(scene.lights()))};

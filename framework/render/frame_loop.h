@@ -47,6 +47,7 @@ class FrameLoop {
     // Returns all views of the last frame.
     [[nodiscard]] const FrameViews& views() const { return views_; }
     [[nodiscard]] const SunCascades& sun() const { return sun_; }
+    [[nodiscard]] const FurtherSunMaps& further_suns() const { return further_suns_; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
 
  private:
@@ -55,11 +56,13 @@ class FrameLoop {
     Extent3D size_;
     uint32_t jitter_length_ = 0;
     SunMaps sun_maps_;
+    FurtherSunSizes further_sun_sizes_{};
     FrameViews views_;
     // Index of the next frame, counted from 0.
     uint64_t frame_index_ = 0;
     shared::ViewConstants view_{};
     SunCascades sun_;
+    FurtherSunMaps further_suns_;
     float pre_exposure_ = 1;
     // Objects that replaced stages used. Frames in flight may still use them until the frame with the number
     // `until` begins.

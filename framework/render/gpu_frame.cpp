@@ -11,18 +11,20 @@
 namespace weft::render {
 namespace {
 
-// The memory of a frame slot contains the frame constants, then the sun's constants. The memory of the views
-// is separate. Each part starts at a multiple of 256 bytes, the largest minUniformBufferOffsetAlignment that
-// Vulkan allows.
+// The memory of a frame slot contains the frame constants, then the sun's constants, then those of the
+// further suns. The memory of the views is separate. Each part starts at a multiple of 256 bytes, the largest
+// minUniformBufferOffsetAlignment that Vulkan allows.
 constexpr uint64_t kAlignmentBytes = 256;
 constexpr uint64_t kSunOffsetBytes = 256;
-constexpr uint64_t kSlotBytes = 768;
+constexpr uint64_t kFurtherSunsOffsetBytes = 768;
+constexpr uint64_t kSlotBytes = 1280;
 constexpr uint64_t kViewBytes = sizeof(shared::ViewConstants);
 // Graphs keep views in buffers, too, so the struct itself has such a size.
 static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kSlotBytes % kAlignmentBytes == 0 &&
               kViewBytes % kAlignmentBytes == 0);
 static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);
-static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kSlotBytes);
+static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kFurtherSunsOffsetBytes);
+static_assert(kFurtherSunsOffsetBytes + sizeof(shared::FurtherSuns) <= kSlotBytes);
 static_assert(kViewBytes == vk::kViewStrideBytes);
 static_assert(offsetof(shared::ViewConstants, number) == vk::kViewNumberOffsetBytes);
 
@@ -99,12 +101,15 @@ void GpuFrame::write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBu
         VkDescriptorBufferInfo{constants_.handle(), slot_bytes, sizeof(shared::FrameConstants)}, views};
     const VkDescriptorBufferInfo sun{constants_.handle(), slot_bytes + kSunOffsetBytes,
                                      sizeof(shared::SunConstants)};
+    const VkDescriptorBufferInfo further{constants_.handle(), slot_bytes + kFurtherSunsOffsetBytes,
+                                         sizeof(shared::FurtherSuns)};
     write_buffers(*device_, to, 0, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, infos);
     write_images(*device_, to, 2, {&image, 1});
     write_buffers(*device_, to, 3, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&sun, 1});
     write_buffers(*device_, to, 4, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {&shapes, 1});
     write_images(*device_, to, 5, {&pictures, 1});
     write_images(*device_, to, 6, {&light, 1});
+    write_buffers(*device_, to, 7, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {&further, 1});
 }
 
 uint32_t GpuFrame::index_of(std::string_view view) const {
@@ -131,7 +136,9 @@ void GpuFrame::add_bytes(uint32_t slot, std::string_view view, std::span<const F
             .mapped()
             .subspan((slot * kBlockViews + index % kBlockViews) * kViewBytes, kViewBytes);
     for (const FrameRange& range : ranges) {
-        const uint64_t block = range.binding == 3 ? kSunOffsetBytes : 0;
+        const uint64_t block = range.binding == 3   ? kSunOffsetBytes
+                               : range.binding == 7 ? kFurtherSunsOffsetBytes
+                                                    : 0;
         const std::span<const std::byte> from = range.binding == 1 ? of_view : memory.subspan(block);
         const auto part = from.subspan(range.offset_bytes, range.size_bytes);
         bytes.insert(bytes.end(), part.begin(), part.end());
@@ -139,12 +146,14 @@ void GpuFrame::add_bytes(uint32_t slot, std::string_view view, std::span<const F
 }
 
 Status GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame, const shared::SunConstants& sun,
-                       std::span<const FrameView> views, std::span<const ViewNames> united_views) {
+                       const shared::FurtherSuns& further_suns, std::span<const FrameView> views,
+                       std::span<const ViewNames> united_views) {
     while (blocks_.size() * kBlockViews < views.size())
         if (Status added = add_block(); !added) return added;
     std::byte* memory = constants_.mapped().data() + slot * kSlotBytes;
     std::memcpy(memory, &frame, sizeof frame);
     std::memcpy(memory + kSunOffsetBytes, &sun, sizeof sun);
+    std::memcpy(memory + kFurtherSunsOffsetBytes, &further_suns, sizeof further_suns);
     index_of_view_.clear();
     for (uint32_t i = 0; i < views.size(); ++i) {
         index_of_view_.emplace(views[i].name, i);

@@ -27,8 +27,8 @@ class GpuFrame {
     // not be in flight: Executor::begin_frame() returns a free one. The first view is the camera.
     // `united_views`: the views of each pass with multiview.
     [[nodiscard]] Status write(uint32_t slot, const shared::FrameConstants& frame,
-                               const shared::SunConstants& sun, std::span<const FrameView> views,
-                               std::span<const ViewNames> united_views);
+                               const shared::SunConstants& sun, const shared::FurtherSuns& further_suns,
+                               std::span<const FrameView> views, std::span<const ViewNames> united_views);
     [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_.layout.get(); }
     // Makes descriptor sets whose views are in buffers; see DrawSource::make_view_sets().
     [[nodiscard]] Result<std::unique_ptr<vk::ViewSets>> make_view_sets(
@@ -69,7 +69,7 @@ class GpuFrame {
 
     vk::Device* device_ = nullptr;
     DescriptorSets layout_;  // Only the layout of set 0.
-    vk::Buffer constants_;   // The constants of the frame and of the sun.
+    vk::Buffer constants_;   // The constants of the frame, the sun and the further suns.
     std::vector<ViewBlock> blocks_;
     std::map<std::string, uint32_t, std::less<>> index_of_view_;
     std::map<ViewNames, ViewArray> arrays_;

@@ -75,9 +75,10 @@ bool GpuScene::has_unbounded_lists() const {
 }
 
 Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                           const shared::SunConstants& sun, std::span<const FrameView> views,
-                           std::span<const ViewNames> united_views) {
-    if (Status written = frame_.write(slot, frame, sun, views, united_views); !written) return written;
+                           const shared::SunConstants& sun, const shared::FurtherSuns& further_suns,
+                           std::span<const FrameView> views, std::span<const ViewNames> united_views) {
+    if (Status written = frame_.write(slot, frame, sun, further_suns, views, united_views); !written)
+        return written;
     views_.clear();
     for (const FrameView& view : views)
         views_.emplace(view.name,

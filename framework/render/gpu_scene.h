@@ -57,8 +57,8 @@ class GpuScene final : public vk::DrawSource {
     // Executor::begin_frame() and run(). The first view is the camera. `united_views`: the views of each pass
     // with multiview.
     [[nodiscard]] Status set_frame(uint32_t slot, const shared::FrameConstants& frame,
-                                   const shared::SunConstants& sun, std::span<const FrameView> views,
-                                   std::span<const ViewNames> united_views);
+                                   const shared::SunConstants& sun, const shared::FurtherSuns& further_suns,
+                                   std::span<const FrameView> views, std::span<const ViewNames> united_views);
 
     [[nodiscard]] VkDescriptorSetLayout set_layout(uint32_t set) const override;
     [[nodiscard]] VkDescriptorSet frame_set(uint32_t frame_slot, std::string_view view) const override;

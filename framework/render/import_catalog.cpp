@@ -162,6 +162,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     ImportDecl lamps = view_list(kLampViews, count_all_lamp_views(scene));
     lamps.assumes_views = scene == nullptr;
     catalog.imports.emplace(kLampViews, std::move(lamps));
+    // The first directional light has the list "sun".
+    const uint32_t suns = std::clamp(count_directional_lights(scene), 1u, shared::kMostSuns);
+    catalog.imports.emplace(kFurtherSunViews, view_list(kFurtherSunViews, suns - 1));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0},
                        {"outputIsLinear", 0}};

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/frame_data.h"
+#include "render/views/further_suns.h"
 #include "render/views/sun_cascades.h"
 #include "shared/material.glsl"
 #include "vulkan/device/to_vk.h"
@@ -32,6 +33,7 @@ constexpr std::array kBindings{
     buffer(0, 4, kAll),       // array of all light functions
     image(0, 5, kAll, true),  // array texture of the pictures that lights project
     image(0, 6, kAll),        // small texture of the environment map, for lighting
+    block(0, 7, kAll, sizeof(shared::FurtherSuns)),
     block(2, 0, kDraws, sizeof(shared::Material)),
     image(2, 1, kDraws),  // texture of the base colour; bindings 2 to 6 are the material's other textures
     image(2, 2, kDraws),

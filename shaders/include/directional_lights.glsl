@@ -1,7 +1,9 @@
 // Computes the light that a surface reflects to the eye from the directional lights. These are the first lights in the
-// buffer `lights`. The light of the sun is multiplied by the visible share of the sun (shadows).
+// buffer `lights`. The light of the first four is multiplied by their visible share (shadows).
 #ifndef WEFT_DIRECTIONAL_LIGHTS
 #define WEFT_DIRECTIONAL_LIGHTS
+#include "disc_light.glsl"
+#include "further_sun_shadow.glsl"
 #include "light_reflection.glsl"
 #include "sun_shadow.glsl"
 
@@ -13,9 +15,15 @@ vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
     const float sunshine = sun_visibility(position, s.normal, distance(position, view.eye));
     vec3 radiance = vec3(0.0);
     for (uint i = 0u; i < count; ++i) {
-        const float visible = lights.items[i].shadow == 0u ? 1.0 : sunshine;
+        const uint shadow = lights.items[i].shadow;
+        float visible = shadow == 1u ? sunshine : 1.0;
+        if (HAS_furtherSunShadow && shadow > 1u) visible = further_sun_visibility(shadow, position, s.normal);
         if (visible <= 0.0) continue;
-        vec3 reflected = plain_reflection(s, v, position, lights.items[i]) * visible;
+        vec3 reflected = plain_reflection(s, v, position, lights.items[i]);
+        // A loop instead of an if: devices that execute both sides of a branch (llvmpipe) leave an empty loop out.
+        for (bool disc = lights.items[i].cone_scale > 0.0; disc; disc = false)
+            reflected = disc_reflection(s, v, lights.items[i]);
+        reflected *= visible;
         if (LIGHT_FUNCTIONS && lights.items[i].function != 0u) reflected *= light_function(lights.items[i], position);
         radiance += reflected;
     }

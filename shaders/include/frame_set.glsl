@@ -2,6 +2,7 @@
 #ifndef WEFT_FRAME_SET
 #define WEFT_FRAME_SET
 #include "shared/frame.glsl"
+#include "shared/further_suns.glsl"
 #include "shared/light_function.glsl"
 #include "shared/sun.glsl"
 
@@ -12,6 +13,7 @@ layout(set = 0, binding = 3, std140) uniform SunBlock { SunConstants sun; };
 layout(set = 0, binding = 4, std430) readonly buffer LightFunctions { LightFunction items[]; } light_functions;
 layout(set = 0, binding = 5) uniform sampler2DArray light_pictures;  // Pictures of lights: light_function.glsl.
 layout(set = 0, binding = 6) uniform sampler2D environment_light;  // Small picture of the sky, for lighting.
+layout(set = 0, binding = 7, std140) uniform FurtherSunBlock { FurtherSuns further_suns; };
 
 // Returns the world position for `uv`, which is (0,0) at the top left, and a reversed `depth`, which must not be 0.
 vec3 world_position(vec2 uv, float depth) {

@@ -108,7 +108,9 @@ bool FrameViews::is_in_buffer(const std::string& view) const {
 
 Status FrameViews::check(const ViewLists& program) const {
     for (const ViewListDecl& list : lists_) {
-        if (list.source != ViewSource::program || list.name == kSun || list.name == kLampViews) continue;
+        if (list.source != ViewSource::program || list.name == kSun || list.name == kLampViews ||
+            list.name == kFurtherSunViews)
+            continue;
         const auto given = program.find(list.name);
         const size_t count = given != program.end() ? given->second.size() : 0;
         if (count < list.count) return too_few(list.name, count, list.count);
@@ -166,6 +168,8 @@ shared::ViewConstants FrameViews::make(const Frame& frame, const std::string& na
 shared::ViewConstants FrameViews::make_given(const Frame& frame, const ViewListDecl& list,
                                              uint32_t index) const {
     if (list.name == kSun) return frame.sources.sun.views[std::min(index, shared::kMostSunCascades - 1u)];
+    if (list.name == kFurtherSunViews)
+        return frame.sources.further_suns.views[std::min(index, shared::kMostFurtherSuns - 1u)];
     if (list.name == kLampViews)
         // A lamp that has moved too far away gives no light and no views.
         return index < frame.lamps.size() ? constants_of(frame.lamps[index]) : shared::ViewConstants{};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "graph/live/live_frame.h"
+#include "render/views/further_suns.h"
 #include "render/views/sun_cascades.h"
 #include "render/views/view_matrices.h"
 #include "weft/plan.h"
@@ -36,6 +37,7 @@ struct ViewSources {
     const SunCascades& sun;
     std::span<const shared::Light> lights;
     const ViewLists& program;
+    const FurtherSunMaps& further_suns;
 };
 
 class FrameViews {

@@ -9,7 +9,7 @@
 namespace weft::scene {
 namespace {
 
-constexpr double kMedians = 30;     // A region's texels are brighter than this number of medians.
+constexpr double kMedians = 30;       // A region's texels are brighter than this number of medians.
 constexpr double kLeastShare = 0.02;  // Share of the picture's light that a sun has at least.
 constexpr double kMostRadius_rad = 10 * std::numbers::pi / 180;
 // Largest (radius of the light's spread)² / (radius of a disc with the region's solid angle)². It is 1 for a
@@ -23,16 +23,16 @@ double luminance_of(const glm::vec3& texel) {
 // Integrals over the texels of one row, for the exact sums over a region.
 struct RowShape {
     double solid_angle = 0;  // Of one texel.
-    double across = 0;       // ∫ sin² θ over the row's polar angles θ, times 2 sin(half the texel's azimuth).
-    double up = 0;           // ∫ cos θ over one texel, the y of its direction.
+    double across = 0;  // ∫ sin² θ over the row's polar angles θ, times 2 sin(half the texel's azimuth).
+    double up = 0;      // ∫ cos θ over one texel, the y of its direction.
 };
 
 // Light that comes from a set of texels.
 struct RegionLight {
     double solid_angle = 0;
-    double flux = 0;                               // ∫ luminance.
-    glm::dvec3 flow{0};                            // ∫ luminance × direction.
-    std::array<glm::dvec3, 3> channel_flow{};      // ∫ radiance × direction for each channel.
+    double flux = 0;                           // ∫ luminance.
+    glm::dvec3 flow{0};                        // ∫ luminance × direction.
+    std::array<glm::dvec3, 3> channel_flow{};  // ∫ radiance × direction for each channel.
     [[nodiscard]] double spread_rad() const {
         // The mean direction of a uniform disc with the radius a has the length cos²(a / 2).
         const double missing = std::clamp(1 - glm::length(flow) / flux, 0.0, 1.0);
@@ -49,8 +49,8 @@ class SunFinder {
         const double step = 2 * std::numbers::pi / width_;
         for (uint32_t y = 0; y < height_; ++y) {
             const double top = std::numbers::pi * y / height_, bottom = std::numbers::pi * (y + 1) / height_;
-            const double sines = (bottom - top - (std::sin(bottom) * std::cos(bottom) -
-                                                  std::sin(top) * std::cos(top))) / 2;
+            const double sines =
+                (bottom - top - (std::sin(bottom) * std::cos(bottom) - std::sin(top) * std::cos(top))) / 2;
             const double squares = std::sin(bottom) * std::sin(bottom) - std::sin(top) * std::sin(top);
             rows_.push_back({step * (std::cos(top) - std::cos(bottom)), sines * 2 * std::sin(step / 2),
                              step * squares / 2});
@@ -104,8 +104,9 @@ class SunFinder {
         threshold_ = kMedians * double{std::bit_cast<float>(bin << 16)};
     }
 
-    // Calls `visit(i)` for each texel that touches texel i, also across the border and over a pole. All texels
-    // of the first row touch each other, and so do those of the last row. They are visited once in a fill.
+    // Calls `visit(i)` for each texel that touches texel i, also across the border and over a pole. All
+    // texels of the first row touch each other, and so do those of the last row. They are visited once in a
+    // fill.
     template <typename Visit>
     void visit_neighbours(uint32_t i, std::array<bool, 2>& poles, const Visit& visit) const {
         const uint32_t x = i % width_, y = i / width_;
@@ -122,7 +123,8 @@ class SunFinder {
         }
     }
 
-    // Puts the region of bright texels around `seed` into region_. Its texels change from one mark to another.
+    // Puts the region of bright texels around `seed` into region_. Its texels change from one mark to
+    // another.
     void fill(uint32_t seed, Mark from, Mark to) {
         region_.assign(1, seed);
         marks_[seed] = to;
@@ -218,7 +220,8 @@ class SunFinder {
     std::vector<uint8_t> marks_;
     std::vector<uint32_t> region_;
     std::vector<RowShape> rows_;
-    std::vector<glm::dvec2> columns_;  // The sine of the azimuth and its negative cosine: x and z of a direction.
+    std::vector<glm::dvec2>
+        columns_;  // The sine of the azimuth and its negative cosine: x and z of a direction.
     double flux_ = 0;
     double threshold_ = 0;
 };

@@ -27,6 +27,6 @@ inline constexpr size_t kMostSuns = 16;
 // of the texels around it, separately for each channel. Channels that are negative or not finite become 0.
 // The time is proportional to the number of texels.
 [[nodiscard]] std::vector<PictureSun> extract_suns(uint32_t width_px, uint32_t height_px,
-                                                     std::span<glm::vec3> radiance);
+                                                   std::span<glm::vec3> radiance);
 
 }  // namespace weft::scene

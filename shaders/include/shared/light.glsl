@@ -10,6 +10,9 @@ const uint kLightSpot = 2u;
 const uint kLightCapsule = 3u;
 const uint kLightRectangle = 4u;
 
+// Number of directional lights that can have shadows: the first ones in the buffer.
+const uint kMostSuns = 4u;
+
 struct Light {
     vec3 position;       // Centre of the light, in world space.
     float range_m;       // Range, from the nearest point of the light's shape; 0: no limit.
@@ -24,7 +27,8 @@ struct Light {
     vec2 half_size_m;    // Rectangle: half width, half height; capsule: half length without caps, radius.
     uint function;       // 0: no light function; otherwise 1 + the index of the light function.
     uint shadow;         // 0: no shadow; 1 to kMostSuns: number of the directional light, which has a shadow map. Light
-                         // 1 has the cascades of sun_shadow.glsl, the others have the maps of further_suns.glsl.
+                         // 1 has the cascades of sun_shadow.glsl, the others have the maps of
+                         // further_sun_shadow.glsl.
 };
 
 #include "end.glsl"

@@ -2,8 +2,9 @@
 // "masked" and "transparent", together contain all draws of the scene. The draw list "anisotropic" repeats
 // some draws of "opaque" and "masked". Further imports: a buffer with the draw commands of each list
 // (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes, materials), the
-// table materialTextures with the textures of all materials, and the output image. The lists of views "sun"
-// and "lampFaces" have the cascades of the sun and the views of the scene's lamps. Graphs may also use the
+// table materialTextures with the textures of all materials, and the output image. The lists of views "sun",
+// "furtherSuns" and "lampFaces" have the cascades of the sun, the views of the directional lights 2 to 4, and
+// the views of the scene's lamps. Graphs may also use the
 // view "camera", the element types Light and DrawCommand and those of the buffers, and the numbers
 // directionalLights, environmentPictures and outputIsLinear.
 #pragma once

@@ -49,8 +49,8 @@ struct Environment {
     // can cause negative values for directions away from it (ringing). Then the orders 1 and 2 are reduced.
     std::array<glm::vec3, 9> irradiance_over_pi{};
     LightPicture light;
-    // The suns of the picture, the brightest first. `mips` shows them, but irradiance_over_pi does not contain
-    // their light, because the scene has a directional light for each of them.
+    // The suns of the picture, the brightest first. `mips` shows them, but irradiance_over_pi does not
+    // contain their light, because the scene has a directional light for each of them.
     std::vector<PictureSun> suns;
 };
 

@@ -1,0 +1,75 @@
+#include "render/views/further_suns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace weft::render {
+namespace {
+
+static_assert(sizeof(shared::FurtherSuns) == 288);
+
+// Width in texels of the border around the sphere. It has room for the filter and the offset along the
+// normal.
+constexpr double kFurtherBorderTexels = 6;
+
+// The matrix from world space to a space in which x and y are in the plane of the map and z points to the
+// light.
+glm::dmat4 light_space(const glm::dvec3& to_sun) {
+    const glm::dvec3 up = std::abs(to_sun.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, -1);
+    return glm::lookAt(glm::dvec3(0), -to_sun, up);
+}
+
+}  // namespace
+
+FurtherSunSizes further_sun_sizes(const FramePlan& plan) {
+    FurtherSunSizes sizes{};
+    for (const PassDecl& pass : plan.graph.passes)
+        for (const std::string& view : pass.drawn_views())
+            for (uint32_t i = 0; i < sizes.size(); ++i)
+                if (view == std::string(kFurtherSunViews) + "(" + std::to_string(i) + ")")
+                    sizes[i] = std::max(sizes[i], pass.state.viewport ? pass.state.viewport->width
+                                                                      : pass.render_extent.width);
+    return sizes;
+}
+
+FurtherSunMaps further_sun_maps(std::span<const shared::Light> lights, const scene::Bounds& bounds,
+                                const FurtherSunSizes& sizes_px) {
+    FurtherSunMaps maps;
+    const glm::dvec3 center = (glm::dvec3(bounds.min) + glm::dvec3(bounds.max)) * 0.5;
+    const double radius_m = std::max(glm::length(glm::dvec3(bounds.max) - center), 1e-3);
+    for (uint32_t i = 0; i < sizes_px.size() && i + 1 < lights.size(); ++i) {
+        const shared::Light& light = lights[i + 1];
+        if (sizes_px[i] == 0 || light.type != shared::kLightDirectional) continue;
+        const glm::dvec3 to_sun = -glm::normalize(glm::dvec3(light.direction));
+        const double size_px = sizes_px[i];
+        const double texel_m = 2 * radius_m / std::max(size_px - 2 * kFurtherBorderTexels, 1.0);
+        const glm::dmat4 view = light_space(to_sun);
+        const glm::dvec3 middle(view * glm::dvec4(center, 1));
+        const double side_m = texel_m * size_px, depth_m = 2.02 * radius_m;
+        // Light space to (x, y) from -1 to 1, y downwards, and depth 1 nearest to the light.
+        glm::dmat4 projection(1);
+        projection[0][0] = 2 / side_m;
+        projection[1][1] = -2 / side_m;
+        projection[2][2] = 1 / depth_m;
+        projection[3] =
+            glm::dvec4(-2 * middle.x / side_m, 2 * middle.y / side_m, 0.5 - middle.z / depth_m, 1);
+        const glm::dmat4 to_clip = projection * view;
+        const glm::dmat4 to_map = glm::translate(glm::dmat4(1), glm::dvec3(0.5, 0.5, 0)) *
+                                  glm::scale(glm::dmat4(1), glm::dvec3(0.5, 0.5, 1)) * to_clip;
+        maps.constants.items[i] = {glm::mat4(to_map), glm::vec3(to_sun), static_cast<float>(texel_m),
+                                   glm::vec3(0), static_cast<float>(depth_m)};
+        shared::ViewConstants& constants = maps.views[i];
+        constants.view = glm::mat4(view);
+        constants.projection = glm::mat4(projection);
+        constants.view_projection = constants.steady_view_projection = constants.prev_view_projection =
+            glm::mat4(to_clip);
+        constants.inverse_view_projection = glm::mat4(glm::inverse(to_clip));
+        constants.eye = glm::vec3(center + to_sun * (depth_m / 2));
+        constants.viewport_px = glm::vec2(static_cast<float>(size_px));
+        constants.inverse_viewport = 1.0f / constants.viewport_px;
+    }
+    return maps;
+}
+
+}  // namespace weft::render

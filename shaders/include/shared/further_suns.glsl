@@ -1,0 +1,21 @@
+// Shadow maps of the directional lights 2 to 4, in descriptor set 0. Each light has one map. Units: metres.
+#ifndef WEFT_SHARED_FURTHER_SUNS
+#define WEFT_SHARED_FURTHER_SUNS
+#include "begin.glsl"
+
+const int kMostFurtherSuns = 3;
+
+struct FurtherSun {
+    mat4 world_to_map;   // World to (u, v, depth). Depth is linear: 1 nearest to the light, 0 farthest from it.
+    vec3 to_sun;         // Unit vector towards the light.
+    float texel_m;       // Length of the side of a texel; 0: the light has no map.
+    vec3 reserved;
+    float depth_m;       // Distance from depth 1 to depth 0.
+};
+
+struct FurtherSuns {
+    FurtherSun items[kMostFurtherSuns];
+};
+
+#include "end.glsl"
+#endif
