@@ -11,7 +11,7 @@
 namespace weft::scene {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kPi_rad = std::numbers::pi;
 using Radiance = std::function<glm::dvec3(const glm::dvec3&)>;
 
 struct Picture {
@@ -21,7 +21,7 @@ struct Picture {
 };
 
 glm::dvec3 direction_at(double x, double y, const Picture& picture) {
-    const double azimuth = (x / picture.width - 0.5) * 2 * kPi, polar = y / picture.height * kPi;
+    const double azimuth = (x / picture.width - 0.5) * 2 * kPi_rad, polar = y / picture.height * kPi_rad;
     return {std::sin(polar) * std::sin(azimuth), std::cos(polar), -std::sin(polar) * std::cos(azimuth)};
 }
 
@@ -33,7 +33,7 @@ Picture picture_of(uint32_t width, uint32_t height, const Radiance& radiance) {
         glm::dvec3 sum(0);
         double weights = 0;
         for (int i = 0; i < points * points; ++i) {
-            const double row = y + (i / points + 0.5) / points, weight = std::sin(row / height * kPi);
+            const double row = y + (i / points + 0.5) / points, weight = std::sin(row / height * kPi_rad);
             sum += weight * radiance(direction_at(x + (i % points + 0.5) / points, row, picture));
             weights += weight;
         }
@@ -85,10 +85,10 @@ TEST_P(OneSun, HasItsDirectionSizeAndLightAndLeavesTheSky) {
     Picture picture = picture_of(256, 128, disc(to_sun, radius, inside, kSky));
     const std::vector<PictureSun> suns = extract(picture);
     ASSERT_EQ(suns.size(), 1u);
-    const double texel_rad = kPi / 128;
+    const double texel_rad = kPi_rad / 128;
     const double off = glm::length(glm::dvec3(suns[0].to_sun) - to_sun) / texel_rad;
     // The sky is so much darker than the disc that its part inside of the disc does not matter.
-    const double expected = inside * kPi * std::sin(radius) * std::sin(radius);
+    const double expected = inside * kPi_rad * std::sin(radius) * std::sin(radius);
     const glm::dvec3 found = glm::dvec3(suns[0].illuminance_lx) / (glm::dvec3(1, 0.9, 0.7) * expected);
     std::printf("%s: off by %.4f texels, light %.5f, radius %.4f of the disc's\n", c.name, off, found.x,
                 double{suns[0].angular_radius_rad} / radius);
@@ -118,7 +118,7 @@ TEST(ExtractSuns, KeepTheIlluminance) {
         glm::dvec3 sum(0);
         for (uint32_t y = 0; y < picture.height; ++y) {
             const double angle =
-                (std::cos(kPi * y / picture.height) - std::cos(kPi * (y + 1) / picture.height)) * 2 * kPi /
+                (std::cos(kPi_rad * y / picture.height) - std::cos(kPi_rad * (y + 1) / picture.height)) * 2 * kPi_rad /
                 picture.width;
             for (uint32_t x = 0; x < picture.width; ++x)
                 sum += glm::dvec3(picture.texels[size_t{y} * picture.width + x]) * angle *
