@@ -20,6 +20,9 @@ namespace weft::test {
 // The path of a shipped graph that many tests use.
 inline constexpr const char* kDeferredGraph = WEFT_SOURCE_DIR "/graphs/deferred.json";
 
+// A parameter of the shipped graphs: only single reflections at microfacets, as in the BRDFs of papers.
+inline const render::ParameterValues kSingleReflections{{"multipleScattering", 0}};
+
 // Returns the path of a shipped graph.
 inline std::string graph_path(const std::string& name) {
     return WEFT_SOURCE_DIR "/graphs/" + name + ".json";
@@ -108,10 +111,12 @@ class SessionTest : public ::testing::Test {
     // Renders one frame and returns the observed images. On any error, the test fails and the result is
     // empty.
     Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
-                    std::vector<std::string> observed, const std::string& graph = kDeferredGraph) {
+                    std::vector<std::string> observed, const std::string& graph = kDeferredGraph,
+                    const render::ParameterValues& parameters = {}) {
         const std::unique_ptr<render::Session> session =
             start(scene, camera, graph, size, std::move(observed), exposure_ev);
         if (!session) return {};
+        frame_of(*session).parameters = parameters;
         Status done = draw_frame(*session);
         if (done) done = session->finish();
         if (!done) {

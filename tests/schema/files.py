@@ -21,6 +21,7 @@ BEYOND_SCHEMAS = {
     "{} is a reserved word of expressions",
     "the pass draws no draw list, so no material can determine culling", "the index of view {} is",
     "whose format is {}, cannot be cleared to", "the size of {} is",
+    "is not a valid name for a parameter: no module has the name",
 }
 
 

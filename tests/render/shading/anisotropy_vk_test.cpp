@@ -21,7 +21,8 @@ class Anisotropy : public SessionTest, public ::testing::WithParamInterface<cons
     }
     std::array<glm::vec3, kStrips> strips(const scene::Scene& scene, const std::string& path) {
         std::array<glm::vec3, kStrips> found{};
-        const Rendered picture = render(scene, scene.cameras[0], kQuadSize, 0, {"hdr"}, path);
+        const Rendered picture =
+            render(scene, scene.cameras[0], kQuadSize, 0, {"hdr"}, path, kSingleReflections);
         if (picture.images.empty()) return found;
         for (size_t i = 0; i < kStrips; ++i) found[i] = picture.images.at("hdr")[pixel_of(i)];
         return found;

@@ -13,8 +13,6 @@ namespace weft::test {
 namespace {
 
 constexpr Extent3D kLightingSize{320, 180, 1};
-// The reference has only single reflections at microfacets.
-constexpr const char* kSingleReflections = WEFT_SOURCE_DIR "/tests/render/ambient/single.json";
 
 class Lighting : public SessionTest {};
 
@@ -23,9 +21,9 @@ TEST_F(Lighting, EveryPixelOfTheSpheresFollowsFromTheGBuffer) {
     ASSERT_TRUE(scene);
     scene->sky_zenith = scene->sky_horizon = glm::vec3(0);
     ASSERT_EQ(scene->lights.size(), 1u);
-    const Rendered r =
-        render(*scene, scene->cameras.at(0), kLightingSize, scene->exposure_ev,
-               {"albedo", "normal", "orm", "specular", "depth", "hdr@gbuffer", "hdr"}, kSingleReflections);
+    const Rendered r = render(*scene, scene->cameras.at(0), kLightingSize, scene->exposure_ev,
+                              {"albedo", "normal", "orm", "specular", "depth", "hdr@gbuffer", "hdr"},
+                              kDeferredGraph, kSingleReflections);
     ASSERT_EQ(r.images.size(), 7u);
     const glm::dmat4 to_world = glm::inverse(glm::dmat4(r.view.projection) * glm::dmat4(r.view.view));
     size_t surfaces = 0, wrong = 0;
@@ -104,7 +102,7 @@ TEST_P(Plane, FollowsItsClosedForm) {
     scene::Camera camera;
     camera.transform = glm::inverse(glm::lookAt(glm::vec3(1, 4, 3), glm::vec3(0, 0, 0), glm::vec3(0, 1, 0)));
     camera.fov_y_rad = 0.7f;
-    const Rendered r = render(scene, camera, kLightingSize, 0, {"hdr"}, kSingleReflections);
+    const Rendered r = render(scene, camera, kLightingSize, 0, {"hdr"}, kDeferredGraph, kSingleReflections);
     ASSERT_EQ(r.images.size(), 1u);
     const glm::dvec3 eye(1, 4, 3);
     const glm::dmat3 axes(camera.transform);

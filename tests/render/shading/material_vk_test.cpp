@@ -18,6 +18,7 @@ class Materials : public SessionTest, public ::testing::WithParamInterface<const
         const std::string graph = std::string(WEFT_SOURCE_DIR "/graphs/") + GetParam() + ".json";
         const std::unique_ptr<render::Session> session =
             start(scene, scene.cameras.at(0), graph, kQuadSize, {"hdr"});
+        if (session) frame_of(*session).parameters = kSingleReflections;
         if (!session || !draw_frame(*session) || !session->finish()) {
             ADD_FAILURE() << "no picture";
             return std::vector<glm::vec4>(size_t{kQuadSize.width} * kQuadSize.height);

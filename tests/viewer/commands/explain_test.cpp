@@ -131,6 +131,7 @@ TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
     const std::string lighting = "\"lighting\": {";
     const size_t at = text.find(lighting);
     ASSERT_NE(at, std::string::npos);
+    const auto line = 1 + std::ranges::count(text.substr(0, at), '\n');
     text.insert(at + lighting.size(), " \"queue\": \"async\",");
     const ScratchFolder scratch;
     scratch.write("async.json", text);
@@ -142,7 +143,8 @@ TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
                  {"runs in this submission: queue 1, ",
                   "Before the submission begins, it waits for queue 0, ", "must not start before",
                   "\"sunShadows#3\" (", "): port \"depth\" (", "writes \"sunShadow.mip(0).layer(3)\"",
-                  "\"lighting\" (" + graph + ":24:5): port \"", "This submission must end before queue 0, "});
+                  "\"lighting\" (" + graph + ":" + std::to_string(line) + ":5): port \"",
+                  "This submission must end before queue 0, "});
     const RunResult barrier = run_weft(
         {"explain", graph, "barrier", "gbuffer", "lighting", "--queues", "2", "--profile", "discrete"});
     EXPECT_EQ(barrier.exit_code, 0) << barrier.text();
