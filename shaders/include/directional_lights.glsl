@@ -19,12 +19,13 @@ vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
         float visible = shadow == 1u ? sunshine : 1.0;
         if (HAS_furtherSunShadow && shadow > 1u) visible = further_sun_visibility(shadow, position, s.normal);
         if (visible <= 0.0) continue;
-        vec3 reflected = plain_reflection(s, v, position, lights.items[i]);
+        const Light light = lights.items[i];
+        vec3 reflected = plain_reflection(s, v, position, light);
         // A loop instead of an if: devices that execute both sides of a branch (llvmpipe) leave an empty loop out.
-        for (bool disc = lights.items[i].cone_scale > 0.0; disc; disc = false)
-            reflected = disc_reflection(s, v, lights.items[i]);
+        for (bool disc = light.cone_scale > 0.0; disc; disc = false)
+            reflected = reflect_disc(s, v, -light.direction, light.cone_scale) * light.intensity;
         reflected *= visible;
-        if (LIGHT_FUNCTIONS && lights.items[i].function != 0u) reflected *= light_function(lights.items[i], position);
+        if (LIGHT_FUNCTIONS && light.function != 0u) reflected *= light_function(light, position);
         radiance += reflected;
     }
     return radiance;

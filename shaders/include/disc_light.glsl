@@ -1,90 +1,98 @@
-// Computes the reflection of a directional light that comes from a disc of uniform luminance, such as the sun. The
-// highlight is the integral of GGX over the disc.
+// Reflection of the light of a distant disc of uniform luminance, such as the sun.
 //
-// Half vectors are taken as points (x, y) of the plane at distance 1 along the view direction v: h = (x, y, 1). The
-// disc is exactly a circle of this plane, because h is the stereographic projection of the light's direction. With the
-// x axis in the direction in which the normal is tilted, the integral of D over the directions of the light is
-//     4 α² / π · ∫ dx dy / (y² + B(x)²)²,   B² = |n × h|² + α² (n·h)² at y = 0.
-// The integral over y is a closed formula. The integral over x is a sum of 8 to 32 terms, in the variable p with
-// tan(angle between h and n at y = 0) = α sinh p. In this variable the integrand is smooth for all α.
+// The half vectors of all directions to the disc fill an ellipse in the plane of slopes, in which a half vector h has
+// the position h.xy / h.z (in the frame of the surface, in units of α). The GGX distribution of slopes is
+// 1 / (π (1 + |m|²)²), which is also the density of irradiance divided by π that a plane at the distance 1 sends to a
+// parallel receiver. So its integral over the ellipse is the form factor of an elliptical disc (as in Heitz and Hill
+// 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed Cosines"). For an ellipse with the centre m
+// and the matrix C (the ellipse is m + √C · unit disc) it is
+//     √det C · μ · c² / √det(1 + μC)   with   1 / μ = 1 + m·w,   1 / c² = 1 + w·w,   w = (1 + μC)⁻¹ m.
+// w is the mean slope of the facets that mirror the disc. Fresnel term and masking-shadowing are those of this slope.
 #ifndef WEFT_DISC_LIGHT
 #define WEFT_DISC_LIGHT
 #include "brdf.glsl"
-#include "shared/light.glsl"
 
-// Returns ∫ 2 / (1 + η²)² dη from η0 to η1. q = 1 + η0 η1, d = η1 − η0. The second formula avoids the difference of
-// nearly equal numbers.
-float disc_chord(float q, float d) {
-    const float sum = q * q + d * d;
-    if (q < 3.0 * d) return atan(d, q) + d * (2.0 - q) / sum;
-    const float z = d / q, z2 = z * z;
-    return z * z2 * (-1.0 / 3.0 + z2 * (0.2 - z2 * (1.0 / 7.0 - z2 / 9.0))) + d * (d * d + 2.0 * q) / (q * sum);
+// An ellipse in the plane of slopes.
+struct SlopeEllipse {
+    vec2 center;
+    vec2 a, b;  // Vectors from the centre to the ends of two diameters that are conjugate.
+};
+
+// Returns the slopes of the half vectors of a disc. The half vectors of its edge, v + l, lie on a circle in space, whose
+// projection from the origin to the plane of slopes is exactly an ellipse. `eye` and `light` are in the frame of the
+// surface.
+SlopeEllipse slopes_of_disc(vec3 eye, vec3 light, float radius) {
+    const float sine = sin(radius), cosine = cos(radius);
+    const float across = length(light.xy);
+    const vec2 outward = across > 1e-5 ? light.xy / across : vec2(1.0, 0.0);
+    const float height = eye.z + light.z * cosine;
+    const vec2 middle = (eye.xy + light.xy * cosine) / height;
+    const float tilt = sine * across / height, rest = max(1.0 - tilt * tilt, 1e-4);
+    SlopeEllipse e;
+    e.a = -sine / (height * rest) * (light.z * outward + middle * across);
+    e.b = sine / (height * sqrt(rest)) * vec2(-outward.y, outward.x);
+    e.center = middle - tilt * e.a;
+    return e;
 }
 
-// Returns the factors of F0 (x) and F90 (y) in the integral of D · V · F · n·l over the directions of the disc.
-// `to_center`: unit vector to the centre of the disc. `radius`: its angular radius.
-vec2 disc_highlight(float alpha, vec3 n, vec3 v, vec3 to_center, float radius) {
-    const float nv = clamp(dot(n, v), 1e-3, 1.0);
-    const vec3 tilt = n - v * dot(n, v);
-    const float tilt_length = length(tilt);
-    const vec3 other = abs(v.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-    const vec3 ex = tilt_length > 1e-4 ? tilt / tilt_length : normalize(cross(v, other));
-    const vec3 ey = cross(v, ex);
-    const float sine = sqrt(1.0 - nv * nv);
-    // The circle.
-    const float scale = 1.0 / max(dot(v, to_center) + cos(radius), 1e-3);
-    const vec2 middle = vec2(dot(to_center, ex), dot(to_center, ey)) * scale;
-    const float r = sin(radius) * scale;
-    // Its ends along x, as p.
-    const vec2 ends = middle.x + vec2(-r, r);
-    const vec2 tangents = (ends * nv - sine) / max(ends * sine + nv, 1e-3);
-    const vec2 p = asinh(tangents / alpha);
-    const float half_p = 0.5 * (p.y - p.x), mid_p = 0.5 * (p.x + p.y);
-    // If the disc is much larger than the lobe, the lobe is only a part of the range, so more terms are needed.
-    const int nodes = int(min(8.0 + 6.0 * half_p, 32.0));
-    const float step = kPi / float(nodes);
-    vec2 sum = vec2(0.0);
-    for (int i = 0; i < nodes; ++i) {
-        const float angle = (float(i) + 0.5) * step;
-        const float at = mid_p - half_p * cos(angle);
-        const float t = alpha * sinh(at), steep = cosh(at);
-        const float w = 1.0 / max(nv - t * sine, 1e-3);
-        const float x = (t * nv + sine) * w;
-        const float reach = (x - middle.x) / r;
-        const float chord = r * sqrt(max(0.0, 1.0 - reach * reach));
-        const float unit = w * alpha * steep;
-        const vec2 eta = (middle.y + vec2(-chord, chord)) / unit;
-        const float q = 1.0 + eta.x * eta.y, d = 2.0 * chord / unit;
-        const float weight = half_p * sin(angle) / (steep * steep * w);
-        const float part = weight * disc_chord(q, d);
-        if (part <= 0.0) continue;
-        // V, F and n·l at the mean y of the chord.
-        const float y = weight * unit * d * (eta.x + eta.y) / ((q * q + d * d) * part);
-        const float h2 = x * x + y * y + 1.0;
-        const float nl = 2.0 * (x * sine + nv) / h2 - nv;
-        if (nl <= 0.0) continue;
-        const float reflected = part * smith_visibility(alpha, nl, nv) * nl;
-        const float f0_share = schlick(vec3(1.0), 0.0, inversesqrt(h2)).x;
-        sum += reflected * vec2(f0_share, 1.0 - f0_share);
+// Returns (w, form factor): see above. μ is between 1 / (1 + m·m) and 1. Seven bisections of the logarithm of μ and two
+// steps of Newton's method find it.
+vec3 form_factor(SlopeEllipse e) {
+    const vec2 m = e.center;
+    const float cx = e.a.x * e.a.x + e.b.x * e.b.x, cy = e.a.y * e.a.y + e.b.y * e.b.y;
+    const float cxy = e.a.x * e.a.y + e.b.x * e.b.y;
+    const float area = abs(e.a.x * e.b.y - e.a.y * e.b.x), det = area * area, trace = cx + cy;
+    const vec2 turned = vec2(cy * m.x - cxy * m.y, cx * m.y - cxy * m.x);
+    const float m2 = dot(m, m), m_turned = dot(m, turned);
+    float low = 1.0 / (1.0 + m2), high = 1.0;
+    for (int i = 0; i < 7; ++i) {
+        const float middle = sqrt(low * high);
+        const float value = middle * (1.0 + (m2 + middle * m_turned) / (1.0 + middle * (trace + middle * det)));
+        if (value < 1.0) low = middle; else high = middle;
     }
-    return sum * (2.0 / float(nodes));
+    float mu = low;
+    for (int i = 0; i < 2; ++i) {
+        const vec2 near = (m + mu * turned) / (1.0 + mu * (trace + mu * det));
+        mu -= (mu * (1.0 + dot(m, near)) - 1.0) / (1.0 + dot(near, near));
+    }
+    const float whole = 1.0 + mu * (trace + mu * det);
+    const vec2 w = (m + mu * turned) / whole;
+    return vec3(w, area * mu / (sqrt(whole) * (1.0 + dot(w, w))));
 }
 
-// Returns the luminance that a surface reflects to the eye from a directional light with a disc.
-vec3 disc_reflection(Surface s, vec3 v, Light light) {
-    const vec3 to_center = -light.direction;
-    const float radius = light.cone_scale;
-    if (s.anisotropic) {
-        // A wider highlight whose peak is as high as that of the integral.
-        s.alphas = sqrt(s.alphas * s.alphas + 0.25 * radius * radius);
-        return reflect_light(s, v, to_center) * light.intensity;
+// Returns the specular BRDF times n·l, averaged over the disc around `l`. `radius` is the angular radius in radians.
+// nl and nv are the cosines of the angles of l and v to the normal.
+vec3 disc_specular(Surface s, vec3 v, vec3 l, float radius, float nl, float nv) {
+    vec3 x = s.tangent, y = s.bitangent;
+    if (!s.anisotropic) {
+        x = normalize(abs(s.normal.y) < 0.9 ? vec3(s.normal.z, 0.0, -s.normal.x) : vec3(0.0, -s.normal.z, s.normal.y));
+        y = cross(s.normal, x);
     }
-    const float center_nl = max(dot(s.normal, to_center), 0.0);
-    const vec3 f = schlick(s.f0, s.f90, dot(v, normalize(v + to_center)));
-    const vec3 diffuse = s.diffuse * ((1.0 - max(f.r, max(f.g, f.b))) / kPi * center_nl);
-    // A disc of luminance L has the illuminance L π sin² radius.
+    const vec3 eye = vec3(dot(x, v), dot(y, v), nv);
+    SlopeEllipse e = slopes_of_disc(eye, vec3(dot(x, l), dot(y, l), nl), radius);
+    e.center /= s.alphas;
+    e.a /= s.alphas;
+    e.b /= s.alphas;
+    const vec3 found = form_factor(e);
+    const vec3 h = normalize(vec3(found.xy * s.alphas, 1.0));
+    const float vh = dot(eye, h);
+    const vec3 mirrored = 2.0 * vh * h - eye;
+    if (mirrored.z <= 0.0 || vh <= 0.0) return vec3(0.0);
+    const float visibility = s.anisotropic ? stretched_smith_visibility(s.alphas, mirrored, eye)
+                                           : smith_visibility(s.alpha, mirrored.z, nv);
     const float sine = sin(radius);
-    const vec2 highlight = disc_highlight(s.alpha, s.normal, v, to_center, radius) / (kPi * sine * sine);
-    return (diffuse + s.energy * (s.f0 * highlight.x + s.f90 * highlight.y)) * light.intensity;
+    const float facets = found.z / (kPi * sine * sine) * 4.0 * vh / h.z;
+    return schlick(s.f0, s.f90, vh) * s.energy * (facets * visibility * mirrored.z);
+}
+
+// Returns the mean of the BRDF times n·l over the disc: the reflected radiance for unit irradiance on a plane that faces
+// the disc. The middle of the disc must be above the horizon.
+vec3 reflect_disc(Surface s, vec3 v, vec3 l, float radius) {
+    const float nl = dot(s.normal, l);
+    if (nl <= 0.0) return vec3(0.0);
+    const float nv = max(dot(s.normal, v), 1e-4);
+    const vec3 f = schlick(s.f0, s.f90, dot(v, normalize(v + l)));
+    const float base = 1.0 - max(f.r, max(f.g, f.b));
+    return s.diffuse * (base * nl / kPi) + disc_specular(s, v, l, radius, nl, nv);
 }
 #endif

@@ -4,6 +4,7 @@
 #ifndef WEFT_FURTHER_SUN_SHADOW
 #define WEFT_FURTHER_SUN_SHADOW
 #include "frame_set.glsl"
+#include "shared/light.glsl"
 
 layout(constant_id = 25) const bool HAS_furtherSunShadow = false;
 uniform sampler2DArrayShadow furtherSunShadow;

@@ -17,7 +17,7 @@ const float kSunMostSlope = 2.0;
 // 2 × 2 texels share to their centres. Units: texels.
 const float kSunReach = 2.0, kSunQuadReach = 0.5;
 // Offset along the light, in texels, for rounding errors and for normals that differ from the real surface.
-const float kSunBiasTexels = 1.0;
+const float kSunBiasTexels = 1.5;
 
 struct SunPlace {
     uint cascade;

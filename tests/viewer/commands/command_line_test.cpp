@@ -239,7 +239,9 @@ TEST(Plan, DependsOnTheSize) {
 
 TEST(Plan, TellsWhereMemoryPeaksAndWhoIsAliveThere) {
     const RunResult run = run_weft({"plan", kDeferredGraph});
-    EXPECT_NE(run.out.find(" gbuffer: hdr (7200.0 KiB) albedo (3600.0 KiB) depth"), std::string::npos)
+    EXPECT_NE(
+        run.out.find(" gbuffer: hdr (7200.0 KiB) environmentRaw (4096.0 KiB) albedo (3600.0 KiB) depth"),
+        std::string::npos)
         << run.text();
     for (const char* part :
          {"sum of resources ", "peak of live resources ", "heaps ", "excess of the heaps over the peak "})
