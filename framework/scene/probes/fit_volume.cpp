@@ -1,9 +1,15 @@
-// Chooses a grid for a whole scene. It begins with the finest cells near all surfaces that need at most half
-// of the probes. Then it splits cells into eight, in two steps:
-// 1. One by one, the worst first: cells in rooms whose smallest dimension is less than four spacings, and
-//    cells whose surfaces are not parallel, until their spacing fits objects.
-// 2. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
+// Chooses a grid for a whole scene. It begins with the finest cells near all surfaces that need at most three
+// quarters of the probes. Then it splits cells into eight. Where possible, all cells of a group are split, so
+// that similar places have similar spacings:
+// 1. Single cells with a free place that sees none of their probes.
+// 2. All cells in rooms whose smallest dimension is less than four spacings, until their spacing fits
+// objects.
+// 3. All cells whose surfaces are not parallel, until their spacing fits objects.
+// 4. All cells in rooms, until the spacing is the finest.
+// 5. Single cells of the groups that needed too many probes, those with the greatest need first.
+// 6. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
 #include <algorithm>
+#include <functional>
 #include <queue>
 
 #include "scene/probes/refine_grid.h"
@@ -22,7 +28,7 @@ constexpr double kSmallestRoom = 4;
 // Objects in the open need as many probes as a room of this size, in finest spacings.
 constexpr double kObjectRoom = 8;
 // Cells that need too many probes are left out, until there are this many of them.
-constexpr uint32_t kMostFailures = 8;
+constexpr uint32_t kMostFailures = 32;
 
 class Fit {
  public:
@@ -34,13 +40,17 @@ class Fit {
     // Adds the cells of the base. Returns false if they are too many.
     [[nodiscard]] bool begin() {
         std::optional<std::vector<GridCell>> cells = grid_.cells_near_surfaces(base_, kMostCells);
-        if (!cells || !grid_.exchange({}, *cells, params_.most_probes / 2)) return false;
+        if (!cells || !grid_.exchange({}, *cells, params_.most_probes * 3 / 4)) return false;
         cells_ = std::move(*cells);
         return true;
     }
 
     void refine() {
-        split_worst();
+        split_worst([&](const GridCell& cell) { return grid_.has_dark_place(cell) ? cell.stride : 0; });
+        for (int stride = base_; stride > kObjectStride; stride /= 2) (void)split_all(rooms(stride));
+        for (int stride = base_; stride > kObjectStride; stride /= 2) (void)split_all(uneven_cells(stride));
+        for (int stride = kObjectStride; stride > 1; stride /= 2) (void)split_all(rooms(stride));
+        split_worst([&](const GridCell& cell) { return std::max(room_need(cell), object_need(cell)); });
         for (int stride = base_; stride > 1; stride /= 2)
             if (!split_all(uneven_cells(stride)) || !split_all(cells_of_stride(stride))) break;
     }
@@ -92,28 +102,43 @@ class Fit {
     }
 
     struct Need {
-        double factor = 0;  // The spacing of the cell, divided by the largest one that the place allows.
+        double need = 0;
         GridCell cell;
         // The cell that is split first is the largest.
         bool operator<(const Need& other) const {
-            if (factor != other.factor) return factor < other.factor;
+            if (need != other.need) return need < other.need;
             return PointOrder{}(other.cell.at, cell.at);
         }
     };
 
-    // Returns how much too large the spacing of the cell is, as a factor.
-    [[nodiscard]] double need_of(const GridCell& cell) {
-        double room_m = std::max(grid_.room_size(cell), kSmallestRoom * double{params_.min_spacing_m});
-        if (cell.stride > kObjectStride && grid_.is_uneven(cell))
-            room_m = std::min(room_m, kObjectRoom * double{params_.min_spacing_m});
+    // Returns how much too large the spacing of the cell is for a room of this size, as a factor.
+    [[nodiscard]] double need_in(const GridCell& cell, double room_m) const {
         return kSpacingsPerRoom * double{params_.min_spacing_m} * cell.stride / room_m;
     }
 
-    void split_worst() {
+    [[nodiscard]] double room_need(const GridCell& cell) const {
+        const int pitch = std::min(cell.stride / 2, kObjectStride);
+        return need_in(cell,
+                       std::max(grid_.room_size(cell, pitch), kSmallestRoom * double{params_.min_spacing_m}));
+    }
+
+    [[nodiscard]] double object_need(const GridCell& cell) const {
+        if (cell.stride <= kObjectStride || !grid_.is_uneven(cell)) return 0;
+        return need_in(cell, kObjectRoom * double{params_.min_spacing_m});
+    }
+
+    [[nodiscard]] std::vector<GridCell> rooms(int stride) const {
+        std::vector<GridCell> found = cells_of_stride(stride);
+        std::erase_if(found, [&](const GridCell& cell) { return room_need(cell) <= 1; });
+        return found;
+    }
+
+    // Splits the cells with a need above 1, and their parts, those with the greatest need first.
+    void split_worst(const std::function<double(const GridCell&)>& need_of) {
         std::priority_queue<Need> needs;
         const auto consider = [&](const GridCell& cell) {
-            const double factor = cell.stride > 1 ? need_of(cell) : 0;
-            if (factor > 1) needs.push({factor, cell});
+            const double need = cell.stride > 1 ? need_of(cell) : 0;
+            if (need > 1) needs.push({need, cell});
         };
         for (const GridCell& cell : cells_) consider(cell);
         uint32_t failures = 0;

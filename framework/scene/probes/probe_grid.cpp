@@ -12,7 +12,7 @@ namespace {
 // Corners that are settled together, in parallel, before the number of probes is compared with the limit.
 constexpr size_t kBatch = 256;
 // A surface counts for the cells that are at most this far away, in spacings of the cell.
-constexpr float kMargin = 0.2f;
+constexpr float kMargin = 0.25f;
 // A grid point has no probe if the nearest surface is farther than one spacing along each axis and farther
 // than this, in finest spacings.
 constexpr float kFar = 5;
@@ -94,18 +94,35 @@ bool ProbeGrid::is_uneven(const GridCell& cell) const {
     return tree_.is_uneven(box_of(cell, 0));
 }
 
-double ProbeGrid::room_size(const GridCell& cell) {
-    std::vector<double> sizes;
+double ProbeGrid::room_size(const GridCell& cell, int pitch) const {
+    double least = std::numeric_limits<double>::infinity();
+    const int parts = cell.stride / pitch;
+    for (int z = 0; z < parts; ++z)
+        for (int y = 0; y < parts; ++y)
+            for (int x = 0; x < parts; ++x) {
+                const GridCell part{cell.at + glm::ivec3(x, y, z) * pitch, pitch};
+                const glm::vec3 middle = position(part.at) + 0.5f * spacing_m_ * static_cast<float>(pitch);
+                if (is_near_surface(part)) least = std::min(least, room_size_at(tree_, middle));
+            }
+    return least;
+}
+
+bool ProbeGrid::has_dark_place(const GridCell& cell) const {
+    const float size_m = spacing_m_ * static_cast<float>(cell.stride);
+    std::vector<glm::vec3> probes;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::ivec3 at = corner_of(cell, corner);
-        const auto found = points_.find(at);
-        if (found == points_.end() || found->second.settled.state == ProbeState::dropped) continue;
-        sizes.push_back(room_size_at(tree_, position(at) + found->second.settled.offset));
+        const Settled& settled = points_.at(at).settled;
+        if (settled.state != ProbeState::dropped && glm::length(settled.offset) <= kMostOffset * size_m)
+            probes.push_back(position(at) + settled.offset);
     }
-    if (sizes.empty()) return std::numeric_limits<double>::infinity();
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() - 1) / 2);
-    std::ranges::nth_element(sizes, middle);
-    return *middle;
+    for (int part = 0; part < 8; ++part) {
+        const glm::vec3 place = position(cell.at) + (0.25f + 0.5f * glm::vec3(part_offset(part))) * size_m;
+        const bool seen =
+            std::ranges::any_of(probes, [&](const glm::vec3& probe) { return sees(tree_, place, probe); });
+        if (!seen && can_stand(tree_, place, kClearance * spacing_m_)) return true;
+    }
+    return false;
 }
 
 int ProbeGrid::coarsest_stride(const glm::ivec3& at) const {

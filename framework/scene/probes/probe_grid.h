@@ -35,8 +35,12 @@ class ProbeGrid {
     // Returns the eight cells of half the stride that are near a surface.
     [[nodiscard]] std::vector<GridCell> parts_of(const GridCell& cell) const;
     [[nodiscard]] bool is_uneven(const GridCell& cell) const;
-    // Returns the middle of the room sizes at the probes of the cell.
-    [[nodiscard]] double room_size(const GridCell& cell);
+    // Returns the size of the smallest room in which a part of the cell is, infinity if there is none. The
+    // parts have the size `pitch`; only those near a surface count.
+    [[nodiscard]] double room_size(const GridCell& cell, int pitch) const;
+    // True if the cell has a free place that sees none of the probes at the corners. The cell must have been
+    // added.
+    [[nodiscard]] bool has_dark_place(const GridCell& cell) const;
 
     // Removes the cells `gone`, which were added before, and adds the cells `fresh`. If there were then more
     // than `most` probes at the corners of all cells, changes nothing and returns false.

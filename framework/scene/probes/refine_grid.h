@@ -14,7 +14,7 @@ namespace weft::scene {
 inline constexpr int kObjectStride = 4;
 inline constexpr int kGroundStride = 32;
 
-// Returns nullopt if half of the probes are not enough for the whole scene with the coarsest cells.
+// Returns nullopt if three quarters of the probes are not enough for the whole scene with the coarsest cells.
 [[nodiscard]] std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementParams& params,
                                                     uint32_t threads);
 [[nodiscard]] ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& params,

@@ -12,6 +12,9 @@ namespace {
 constexpr size_t kDirections = 64;
 // More rays than this that end at the inside of a surface mean that the point is inside of an object.
 constexpr size_t kMostInside = kDirections / 4;
+// Rays along which all surfaces are counted, and the number of them that must agree.
+constexpr size_t kDepthRays = 8;
+constexpr size_t kLeastBuried = 6;
 // Number of ways out of an object that are tried.
 constexpr size_t kMostExits = 12;
 
@@ -38,14 +41,13 @@ const std::array<glm::dvec3, kDirections>& directions() {
     return kAll;
 }
 
-bool can_stand(const TriangleTree& tree, const glm::vec3& point, float clearance_m) {
-    if (tree.is_near(point, clearance_m)) return false;
+// True if most rays leave more objects than they enter. This also finds the inside of an object whose own
+// surface is hidden by other objects in it.
+bool is_buried(const TriangleTree& tree, const glm::vec3& point) {
     size_t inside = 0;
-    for (const glm::dvec3& direction : directions()) {
-        const std::optional<RayHit> hit = tree.nearest({glm::dvec3(point), direction});
-        if (hit && hit->is_inside && ++inside > kMostInside) return false;
-    }
-    return true;
+    for (size_t i = 0; i < kDirections; i += kDirections / kDepthRays)
+        inside += tree.depth_along({glm::dvec3(point), directions()[i]}) > 0 ? 1 : 0;
+    return inside >= kLeastBuried;
 }
 
 // Returns the ways out of an object: behind the insides of surfaces that are within reach, the nearest first.
@@ -61,7 +63,7 @@ std::vector<Move> exits_from(const TriangleTree& tree, const glm::vec3& point, c
         const double length_m = hit->distance_m + behind_m;
         if (length_m <= double{limits.reach_m}) exits.push_back({direction * length_m, length_m});
     }
-    if (inside <= kMostInside) exits.clear();
+    if (inside <= kMostInside && !is_buried(tree, point)) exits.clear();
     std::ranges::stable_sort(exits, {}, &Move::length_m);
     if (exits.size() > kMostExits) exits.resize(kMostExits);
     return exits;
@@ -84,6 +86,16 @@ std::vector<Move> steps_aside(const SettleLimits& limits) {
 
 }  // namespace
 
+bool can_stand(const TriangleTree& tree, const glm::vec3& point, float clearance_m) {
+    if (tree.is_near(point, clearance_m)) return false;
+    size_t inside = 0;
+    for (const glm::dvec3& direction : directions()) {
+        const std::optional<RayHit> hit = tree.nearest({glm::dvec3(point), direction});
+        if (hit && hit->is_inside && ++inside > kMostInside) return false;
+    }
+    return !is_buried(tree, point);
+}
+
 Settled settle_probe(const TriangleTree& tree, const glm::vec3& point, const SettleLimits& limits) {
     if (can_stand(tree, point, limits.clearance_m)) return {};
     std::vector<Move> moves = exits_from(tree, point, limits);
@@ -100,16 +112,20 @@ Settled settle_probe(const TriangleTree& tree, const glm::vec3& point, const Set
 }
 
 double room_size_at(const TriangleTree& tree, const glm::vec3& point) {
-    double least = std::numeric_limits<double>::infinity();
+    constexpr double kNoRoom = std::numeric_limits<double>::infinity();
+    double least = kNoRoom;
+    int closed = 0;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 direction(0);
         direction[axis] = 1;
         const std::optional<RayHit> ahead = tree.nearest({glm::dvec3(point), direction});
-        if (!ahead) continue;
         const std::optional<RayHit> behind = tree.nearest({glm::dvec3(point), -direction});
-        if (behind) least = std::min(least, ahead->distance_m + behind->distance_m);
+        if ((ahead && ahead->is_inside) || (behind && behind->is_inside)) return kNoRoom;
+        if (!ahead || !behind) continue;
+        ++closed;
+        least = std::min(least, ahead->distance_m + behind->distance_m);
     }
-    return least;
+    return closed >= 2 ? least : kNoRoom;
 }
 
 bool sees(const TriangleTree& tree, const glm::vec3& from, const glm::vec3& to) {

@@ -1,5 +1,6 @@
 // Purpose: decides whether a probe can stand at a point, and where else it stands if not. A probe from which
-// more than a quarter of the directions end at the inside of a surface is inside of an object.
+// more than a quarter of the directions end at the inside of a surface is inside of an object. So is a probe
+// that is inside of closed objects which penetrate each other.
 #pragma once
 
 #include <span>
@@ -23,8 +24,12 @@ struct SettleLimits {
 [[nodiscard]] Settled settle_probe(const TriangleTree& tree, const glm::vec3& point,
                                    const SettleLimits& limits);
 
-// Returns the smallest distance between two surfaces on opposite sides of the point, along x, y or z;
-// infinity if no axis has surfaces on both sides. In a room this is its smallest dimension.
+// True if the point is outside of all objects and at least this far from each surface that blocks light.
+[[nodiscard]] bool can_stand(const TriangleTree& tree, const glm::vec3& point, float clearance_m);
+
+// Returns the smallest dimension of the room that contains the point: the distance between two surfaces on
+// opposite sides, along x, y or z. Returns infinity if fewer than two axes have surfaces on both sides, or if
+// the point is inside of an object.
 [[nodiscard]] double room_size_at(const TriangleTree& tree, const glm::vec3& point);
 
 // True if no surface that blocks light is between the two points.

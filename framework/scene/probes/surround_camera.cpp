@@ -40,12 +40,8 @@ std::vector<GridCell> cells_around(const ProbeGrid& grid, const GridCell& middle
 }
 
 // Returns the stride of the finest level: finer than objects need it if the camera is in a small room.
-int finest_stride(const TriangleTree& tree, const PlacementParams& params, uint32_t threads) {
-    const GridCell cell = cell_at(*params.camera, params, kObjectStride);
-    ProbeGrid grid(tree, glm::vec3(0.5f * params.min_spacing_m), params.min_spacing_m, kObjectStride,
-                   threads);
-    (void)grid.exchange({}, {cell}, params.most_probes);
-    const double room_m = grid.room_size(cell);
+int finest_stride(const ProbeGrid& grid, const PlacementParams& params) {
+    const double room_m = grid.room_size(cell_at(*params.camera, params, kObjectStride), kObjectStride / 2);
     int stride = kObjectStride;
     while (stride > 1 && double{params.min_spacing_m} * stride * kSpacingsPerSide > room_m) stride /= 2;
     return stride;
@@ -58,11 +54,11 @@ ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& par
     const Bounds& bounds = tree.bounds();
     around.camera = glm::clamp(params.camera.value_or((bounds.min + bounds.max) * 0.5f),
                                glm::vec3(-kFarthest_m), glm::vec3(kFarthest_m));
-    const int finest = finest_stride(tree, around, threads);
     const uint32_t share = params.most_probes / kLevels;
     const glm::vec3 origin(0.5f * params.min_spacing_m);
     // The levels differ by a factor of two if the coarsest one then holds the whole scene.
     const ProbeGrid probe(tree, origin, params.min_spacing_m, kGroundStride, threads);
+    const int finest = finest_stride(probe, around);
     const int factor = probe.cells_near_surfaces(finest * 4, share) ? 2 : 4;
     std::vector<uint32_t> strides;
     for (int level = 0, stride = finest; level < kLevels; ++level, stride *= factor)

@@ -243,6 +243,19 @@ std::optional<RayHit> TriangleTree::nearest(const Ray& ray) const {
     return best;
 }
 
+int TriangleTree::depth_along(const Ray& ray) const {
+    const Slabs slabs(ray);
+    int depth = 0;
+    walk([&](const Bounds& node) { return slabs.enter(node) <= ray.reach_m; },
+         [&](const SolidTriangle& triangle) {
+             const std::optional<RayHit> hit =
+                 triangle.has_inside ? hit_triangle(triangle, ray) : std::nullopt;
+             if (hit) depth += hit->is_inside ? 1 : -1;
+             return false;
+         });
+    return depth;
+}
+
 bool TriangleTree::touches(const Bounds& box) const {
     bool found = false;
     walk([&](const Bounds& node) { return overlap(node, box); },

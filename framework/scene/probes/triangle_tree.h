@@ -38,6 +38,10 @@ class TriangleTree {
     // Returns the nearest surface that blocks light. If surfaces coincide, the hit is inside only if it is
     // the inside of all of them.
     [[nodiscard]] std::optional<RayHit> nearest(const Ray& ray) const;
+    // Returns the number of surfaces with an inside that the ray leaves, minus the number of those that it
+    // enters. From the inside of closed objects this is the number of objects, also if they penetrate each
+    // other.
+    [[nodiscard]] int depth_along(const Ray& ray) const;
     // True if a surface of any kind touches the box.
     [[nodiscard]] bool touches(const Bounds& box) const;
     // True if the surfaces in the box are not parallel, or if they have very many triangles.
