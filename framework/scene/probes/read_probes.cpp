@@ -75,8 +75,10 @@ class ProbeReader {
     bool expect(const JsonNode& node, JsonKind kind) {
         if (node.kind == kind) return true;
         fault(node.loc, "S196",
-              std::string("this value is ") + json_kind_name(node.kind) + "; wanted " + json_kind_name(kind),
-              "docs/probes.md describes the keys of the file and their values");
+              std::string("the value has the type ") + json_kind_name(node.kind) + "; wanted " +
+                  json_kind_name(kind),
+              std::string("write a value of the type ") + json_kind_name(kind) +
+                  "; docs/probes.md describes the file");
         return false;
     }
 
