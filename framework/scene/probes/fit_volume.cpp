@@ -1,10 +1,9 @@
-// Chooses a grid for a whole scene. It begins with the finest cells near all surfaces that need at most three
-// quarters of the probes. Then it splits cells into eight. Where possible, all cells of a group are split, so
-// that similar places have similar spacings:
+// Chooses a grid for a whole scene. It begins with coarse cells near all surfaces. Then it splits cells into
+// eight. Where possible, all cells of a group are split, so that similar places have similar spacings:
 // 1. Single cells with a free place that sees none of their probes.
 // 2. All cells in rooms whose smallest dimension is less than four spacings, until their spacing fits
 // objects.
-// 3. All cells whose surfaces are not parallel, until their spacing fits objects.
+// 3. All cells in the open whose surfaces are not parallel, until their spacing is twice as large.
 // 4. All cells in rooms, until the spacing is the finest.
 // 5. Single cells of the groups that needed too many probes, those with the greatest need first.
 // 6. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
@@ -48,7 +47,8 @@ class Fit {
     void refine() {
         split_worst([&](const GridCell& cell) { return grid_.has_dark_place(cell) ? cell.stride : 0; });
         for (int stride = base_; stride > kObjectStride; stride /= 2) (void)split_all(rooms(stride));
-        for (int stride = base_; stride > kObjectStride; stride /= 2) (void)split_all(uneven_cells(stride));
+        for (int stride = base_; stride > 2 * kObjectStride; stride /= 2)
+            (void)split_all(uneven_cells(stride));
         for (int stride = kObjectStride; stride > 1; stride /= 2) (void)split_all(rooms(stride));
         split_worst([&](const GridCell& cell) { return std::max(room_need(cell), object_need(cell)); });
         for (int stride = base_; stride > 1; stride /= 2)
@@ -164,7 +164,11 @@ class Fit {
 
 std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementParams& params,
                                       uint32_t threads) {
-    for (int base = kObjectStride; base <= kGroundStride; base *= 2) {
+    const glm::vec3 size = tree.bounds().max - tree.bounds().min;
+    const float half_size = 0.5f * std::max({size.x, size.y, size.z}) / params.min_spacing_m;
+    int base = kObjectStride;
+    while (base < kGroundStride && static_cast<float>(base) < half_size) base *= 2;
+    for (; base <= kGroundStride; base *= 2) {
         Fit fit(tree, params, base, threads);
         if (!fit.begin()) continue;
         fit.refine();
