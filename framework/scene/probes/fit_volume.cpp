@@ -56,8 +56,13 @@ class Fit {
     }
 
     [[nodiscard]] ProbeVolume volume() const {
+        int finest = base_, coarsest = 1;
+        for (const GridCell& cell : cells_) {
+            finest = std::min(finest, cell.stride);
+            coarsest = std::max(coarsest, cell.stride);
+        }
         std::vector<uint32_t> strides;
-        for (int stride = finest_; stride <= base_; stride *= 2)
+        for (int stride = finest; stride <= std::max(finest, coarsest); stride *= 2)
             strides.push_back(static_cast<uint32_t>(stride));
         return grid_.volume(strides, false);
     }
@@ -92,7 +97,6 @@ class Fit {
             });
         });
         cells_.insert(cells_.end(), parts.begin(), parts.end());
-        if (!parts.empty()) finest_ = std::min(finest_, parts.front().stride);
         return true;
     }
 
@@ -156,7 +160,6 @@ class Fit {
     ProbeGrid grid_;
     const PlacementParams& params_;
     int base_;
-    int finest_ = base_;
     std::vector<GridCell> cells_;
 };
 
