@@ -13,6 +13,8 @@ namespace {
 constexpr size_t kBatch = 256;
 // A surface counts for the cells that are at most this far away, in spacings of the cell.
 constexpr float kMargin = 0.25f;
+// Number of places along each axis of a cell at which it is checked that they see a probe.
+constexpr int kSamples = 4;
 // A grid point has no probe if the nearest surface is farther than one spacing along each axis and farther
 // than this, in finest spacings.
 constexpr float kFar = 5;
@@ -116,8 +118,9 @@ bool ProbeGrid::has_dark_place(const GridCell& cell) const {
         if (settled.state != ProbeState::dropped && glm::length(settled.offset) <= kMostOffset * size_m)
             probes.push_back(position(at) + settled.offset);
     }
-    for (int part = 0; part < 8; ++part) {
-        const glm::vec3 place = position(cell.at) + (0.25f + 0.5f * glm::vec3(part_offset(part))) * size_m;
+    for (int i = 0; i < kSamples * kSamples * kSamples; ++i) {
+        const glm::vec3 at(i % kSamples, i / kSamples % kSamples, i / (kSamples * kSamples));
+        const glm::vec3 place = position(cell.at) + (at + 0.5f) / static_cast<float>(kSamples) * size_m;
         const bool seen =
             std::ranges::any_of(probes, [&](const glm::vec3& probe) { return sees(tree_, place, probe); });
         if (!seen && can_stand(tree_, place, kClearance * spacing_m_)) return true;

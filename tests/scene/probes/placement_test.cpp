@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <set>
 
 #include "scene/builtin/scene_parts.h"
@@ -36,15 +37,20 @@ std::string text_of(const glm::vec3& p) {
     return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")";
 }
 
-// Returns the spacing of the finest cell that contains the point, or 0 if there is none.
-float spacing_at(const ProbeVolume& volume, const std::vector<ProbeCell>& cells, const glm::vec3& point) {
+// Returns the finest cell that contains the point.
+std::optional<ProbeCell> cell_at(const ProbeVolume& volume, const std::vector<ProbeCell>& cells,
+                                 const glm::vec3& point) {
     for (const ProbeCell& cell : cells) {
         const float spacing_m = volume.spacing_m * static_cast<float>(volume.strides[cell.level]);
         const glm::vec3 low = volume.origin + glm::vec3(cell.at) * volume.spacing_m;
         if (glm::all(glm::lessThanEqual(low, point)) && glm::all(glm::lessThanEqual(point, low + spacing_m)))
-            return spacing_m;
+            return cell;
     }
-    return 0;
+    return std::nullopt;
+}
+
+float spacing_of(const ProbeVolume& volume, const ProbeCell& cell) {
+    return volume.spacing_m * static_cast<float>(volume.strides[cell.level]);
 }
 
 void expect_no_probe_in_walls(const BoxScene& scene, const Probes& probes) {
@@ -58,27 +64,34 @@ void expect_no_probe_in_walls(const BoxScene& scene, const Probes& probes) {
 }
 
 // Each free point near a surface is in a cell, and sees a probe at most kReach spacings of this cell away.
+// Nearly all points see a probe of this cell.
 void expect_covered(const BoxScene& scene, const Probes& probes) {
     const BruteRays rays(scene.scene);
-    const std::vector<glm::vec3> places = places_of(probes.volume);
-    const std::vector<ProbeCell> cells = cells_of(probes.volume);
-    uint32_t free = 0, uncovered = 0;
+    const ProbeVolume& volume = probes.volume;
+    const std::vector<glm::vec3> places = places_of(volume);
+    const std::vector<ProbeCell> cells = cells_of(volume);
+    uint32_t free = 0, uncovered = 0, dark = 0;
     for (const glm::vec3& point : rays.points_before_surfaces(0.1f, 6)) {
         if (scene.is_near(point, 0.05f)) continue;
         ++free;
-        const float spacing_m = spacing_at(probes.volume, cells, point);
-        EXPECT_GT(spacing_m, 0) << text_of(point) << " is in no cell";
+        const std::optional<ProbeCell> cell = cell_at(volume, cells, point);
+        EXPECT_TRUE(cell) << text_of(point) << " is in no cell";
+        if (!cell) continue;
+        const float reach_m = kReach * spacing_of(volume, *cell);
         const bool covered = std::ranges::any_of(places, [&](const glm::vec3& place) {
-            return glm::distance(place, point) <= kReach * spacing_m && rays.sees(point, place);
+            return glm::distance(place, point) <= reach_m && rays.sees(point, place);
         });
-        if (!covered) {
-            ++uncovered;
-            std::printf("uncovered: %s, spacing %g\n", text_of(point).c_str(), double{spacing_m});
-        }
+        const bool lit = std::ranges::any_of(cell->corners, [&](uint32_t corner) {
+            return corner != ProbeCell::kNoProbe &&
+                   rays.sees(point, position_of(volume, volume.probes.at(corner)));
+        });
+        uncovered += covered ? 0 : 1;
+        dark += lit ? 0 : 1;
     }
     EXPECT_GT(free, 20u);
     // In a corner of three walls, the nearest grid points can be inside of walls.
     EXPECT_LE(uncovered, free / 200) << "of " << free;
+    EXPECT_LE(dark, free / 20) << "of " << free;
 }
 
 void expect_same_for_other_order(const Scene& scene, const Probes& probes) {
@@ -130,9 +143,10 @@ TEST(PlacementOnTerrain, LevelsSurroundTheCamera) {
         farthest_m = std::max(farthest_m, glm::distance(place, *params.camera));
     }
     EXPECT_GT(farthest_m, 64);
-    const float at_camera_m = spacing_at(probes.volume, cells_of(probes.volume), *params.camera);
-    EXPECT_GT(at_camera_m, 0);
-    EXPECT_LE(at_camera_m, 2);
+    const std::optional<ProbeCell> at_camera =
+        cell_at(probes.volume, cells_of(probes.volume), *params.camera);
+    ASSERT_TRUE(at_camera);
+    EXPECT_LE(spacing_of(probes.volume, *at_camera), 2);
     expect_same_for_other_order(scene, placed(scene));
 }
 
