@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -124,6 +125,21 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Placement,
                                          NamedScene{"rooms", room_in_a_room},
                                          NamedScene{"ground", house_on_wide_ground}),
                          [](const auto& scene) { return std::string(scene.param.name); });
+
+// The probes are too few for the spacing that the rooms need, but each room has one.
+TEST(PlacementInApartments, EachRoomHasAProbe) {
+    const BoxScene scene = apartments();
+    const Probes probes = placed(scene.scene);
+    expect_no_probe_in_walls(scene, probes);
+    std::map<std::array<int, 3>, uint32_t> rooms;
+    for (const glm::vec3& place : places_of(probes.volume)) {
+        const glm::ivec3 room(glm::floor(place / 2.9f));
+        ++rooms[{room.x, room.y, room.z}];
+    }
+    uint32_t with_probe = 0;
+    for (int i = 0; i < 50; ++i) with_probe += rooms.contains({i % 5, i / 25, i / 5 % 5}) ? 1 : 0;
+    EXPECT_EQ(with_probe, 50u);
+}
 
 // Above the terrain, and near the camera with the finest spacing.
 TEST(PlacementOnTerrain, LevelsSurroundTheCamera) {

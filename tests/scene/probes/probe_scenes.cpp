@@ -87,6 +87,19 @@ BoxScene house_on_wide_ground() {
     return scene;
 }
 
+BoxScene apartments() {
+    BoxScene scene;
+    const glm::vec3 size(5 * 2.9f, 2 * 2.9f, 5 * 2.9f);
+    for (int axis = 0; axis < 3; ++axis)
+        for (float at = 0; at <= size[axis] + 0.1f; at += 2.9f) {
+            glm::vec3 low(-0.3f), high = size;
+            low[axis] = at - 0.3f;
+            high[axis] = at;
+            scene.add(low, high);
+        }
+    return scene;
+}
+
 BoxScene random_boxes(uint32_t seed) {
     std::mt19937 random(seed);
     const auto between = [&](float low, float high) {

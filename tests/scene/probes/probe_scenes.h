@@ -29,6 +29,8 @@ struct BoxScene {
 [[nodiscard]] BoxScene two_floors();
 [[nodiscard]] BoxScene room_in_a_room();
 [[nodiscard]] BoxScene house_on_wide_ground();
+// 5 × 2 × 5 closed rooms of 2.6 m. Room (i, j, k) has its middle at 1.3 m + 2.9 m × (i, j, k).
+[[nodiscard]] BoxScene apartments();
 // Random walls, slabs and blocks around the origin.
 [[nodiscard]] BoxScene random_boxes(uint32_t seed);
 
