@@ -1,5 +1,7 @@
 #include "scene/gltf/probe_build.h"
 
+#include <algorithm>
+
 #include "scene/model/node_placement.h"
 
 namespace weft::scene::gltf {
