@@ -50,6 +50,7 @@ struct CommandLine {
     CheckOptions check_options;
     PlanOptions plan_options;
     SchemaOptions schema_options;
+    SceneOptions scene_options;
     DoctorOptions doctor_options;
     ExplainOptions explain_options;
     DiffOptions diff_options;
@@ -63,6 +64,7 @@ struct CommandLine {
     CLI::App* explain = app.add_subcommand("explain", "answer a question about a plan");
     CLI::App* diff = app.add_subcommand("diff", "list the differences between two plans");
     CLI::App* compare = app.add_subcommand("compare", "measure the difference of two pictures");
+    CLI::App* scene = app.add_subcommand("scene", "describe a scene, and place its light probes");
     CLI::App* doctor = app.add_subcommand(
         "doctor", "list the Vulkan devices and layers, and what weft needs but does not find");
 
@@ -86,6 +88,7 @@ CommandLine::CommandLine() {
     add_explain(*explain, explain_options, raw);
     add_diff(*diff, diff_options, raw);
     add_compare(*compare, compare_options, raw);
+    add_scene(*scene, scene_options, raw);
     add_doctor(*doctor, doctor_options);
     add_bench(app, bench, raw);
     format_help(app);
@@ -94,6 +97,7 @@ CommandLine::CommandLine() {
 // Completes the options after parsing: converts texts such as "1280x720" to values, and copies options that
 // several commands share.
 void CommandLine::finish(const Limits& limits) {
+    scene_options.limits = limits;
     render_options.limits = compare_options.limits = schema_options.limits = limits;
     bench.frame_options.limits = view_options.render.limits = limits;
     render_options.graph_path = view_options.render.graph_path = schema_options.graph_path = raw.graph_path;
@@ -155,12 +159,13 @@ ExitCode CommandLine::run_command() {
     if (explain->parsed()) return run_explain(explain_options);
     if (diff->parsed()) return run_diff(diff_options);
     if (compare->parsed()) return run_compare(compare_options);
+    if (scene->parsed()) return run_scene(scene_options);
     if (doctor->parsed()) return run_doctor(doctor_options);
     if (bench.compile->parsed()) return run_bench_compile(bench.compile_options);
     if (bench.app->parsed()) return run_bench_frame(bench.frame_options);
     std::fputs(
-        "weft: no command was given; wanted render, view, check, plan, schema, explain, diff, compare, bench "
-        "or doctor\nRun `weft --help`.\n",
+        "weft: no command was given; wanted render, view, check, plan, schema, explain, diff, compare, scene, "
+        "bench or doctor\nRun `weft --help`.\n",
         stderr);
     return ExitCode::usage;
 }

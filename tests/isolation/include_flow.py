@@ -20,7 +20,7 @@ FLOW = [
     "framework/shader/faults", "framework/shader/gate", "framework/shader/reflect", "framework/shader/worker",
     "framework/shader/compile", "framework/shader",
     "framework/scene/model", "framework/scene/loading", "framework/scene/pictures", "framework/scene/procedural",
-    "framework/scene/builtin", "framework/scene/gltf", "framework/image",
+    "framework/scene/builtin", "framework/scene/gltf", "framework/scene/probes", "framework/image",
     "framework/load",
     "framework/vulkan/device", "framework/vulkan/memory", "framework/vulkan/pipelines", "framework/vulkan/record",
     "framework/vulkan/execute", "framework/render/views", "framework/render/motion", "framework/render/files",

@@ -17,6 +17,7 @@ namespace weft::viewer {
 [[nodiscard]] ExitCode run_compare(const CompareOptions& options);
 [[nodiscard]] ExitCode run_bench_compile(const BenchOptions& options);
 [[nodiscard]] ExitCode run_bench_frame(const FrameBenchOptions& options);
+[[nodiscard]] ExitCode run_scene(const SceneOptions& options);
 [[nodiscard]] ExitCode run_doctor(const DoctorOptions& options);
 
 }  // namespace weft::viewer

@@ -242,6 +242,23 @@ void add_compare(CLI::App& command, CompareOptions& o, RawTexts& raw) {
     add_limits(command, raw);
 }
 
+void add_scene(CLI::App& command, SceneOptions& o, RawTexts& raw) {
+    command.add_option("SCENE", o.scene, "the scene, as in `weft render`")->capture_default_str();
+    command.add_option(
+        "--probes", o.probes,
+        "the light probes: auto, none, or a file (.json) [default: NAME.probes.json beside the "
+        "scene, or auto]");
+    command.add_option("--camera", o.camera,
+                       "the camera, as in `weft render`; large scenes have probes around it");
+    command
+        .add_option("--time", o.hour, "the hour of the day, 0 to 24, in builtin:atrium and builtin:lights")
+        ->transform(number_in({0, 24, "hours"}));
+    command.add_option("-o,--output", o.picture,
+                       "draw the probes from above and from the side to this .png file");
+    command.add_flag("--json", o.json, "print the probes as JSON, in the format of a file with probes");
+    add_limits(command, raw);
+}
+
 void add_doctor(CLI::App& command, DoctorOptions& o) {
     command.add_flag("--json", o.json, "print the profile of the chosen device as JSON to stdout");
     command.add_option("--device", o.device, "the Vulkan device: its index or a part of its name");

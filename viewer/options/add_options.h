@@ -34,6 +34,7 @@ void add_schema(CLI::App& command, SchemaOptions& options, RawTexts& raw);
 void add_explain(CLI::App& command, ExplainOptions& options, RawTexts& raw);
 void add_diff(CLI::App& command, DiffOptions& options, RawTexts& raw);
 void add_compare(CLI::App& command, CompareOptions& options, RawTexts& raw);
+void add_scene(CLI::App& command, SceneOptions& options, RawTexts& raw);
 void add_doctor(CLI::App& command, DoctorOptions& options);
 void add_limits(CLI::App& command, RawTexts& raw);
 void add_graph_path(CLI::App& command, RawTexts& raw);

@@ -151,6 +151,16 @@ struct FrameBenchOptions {
     std::vector<std::string> graph_path;
 };
 
+struct SceneOptions {
+    std::string scene = "builtin:atrium";
+    std::string probes;  // "auto", "none", a file, or empty: see ProbeChoice::probes.
+    std::string camera;
+    std::optional<float> hour;
+    std::string picture;  // Path of the .png file for the picture of the probes; if empty, none is drawn.
+    bool json = false;
+    Limits limits;
+};
+
 struct DoctorOptions {
     bool json = false;
     std::string device;

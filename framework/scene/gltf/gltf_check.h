@@ -65,6 +65,11 @@ struct InstancingSource {
     uint32_t scale = kNone;
 };
 
+// The values of the JSON member `extras.weft.probe` of a node.
+struct ProbeSource {
+    std::optional<glm::vec3> position;  // In the space of the node; nullopt: the middle of the box.
+};
+
 struct CheckedJson {
     // The JSON without images, animations, skins, extras and unknown extensions. The URI of buffer i is the
     // text "i".
@@ -74,6 +79,7 @@ struct CheckedJson {
     std::vector<LightSource> lights;  // One entry per light of the glTF file; empty when no light has extras.
     std::vector<AnimationSource> animations;
     std::map<uint32_t, InstancingSource> instancing;  // Key: index of a node.
+    std::map<uint32_t, ProbeSource> probes;           // Key: index of a node.
 };
 
 // Checks the JSON of a glTF file. Returns nullopt after errors were reported.

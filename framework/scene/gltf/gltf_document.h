@@ -128,6 +128,7 @@ struct Document {
     std::vector<uint32_t> roots;
     std::vector<AnimationSource> animations;
     std::map<uint32_t, InstancingSource> instancing;
+    std::map<uint32_t, ProbeSource> probes;
 };
 
 [[nodiscard]] inline std::span<const uint8_t> view_bytes(const Document& document, uint32_t view) {

@@ -51,6 +51,17 @@ json light_extras(const json& root) {
     return extras;
 }
 
+// Returns an array with one item per node: the node's member `extras.weft.probe`, or null if the node has no
+// such member.
+json probe_extras(const json& root) {
+    json extras = json::array();
+    if (!root.contains("nodes") || !root["nodes"].is_array()) return extras;
+    const json::json_pointer ours("/extras/weft/probe");
+    for (const json& node : root["nodes"])
+        extras.push_back(node.is_object() && node.contains(ours) ? node[ours] : json());
+    return extras;
+}
+
 std::optional<json> parse_json(std::string_view text, Report& report) {
     try {
         json root = json::parse(text.begin(), text.end());
@@ -82,6 +93,7 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     if (!root) return std::nullopt;
     check_keys(text, report);
     const json lights = light_extras(*root);
+    const json probes = probe_extras(*root);
     normalise(*root, false);
     Checker c{Fields(*root, "", report), limits, report};
     check_header(c);
@@ -92,6 +104,7 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     check_materials(c);
     check_nodes(c);
     check_light_extras(c, lights);
+    if (!report.failed()) check_probe_extras(c, probes);
     check_motion(c);
     check_animations(c);
     check_instancing(c);

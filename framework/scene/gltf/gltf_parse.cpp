@@ -389,6 +389,7 @@ std::optional<Document> parse_document(const CheckedJson& checked, Resources res
     Document document = convert(model, std::move(resources.images), checked.lights);
     document.animations = checked.animations;
     document.instancing = checked.instancing;
+    document.probes = checked.probes;
     return document;
 }
 

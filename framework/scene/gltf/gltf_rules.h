@@ -48,9 +48,13 @@ void check_header(Checker& c);     // Checks `asset`, the extensions, and the si
 void check_geometry(Checker& c);   // Checks buffers, buffer views, accessors and meshes.
 void check_materials(Checker& c);  // Checks images, textures, samplers and materials.
 void check_nodes(Checker& c);      // Checks lights, cameras, nodes and scenes.
-// Checks the objects `extras.weft` in the lights of the file. `objects` has one entry per light: this object, or
-// null if the light does not have it.
+// Checks the objects `extras.weft` in the lights of the file. `objects` has one entry per light: this object,
+// or null if the light does not have it.
 void check_light_extras(Checker& c, const nlohmann::json& objects);
+// Checks the objects `extras.weft.probe` of the nodes. `objects` has one entry per node, which may be null.
+void check_probe_extras(Checker& c, const nlohmann::json& objects);
+// Warns of keys that are not known.
+void warn_of_other_keys(Checker& c, const Fields& fields, std::initializer_list<const char*> known);
 // Warns that skins and morph targets are ignored: the meshes are drawn in their rest pose.
 void check_motion(Checker& c);
 // Checks the animations. Warns of those that are not played, because an earlier one moves the same node.

@@ -40,17 +40,6 @@ Vector vector_within(Checker& c, const Fields& fields, const char* key, const Ve
     return out;
 }
 
-void warn_of_others(Checker& c, const Fields& fields, std::initializer_list<const char*> known) {
-    std::string names;
-    for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
-    for (const std::string& key : fields.keys()) {
-        if (std::ranges::find(known, key) != known.end()) continue;
-        c.report.warn("S153", fields.pointer_to(key),
-                      "\"" + shortened(key) + "\" is not a key of this object and is ignored",
-                      "remove it, or use one of the keys " + names);
-    }
-}
-
 void read_shape(Checker& c, const Fields& extras, LightSource& out) {
     const std::optional<std::string> type = extras.text("type", Need::optional);
     if (!type) return;
@@ -67,19 +56,19 @@ void read_shape(Checker& c, const Fields& extras, LightSource& out) {
 }
 
 LightFunction read_function(Checker& c, const Fields& fields, bool parallel) {
-    warn_of_others(c, fields, {"doors", "softness", "falloff", "picture"});
+    warn_of_other_keys(c, fields, {"doors", "softness", "falloff", "picture"});
     LightFunction out;
     out.parallel = parallel;
     const double widest = parallel ? kMaxLength_m : kHalfPi;
     out.doors = vector_within(c, fields, "doors", out.doors, -widest, widest);
     out.softness = number_within(fields, "softness", 0.01, 0, widest);
     if (const std::optional<Fields> falloff = fields.object("falloff", Need::optional)) {
-        warn_of_others(c, *falloff, {"curve", "reach"});
+        warn_of_other_keys(c, *falloff, {"curve", "reach"});
         out.curve = vector_within(c, *falloff, "curve", out.curve, 0, kMaxFactor);
         out.reach_m = number_within(*falloff, "reach", 1, kMinLength_m, kMaxLength_m);
     }
     if (const std::optional<Fields> picture = fields.object("picture", Need::optional)) {
-        warn_of_others(c, *picture, {"index", "halfSize"});
+        warn_of_other_keys(c, *picture, {"index", "halfSize"});
         out.picture = picture->index("index", Need::required, c.sizes["textures"], "textures");
         const glm::vec2 usual(parallel ? 1.0f : static_cast<float>(kQuarterPi));
         out.picture_half_size = vector_within(c, *picture, "halfSize", usual, kMinLength_m, widest);
@@ -88,7 +77,7 @@ LightFunction read_function(Checker& c, const Fields& fields, bool parallel) {
 }
 
 void check_extras(Checker& c, const Fields& extras, const std::string& type, LightSource& out) {
-    warn_of_others(c, extras, {"type", "size", "length", "radius", "function"});
+    warn_of_other_keys(c, extras, {"type", "size", "length", "radius", "function"});
     read_shape(c, extras, out);
     const bool parallel = type == "directional";
     if (out.shape && parallel) extras.wrong("type", "no \"type\", because the light is directional");
@@ -97,6 +86,17 @@ void check_extras(Checker& c, const Fields& extras, const std::string& type, Lig
 }
 
 }  // namespace
+
+void warn_of_other_keys(Checker& c, const Fields& fields, std::initializer_list<const char*> known) {
+    std::string names;
+    for (const char* name : known) names += (names.empty() ? "" : ", ") + std::string(name);
+    for (const std::string& key : fields.keys()) {
+        if (std::ranges::find(known, key) != known.end()) continue;
+        c.report.warn("S153", fields.pointer_to(key),
+                      "\"" + shortened(key) + "\" is not a key of this object and is ignored",
+                      "remove it, or use one of the keys " + names);
+    }
+}
 
 void check_light_extras(Checker& c, const nlohmann::json& extras) {
     const std::optional<Fields> punctual = c.root.extension("KHR_lights_punctual");

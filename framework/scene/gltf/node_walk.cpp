@@ -2,6 +2,7 @@
 
 #include "scene/gltf/instancing_build.h"
 #include "scene/gltf/motion_build.h"
+#include "scene/gltf/probe_build.h"
 #include "scene/model/node_placement.h"
 #include "weft/limits.h"
 
@@ -82,7 +83,8 @@ class Walk {
     void place(const Node& node, const Place& place, const InstanceTransforms* copies) {
         if (node.mesh != kNone && copies == nullptr) place_mesh(node, place);
         if (node.mesh != kNone && copies != nullptr)
-            for (uint64_t i = 0; i < copies->count(); ++i) place_mesh(node, below(place, copies->transform(i)));
+            for (uint64_t i = 0; i < copies->count(); ++i)
+                place_mesh(node, below(place, copies->transform(i)));
         if (node.light != kNone) {
             Light light = document_.lights[node.light];
             place_light(place.world, light);
@@ -191,11 +193,11 @@ void place_nodes(const Document& document, const BuiltMeshes& meshes, uint32_t d
         if (!walk.take_room(visit.node, visit.parent, copies ? copies->count() : 1, memory)) return;
         const Place place = walk.enter(visit.node, visit.parent);
         walk.place(node, place, copies ? &*copies : nullptr);
+        place_probe(document, meshes, {visit.node, place.world}, report, scene);
         for (size_t i = node.children.size(); i-- > 0;) stack.push_back({node.children[i], place});
     }
     build_animations(document, walk.moving(), memory, report, scene.motion);
-    if (!report.failed() && !scene.motion.nodes.empty())
-        apply_pose(transforms_at(scene.motion, 0), scene);
+    if (!report.failed() && !scene.motion.nodes.empty()) apply_pose(transforms_at(scene.motion, 0), scene);
 }
 
 }  // namespace weft::scene::gltf

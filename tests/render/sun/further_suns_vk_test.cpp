@@ -69,9 +69,10 @@ TEST_P(FurtherSuns, HaveTheShadowsOfTheFirst) {
         shaded += sum[i].r > 0 && darkest[i] < 1e-3f ? 1 : 0;
         different += std::abs(together[i].r - sum[i].r) > 0.05f * sum[i].r + 1e-3f ? 1 : 0;
     }
-    EXPECT_GT(shaded, sum.size() / 20) << "pixels in the shadow of a sun";
-    // At the edges of shadows, the maps differ in the size of their texels.
-    EXPECT_LT(different, sum.size() / 50);
+    EXPECT_GT(shaded, 1000u) << "pixels in the shadow of a sun";
+    // At the edges of shadows, the maps differ in the size of their texels. Each sun has a quarter of the
+    // shaded pixels, so the limit is exceeded if the shadow of one sun is missing.
+    EXPECT_LT(different, shaded / 5);
     std::printf("%zu of %zu pixels are in the shadow of a sun, %zu differ\n", shaded, sum.size(), different);
 }
 

@@ -66,6 +66,8 @@ const std::vector<BadUsage>& bad_usages() {
         {"CompareMinOfFlip", {"compare", "a", "b", "--min", "9"}, "use --max for flip and max"},
         {"CompareLimitThatIsNoNumber", {"compare", "a", "b", "--max", "nan"}, "is not a finite number"},
         {"CompareHeatMapThatIsNoPng", {"compare", "a", "b", "-o", "heat.exr"}, "the heat map is a .png file"},
+        {"ProbesThatAreNoPng", {"scene", "-o", "probes.svg"}, "a name that ends in .png"},
+        {"SceneThatIsAGraph", {"scene", kDeferredGraph}, "is a graph, not a scene"},
     };
     return usages;
 }

@@ -8,8 +8,8 @@ namespace {
 
 TEST(Help, NamesTheValueOfEachOption) {
     const std::vector<std::vector<std::string>> commands{
-        {"render"},  {"view"}, {"check"},  {"plan"},           {"schema"},           {"explain"},
-        {"compare"}, {"diff"}, {"doctor"}, {"bench", "frame"}, {"bench", "compile"},
+        {"render"},  {"view"}, {"check"},  {"plan"},  {"schema"},         {"explain"},
+        {"compare"}, {"diff"}, {"doctor"}, {"scene"}, {"bench", "frame"}, {"bench", "compile"},
     };
     for (std::vector<std::string> command : commands) {
         command.emplace_back("--help");

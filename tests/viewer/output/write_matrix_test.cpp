@@ -46,6 +46,7 @@ const std::vector<Writer>& writers() {
         {"Schema", ".json", {"schema", "-o", "OUT"}},
         {"PlanPage", ".html", {"plan", kGraph, "--format", "html", "-o", "OUT"}},
         {"HeatMap", ".png", {"compare", "a.png", "b.png", "-o", "OUT"}},
+        {"Probes", ".png", {"scene", "builtin:cornell", "-o", "OUT"}},
         {"Png", ".png", tiny_render({"-o", "OUT"}), true},
         {"Exr", ".exr", tiny_render({"-o", "OUT"}), true, true},
         {"Pfm", ".pfm", tiny_render({"--resource", "paint", "-o", "OUT"}), true},

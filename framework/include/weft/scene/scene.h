@@ -13,6 +13,7 @@
 
 #include "weft/scene/environment.h"
 #include "weft/scene/motion.h"
+#include "weft/scene/probes.h"
 
 namespace weft::scene {
 
@@ -192,6 +193,7 @@ struct Scene {
     // are 0 with `--env none`.
     glm::vec3 sky_zenith{0};
     glm::vec3 sky_horizon{0};
+    Probes probes;                // The probes that the author of the scene placed.
     Environment environment;  // Picture of the surroundings. If the scene has one, it replaces the sky.
     // An exposure in EV that suits this scene; 0 means that radiance is multiplied by 1.
     float exposure_ev = 0;

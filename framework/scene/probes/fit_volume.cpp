@@ -1,0 +1,183 @@
+// Chooses a grid for a whole scene. It begins with coarse cells near all surfaces. Then it splits cells into
+// eight. Where possible, all cells of a group are split, so that similar places have similar spacings:
+// 1. Single cells with a free place that sees none of their probes.
+// 2. All cells in rooms whose smallest dimension is less than four spacings, until their spacing fits
+// objects.
+// 3. All cells in the open whose surfaces are not parallel, until their spacing is twice as large.
+// 4. All cells in rooms, until the spacing is the finest.
+// 5. Single cells of the groups that needed too many probes, those with the greatest need first.
+// 6. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
+#include <algorithm>
+#include <functional>
+#include <queue>
+
+#include "scene/probes/refine_grid.h"
+
+namespace weft::scene {
+namespace {
+
+// More cells than this are too many for the grid of a whole scene.
+constexpr size_t kMostCells = 600;
+// Splitting ends when this many grid points were examined.
+constexpr size_t kMostExamined = 4096;
+// The spacing in a room is at most its smallest dimension divided by this.
+constexpr double kSpacingsPerRoom = 4;
+// Smaller gaps between surfaces count as rooms of this size, in finest spacings.
+constexpr double kSmallestRoom = 4;
+// Objects in the open need as many probes as a room of this size, in finest spacings.
+constexpr double kObjectRoom = 8;
+// Cells that need too many probes are left out, until there are this many of them.
+constexpr uint32_t kMostFailures = 32;
+
+class Fit {
+ public:
+    Fit(const TriangleTree& tree, const PlacementParams& params, int base, uint32_t threads)
+        : grid_(tree, glm::vec3(0.5f * params.min_spacing_m), params.min_spacing_m, base, threads),
+          params_(params),
+          base_(base) {}
+
+    // Adds the cells of the base. Returns false if they are too many.
+    [[nodiscard]] bool begin() {
+        std::optional<std::vector<GridCell>> cells = grid_.cells_near_surfaces(base_, kMostCells);
+        if (!cells || !grid_.exchange({}, *cells, params_.most_probes * 3 / 4)) return false;
+        cells_ = std::move(*cells);
+        return true;
+    }
+
+    void refine() {
+        split_worst([&](const GridCell& cell) { return grid_.has_dark_place(cell) ? cell.stride : 0; });
+        for (int stride = base_; stride > kObjectStride; stride /= 2) (void)split_all(rooms(stride));
+        for (int stride = base_; stride > 2 * kObjectStride; stride /= 2)
+            (void)split_all(uneven_cells(stride));
+        for (int stride = kObjectStride; stride > 1; stride /= 2) (void)split_all(rooms(stride));
+        split_worst([&](const GridCell& cell) { return std::max(room_need(cell), object_need(cell)); });
+        for (int stride = base_; stride > 1; stride /= 2)
+            if (!split_all(uneven_cells(stride)) || !split_all(cells_of_stride(stride))) break;
+    }
+
+    [[nodiscard]] ProbeVolume volume() const {
+        int finest = base_, coarsest = 1;
+        for (const GridCell& cell : cells_) {
+            finest = std::min(finest, cell.stride);
+            coarsest = std::max(coarsest, cell.stride);
+        }
+        std::vector<uint32_t> strides;
+        for (int stride = finest; stride <= std::max(finest, coarsest); stride *= 2)
+            strides.push_back(static_cast<uint32_t>(stride));
+        return grid_.volume(strides, false);
+    }
+
+ private:
+    [[nodiscard]] std::vector<GridCell> cells_of_stride(int stride) const {
+        std::vector<GridCell> found;
+        for (const GridCell& cell : cells_)
+            if (cell.stride == stride) found.push_back(cell);
+        std::ranges::sort(found, PointOrder{}, &GridCell::at);
+        return found;
+    }
+
+    [[nodiscard]] std::vector<GridCell> uneven_cells(int stride) const {
+        std::vector<GridCell> found = cells_of_stride(stride);
+        std::erase_if(found, [&](const GridCell& cell) { return !grid_.is_uneven(cell); });
+        return found;
+    }
+
+    // Replaces the cells by their parts, if there are enough probes for all of them. Adds the parts to
+    // `parts`.
+    bool split(const std::vector<GridCell>& cells, std::vector<GridCell>& parts) {
+        if (grid_.examined() > kMostExamined) return false;
+        for (const GridCell& cell : cells) {
+            const std::vector<GridCell> some = grid_.parts_of(cell);
+            parts.insert(parts.end(), some.begin(), some.end());
+        }
+        if (!grid_.exchange(cells, parts, params_.most_probes)) return false;
+        std::erase_if(cells_, [&](const GridCell& cell) {
+            return std::ranges::any_of(cells, [&](const GridCell& gone) {
+                return gone.at == cell.at && gone.stride == cell.stride;
+            });
+        });
+        cells_.insert(cells_.end(), parts.begin(), parts.end());
+        return true;
+    }
+
+    bool split_all(const std::vector<GridCell>& cells) {
+        std::vector<GridCell> parts;
+        return split(cells, parts);
+    }
+
+    struct Need {
+        double need = 0;
+        GridCell cell;
+        // The cell that is split first is the largest.
+        bool operator<(const Need& other) const {
+            if (need != other.need) return need < other.need;
+            return PointOrder{}(other.cell.at, cell.at);
+        }
+    };
+
+    // Returns how much too large the spacing of the cell is for a room of this size, as a factor.
+    [[nodiscard]] double need_in(const GridCell& cell, double room_m) const {
+        return kSpacingsPerRoom * double{params_.min_spacing_m} * cell.stride / room_m;
+    }
+
+    [[nodiscard]] double room_need(const GridCell& cell) const {
+        const int pitch = std::min(cell.stride / 2, kObjectStride);
+        return need_in(cell,
+                       std::max(grid_.room_size(cell, pitch), kSmallestRoom * double{params_.min_spacing_m}));
+    }
+
+    [[nodiscard]] double object_need(const GridCell& cell) const {
+        if (cell.stride <= kObjectStride || !grid_.is_uneven(cell)) return 0;
+        return need_in(cell, kObjectRoom * double{params_.min_spacing_m});
+    }
+
+    [[nodiscard]] std::vector<GridCell> rooms(int stride) const {
+        std::vector<GridCell> found = cells_of_stride(stride);
+        std::erase_if(found, [&](const GridCell& cell) { return room_need(cell) <= 1; });
+        return found;
+    }
+
+    // Splits the cells with a need above 1, and their parts, those with the greatest need first.
+    void split_worst(const std::function<double(const GridCell&)>& need_of) {
+        std::priority_queue<Need> needs;
+        const auto consider = [&](const GridCell& cell) {
+            const double need = cell.stride > 1 ? need_of(cell) : 0;
+            if (need > 1) needs.push({need, cell});
+        };
+        for (const GridCell& cell : cells_) consider(cell);
+        uint32_t failures = 0;
+        while (!needs.empty() && failures < kMostFailures) {
+            const GridCell cell = needs.top().cell;
+            needs.pop();
+            std::vector<GridCell> parts;
+            if (split({cell}, parts))
+                for (const GridCell& part : parts) consider(part);
+            else
+                ++failures;
+        }
+    }
+
+    ProbeGrid grid_;
+    const PlacementParams& params_;
+    int base_;
+    std::vector<GridCell> cells_;
+};
+
+}  // namespace
+
+std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementParams& params,
+                                      uint32_t threads) {
+    const glm::vec3 size = tree.bounds().max - tree.bounds().min;
+    const float half_size = 0.5f * std::max({size.x, size.y, size.z}) / params.min_spacing_m;
+    int base = kObjectStride;
+    while (base < kGroundStride && static_cast<float>(base) < half_size) base *= 2;
+    for (; base <= kGroundStride; base *= 2) {
+        Fit fit(tree, params, base, threads);
+        if (!fit.begin()) continue;
+        fit.refine();
+        return fit.volume();
+    }
+    return std::nullopt;
+}
+
+}  // namespace weft::scene

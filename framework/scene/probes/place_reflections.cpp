@@ -1,0 +1,58 @@
+#include "scene/probes/place_reflections.h"
+
+#include <algorithm>
+#include <bitset>
+
+#include "scene/loading/worker_threads.h"
+#include "scene/probes/settle_probe.h"
+
+namespace weft::scene {
+namespace {
+
+using Seen = std::bitset<kMostIrradianceProbes>;
+
+// A reflection probe must be the first for at least this part of all irradiance probes.
+constexpr size_t kLeastPart = 16;
+// Irradiance probes at this distance count half, and those farther than twice this distance do not count, in
+// finest spacings.
+constexpr double kHalfDistance = 16;
+
+}  // namespace
+
+std::vector<ReflectionProbe> place_reflections(const TriangleTree& tree, const ProbeVolume& volume,
+                                               uint32_t threads) {
+    std::vector<glm::vec3> places;
+    for (const Probe& probe : volume.probes)
+        if (probe.state != ProbeState::dropped) places.push_back(position_of(volume, probe));
+    const double half_m = kHalfDistance * double{volume.spacing_m};
+    std::vector<Seen> seen(places.size());
+    run_on_threads(places.size(), threads, [&](size_t i) {
+        for (size_t k = 0; k < places.size(); ++k) {
+            const bool near = double{glm::distance(places[i], places[k])} <= 2 * half_m;
+            seen[i][k] = near && sees(tree, places[i], places[k]);
+        }
+    });
+    Seen open;
+    for (size_t i = 0; i < places.size(); ++i) open.set(i);
+    const auto value_of = [&](size_t i) {
+        double value = 0;
+        for (size_t k = 0; k < places.size(); ++k) {
+            const double ratio = double{glm::distance(places[i], places[k])} / half_m;
+            if (seen[i][k] && open[k]) value += 1 / (1 + ratio * ratio);
+        }
+        return value;
+    };
+    std::vector<ReflectionProbe> chosen;
+    while (chosen.size() < kMostReflectionProbes && open.any()) {
+        std::vector<double> values(places.size());
+        run_on_threads(places.size(), threads, [&](size_t i) { values[i] = value_of(i); });
+        const size_t best = static_cast<size_t>(std::ranges::max_element(values) - values.begin());
+        const Seen first = seen[best] & open;
+        if (first.count() * kLeastPart < places.size()) break;
+        chosen.push_back({"automatic " + std::to_string(chosen.size() + 1), places[best], std::nullopt});
+        open &= ~first;
+    }
+    return chosen;
+}
+
+}  // namespace weft::scene

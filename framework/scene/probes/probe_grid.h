@@ -1,0 +1,82 @@
+// Purpose: the grid on which a scene's probes are placed: which of its points have a probe, and which of its
+// cells are near a surface.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "scene/probes/settle_probe.h"
+
+namespace weft::scene {
+
+// Orders grid points by z, then y, then x.
+struct PointOrder {
+    bool operator()(const glm::ivec3& a, const glm::ivec3& b) const;
+};
+
+// A cube of the grid. Its corners are `at` and at + stride along each axis.
+struct GridCell {
+    glm::ivec3 at{0};
+    int stride = 1;
+};
+
+[[nodiscard]] glm::ivec3 corner_of(const GridCell& cell, int corner);
+
+class ProbeGrid {
+ public:
+    // `top` is the largest stride that cells have.
+    ProbeGrid(const TriangleTree& tree, glm::vec3 origin, float spacing_m, int top, uint32_t threads);
+
+    // Returns the cells of this stride near a surface, in the order of
+    // their points. Returns nullopt if there are more than `most`.
+    [[nodiscard]] std::optional<std::vector<GridCell>> cells_near_surfaces(int stride, size_t most) const;
+    [[nodiscard]] bool is_near_surface(const GridCell& cell) const;
+    // Returns the eight cells of half the stride that are near a surface.
+    [[nodiscard]] std::vector<GridCell> parts_of(const GridCell& cell) const;
+    [[nodiscard]] bool is_uneven(const GridCell& cell) const;
+    // Returns the size of the smallest room in which a part of the cell is, infinity if there is none. The
+    // parts have the size `pitch`; only those near a surface count.
+    [[nodiscard]] double room_size(const GridCell& cell, int pitch) const;
+    // True if the cell has a free place that sees none of the probes at the corners. The cell must have been
+    // added.
+    [[nodiscard]] bool has_dark_place(const GridCell& cell) const;
+
+    // Removes the cells `gone`, which were added before, and adds the cells `fresh`. If there were then more
+    // than `most` probes at the corners of all cells, changes nothing and returns false.
+    bool exchange(const std::vector<GridCell>& gone, const std::vector<GridCell>& fresh, uint32_t most);
+    // Returns the number of grid points at which it was tried to place a probe.
+    [[nodiscard]] size_t examined() const { return points_.size(); }
+    // Returns the volume. `around_camera` is stored in it.
+    [[nodiscard]] ProbeVolume volume(std::vector<uint32_t> strides, bool around_camera) const;
+
+    [[nodiscard]] glm::vec3 position(const glm::ivec3& at) const {
+        return origin_ + glm::vec3(at) * spacing_m_;
+    }
+
+ private:
+    struct Point {
+        Settled settled;
+        uint32_t uses = 0;  // Number of cells that have this corner.
+    };
+
+    [[nodiscard]] Bounds box_of(const GridCell& cell, float margin_m) const;
+    [[nodiscard]] int coarsest_stride(const glm::ivec3& at) const;
+    void count_use(const glm::ivec3& at, int change);
+    void settle(const std::vector<glm::ivec3>& points);
+
+    const TriangleTree& tree_;
+    glm::vec3 origin_;
+    float spacing_m_;
+    int top_;
+    uint32_t threads_;
+    std::map<glm::ivec3, Point, PointOrder> points_;
+    uint32_t probes_ = 0;
+};
+
+// Returns the volume with a probe at each point of a grid of this size. The probes are fitted to the
+// geometry.
+[[nodiscard]] ProbeVolume settled_grid(const TriangleTree& tree, const ProbeVolume& volume, glm::ivec3 size,
+                                       uint32_t threads);
+
+}  // namespace weft::scene

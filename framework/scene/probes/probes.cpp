@@ -1,0 +1,67 @@
+#include "weft/scene/probes.h"
+
+#include <algorithm>
+
+#include "scene/probes/probe_grid.h"
+
+namespace weft::scene {
+namespace {
+
+// Bytes for one texel of what a probe sees: albedo and metalness (4), normal (4), distance with the side of
+// the surface (4), emission (8).
+constexpr uint64_t kSeenTexelBytes = 20;
+// Bytes for one texel of the light that a reflection probe shows (four half floats). Its mips add a third.
+constexpr uint64_t kLightTexelBytes = 8;
+constexpr uint64_t kFaces = 6;
+constexpr uint64_t kProbeSide_px = 32;
+constexpr uint64_t kReflectionSide_px = 128;
+// Two moments of the distance in float, on an octahedral map with a border of one texel.
+constexpr uint64_t kMomentBytes = 18ull * 18 * 8;
+// Nine coefficients of spherical harmonics with three colours, four floats each.
+constexpr uint64_t kHarmonicsBytes = 9ull * 16;
+
+}  // namespace
+
+glm::vec3 position_of(const ProbeVolume& volume, const Probe& probe) {
+    return volume.origin + glm::vec3(probe.at) * volume.spacing_m + probe.offset;
+}
+
+uint32_t count_of(const ProbeVolume& volume, ProbeState state) {
+    return static_cast<uint32_t>(std::ranges::count(volume.probes, state, &Probe::state));
+}
+
+std::vector<ProbeCell> cells_of(const ProbeVolume& volume) {
+    std::map<glm::ivec3, uint32_t, PointOrder> indices;
+    for (uint32_t i = 0; i < volume.probes.size(); ++i) indices[volume.probes[i].at] = i;
+    std::vector<ProbeCell> cells;
+    for (uint32_t level = 0; level < volume.strides.size(); ++level) {
+        const int stride = static_cast<int>(volume.strides[level]);
+        const float reach_m = kMostOffset * volume.spacing_m * static_cast<float>(stride);
+        for (const auto& [at, first] : indices) {
+            if (at.x % stride != 0 || at.y % stride != 0 || at.z % stride != 0) continue;
+            ProbeCell cell{at, level, {}};
+            bool complete = true;
+            for (int corner = 0; corner < 8 && complete; ++corner) {
+                const auto found = indices.find(corner_of({at, stride}, corner));
+                complete = found != indices.end();
+                if (!complete) break;
+                const Probe& probe = volume.probes[found->second];
+                const bool counts =
+                    probe.state != ProbeState::dropped && glm::length(probe.offset) <= reach_m;
+                cell.corners[static_cast<size_t>(corner)] = counts ? found->second : ProbeCell::kNoProbe;
+            }
+            if (complete) cells.push_back(cell);
+        }
+    }
+    return cells;
+}
+
+ProbeMemory memory_of(const Probes& probes) {
+    const uint64_t count = probes.volume.probes.size() - count_of(probes.volume, ProbeState::dropped);
+    const uint64_t seen = kFaces * kProbeSide_px * kProbeSide_px * kSeenTexelBytes;
+    const uint64_t texels = kFaces * kReflectionSide_px * kReflectionSide_px;
+    return {count * (seen + kMomentBytes + kHarmonicsBytes),
+            probes.reflections.size() * (texels * kSeenTexelBytes + texels * kLightTexelBytes * 4 / 3)};
+}
+
+}  // namespace weft::scene

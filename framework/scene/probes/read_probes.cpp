@@ -1,0 +1,320 @@
+// Reads a file with probes, and fits a regular grid of the file to the geometry.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "graph/diagnostics/quantity_text.h"
+#include "scene/model/node_placement.h"
+#include "scene/probes/probe_grid.h"
+#include "scene/probes/scene_tree.h"
+#include "weft/scene/place_probes.h"
+#include "weft/syntax/json_doc.h"
+
+namespace weft::scene {
+namespace {
+
+constexpr double kSmallest_m = 0.01;
+constexpr double kMostSpacing_m = 1000;
+constexpr double kMostCoordinate = 4e6;
+constexpr uint32_t kMostStride = 1024;
+
+struct Range {
+    double least;
+    double most;
+};
+constexpr Range kPlace{-double{kFarthest_m}, double{kFarthest_m}};
+constexpr Range kAnyTurn{-1, 1};
+
+// The content of "volume": the volume, and the size of its grid if the file does not list its points.
+struct VolumeText {
+    ProbeVolume volume;
+    std::optional<glm::ivec3> size;
+};
+
+class ProbeReader {
+ public:
+    explicit ProbeReader(const JsonDoc& document) : document_(document) {}
+
+    [[nodiscard]] Diagnostics& faults() { return faults_; }
+
+    Probes read(std::optional<glm::ivec3>& size) {
+        Probes probes;
+        const JsonNode& root = document_.root;
+        if (!expect(root, JsonKind::object)) return probes;
+        check_keys(root, {"version", "volume", "reflections"});
+        const JsonNode* version = required(root, "version");
+        if (version != nullptr && (version->kind != JsonKind::number || version->number != 1))
+            fault(version->loc, "S196", "\"version\" is not 1", "write \"version\": 1");
+        if (const JsonNode* volume = root.find("volume")) {
+            VolumeText text = read_volume(*volume);
+            probes.volume = std::move(text.volume);
+            size = text.size;
+        }
+        if (const JsonNode* list = root.find("reflections")) probes.reflections = read_reflections(*list);
+        return probes;
+    }
+
+    void check_count(const ProbeVolume& volume) {
+        const size_t count = volume.probes.size() - count_of(volume, ProbeState::dropped);
+        if (count <= kMostIrradianceProbes) return;
+        const JsonNode* node = document_.root.find("volume");
+        fault(node->loc, "S197",
+              "the volume has " + std::to_string(count) + " probes; the limit is " +
+                  std::to_string(kMostIrradianceProbes),
+              "use a larger \"spacing\", or list fewer probes");
+    }
+
+ private:
+    void fault(const SourceLoc& loc, const char* code, std::string message, std::string help) {
+        Diagnostic d = document_.sources.error(loc, code, std::move(message));
+        d.pointer = pointer_at(document_, d.file, d.line, d.column);
+        d.help.push_back(std::move(help));
+        faults_.push_back(std::move(d));
+    }
+
+    bool expect(const JsonNode& node, JsonKind kind) {
+        if (node.kind == kind) return true;
+        fault(node.loc, "S196",
+              std::string("the value has the type ") + json_kind_name(node.kind) + "; wanted " +
+                  json_kind_name(kind),
+              std::string("write a value of the type ") + json_kind_name(kind) +
+                  "; docs/probes.md describes the file");
+        return false;
+    }
+
+    void check_keys(const JsonNode& object, const std::vector<std::string>& known) {
+        for (const JsonMember& member : object.members) {
+            if (std::ranges::find(known, member.key) != known.end()) continue;
+            std::string names;
+            for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+            const std::string guess = did_you_mean_text(member.key, known);
+            fault(member.key_loc, "S196", "unknown key \"" + member.key + "\"",
+                  guess.empty() ? "remove it, or use one of the keys " + names : guess);
+        }
+    }
+
+    const JsonNode* required(const JsonNode& object, const char* key) {
+        const JsonNode* found = object.find(key);
+        if (found == nullptr)
+            fault(object.loc, "S196", std::string("the key \"") + key + "\" is missing",
+                  std::string("add \"") + key + "\"");
+        return found;
+    }
+
+    bool number(const JsonNode& node, const Range& range, bool whole, double& out) {
+        if (!expect(node, JsonKind::number)) return false;
+        const bool fits = node.number >= range.least && node.number <= range.most;
+        if (!fits || (whole && node.number != std::floor(node.number))) {
+            fault(node.loc, "S196", node.string + " is out of range",
+                  std::string("write a ") + (whole ? "whole number" : "number") + " from " +
+                      number_text(range.least) + " to " + number_text(range.most));
+            return false;
+        }
+        out = node.number;
+        return true;
+    }
+
+    // Reads `count` numbers. Returns an empty list after a fault.
+    std::vector<double> numbers(const JsonNode& node, size_t count, const Range& range, bool whole) {
+        if (!expect(node, JsonKind::array)) return {};
+        if (node.items.size() != count) {
+            fault(node.loc, "S196",
+                  "this list has " + count_text(node.items.size(), "number") + "; wanted " +
+                      std::to_string(count),
+                  "write " + std::to_string(count) + " numbers");
+            return {};
+        }
+        std::vector<double> values(count);
+        for (size_t i = 0; i < count; ++i)
+            if (!number(node.items[i], range, whole, values[i])) return {};
+        return values;
+    }
+
+    glm::vec3 vector(const JsonNode* node, const Range& range, const glm::vec3& usual) {
+        if (node == nullptr) return usual;
+        const std::vector<double> v = numbers(*node, 3, range, false);
+        return v.empty() ? usual : glm::vec3(v[0], v[1], v[2]);
+    }
+
+    std::optional<glm::ivec3> whole_vector(const JsonNode& node, const Range& range) {
+        const std::vector<double> v = numbers(node, 3, range, true);
+        return v.empty() ? std::nullopt : std::optional(glm::ivec3(v[0], v[1], v[2]));
+    }
+
+    VolumeText read_volume(const JsonNode& node) {
+        VolumeText out;
+        if (!expect(node, JsonKind::object)) return out;
+        check_keys(node, {"origin", "spacing", "strides", "size", "probes"});
+        out.volume.origin = vector(required(node, "origin"), kPlace, out.volume.origin);
+        double spacing_m = 1;
+        if (const JsonNode* spacing = required(node, "spacing"))
+            number(*spacing, {kSmallest_m, kMostSpacing_m}, false, spacing_m);
+        out.volume.spacing_m = static_cast<float>(spacing_m);
+        const JsonNode *size = node.find("size"), *probes = node.find("probes");
+        if ((size == nullptr) == (probes == nullptr)) {
+            fault(node.loc, "S196", "the volume needs either \"size\" or \"probes\"",
+                  "write \"size\": [x, y, z] for a regular grid, or list the grid points in \"probes\"");
+            return out;
+        }
+        if (size != nullptr) read_size(node, *size, out);
+        if (const JsonNode* strides = node.find("strides"); strides != nullptr && size == nullptr)
+            read_strides(*strides, out.volume);
+        if (probes != nullptr) read_points(*probes, out.volume);
+        return out;
+    }
+
+    void read_size(const JsonNode& volume, const JsonNode& node, VolumeText& out) {
+        if (const JsonNode* strides = volume.find("strides"))
+            fault(strides->loc, "S196", "a volume with \"size\" has one level and no \"strides\"",
+                  "remove \"strides\"");
+        const std::optional<glm::ivec3> size = whole_vector(node, {1, kMostGridPoints});
+        if (!size) return;
+        const uint64_t points =
+            static_cast<uint64_t>(size->x) * static_cast<uint64_t>(size->y) * static_cast<uint64_t>(size->z);
+        if (points > kMostGridPoints) {
+            fault(node.loc, "S197",
+                  "the grid has " + std::to_string(points) + " points; the limit is " +
+                      std::to_string(kMostGridPoints),
+                  "use a smaller \"size\" and a larger \"spacing\"");
+            return;
+        }
+        out.size = size;
+    }
+
+    void read_strides(const JsonNode& node, ProbeVolume& volume) {
+        if (!expect(node, JsonKind::array)) return;
+        volume.strides.clear();
+        for (const JsonNode& item : node.items) {
+            double value = 1;
+            if (!number(item, {1, kMostStride}, true, value)) continue;
+            const uint32_t stride = static_cast<uint32_t>(value);
+            if (!std::has_single_bit(stride) || (!volume.strides.empty() && stride <= volume.strides.back()))
+                fault(item.loc, "S196",
+                      "the stride " + std::to_string(stride) +
+                          " is not a larger power of two than the one before",
+                      "write powers of two in ascending order, such as [1, 2, 4]");
+            volume.strides.push_back(stride);
+        }
+        if (volume.strides.empty()) {
+            fault(node.loc, "S196", "a volume has at least one level", "write \"strides\": [1]");
+            volume.strides = {1};
+        }
+    }
+
+    void read_points(const JsonNode& node, ProbeVolume& volume) {
+        if (!expect(node, JsonKind::array)) return;
+        if (node.items.size() > kMostGridPoints) {
+            fault(node.loc, "S197",
+                  "the volume lists " + std::to_string(node.items.size()) + " grid points; the limit is " +
+                      std::to_string(kMostGridPoints),
+                  "list fewer grid points");
+            return;
+        }
+        std::map<glm::ivec3, Probe, PointOrder> points;
+        for (const JsonNode& item : node.items) {
+            const std::optional<Probe> probe = read_point(item, volume);
+            if (probe && !points.emplace(probe->at, *probe).second)
+                fault(item.loc, "S196", "the grid point is listed twice", "remove one of the two entries");
+        }
+        for (const auto& [at, probe] : points) volume.probes.push_back(probe);
+    }
+
+    std::optional<Probe> read_point(const JsonNode& node, const ProbeVolume& volume) {
+        if (!expect(node, JsonKind::object)) return std::nullopt;
+        check_keys(node, {"at", "offset", "dropped"});
+        const JsonNode* at = required(node, "at");
+        if (at == nullptr) return std::nullopt;
+        const std::optional<glm::ivec3> point = whole_vector(*at, {-kMostCoordinate, kMostCoordinate});
+        if (!point) return std::nullopt;
+        Probe probe{*point, 0, glm::vec3(0), ProbeState::kept};
+        bool on_grid = false;
+        for (uint32_t i = 0; i < volume.strides.size(); ++i) {
+            const int stride = static_cast<int>(volume.strides[i]);
+            if (point->x % stride != 0 || point->y % stride != 0 || point->z % stride != 0) continue;
+            probe.level = i;
+            on_grid = true;
+        }
+        if (!on_grid)
+            fault(at->loc, "S196", "no level of the volume has this grid point",
+                  "use multiples of the first stride");
+        if (const JsonNode* offset = node.find("offset")) {
+            const float most =
+                kMostOffset * volume.spacing_m * static_cast<float>(volume.strides[probe.level]);
+            probe.offset = vector(offset, kPlace, probe.offset);
+            probe.state = ProbeState::moved;
+            if (glm::length(probe.offset) > most * 1.0001f)
+                fault(offset->loc, "S196",
+                      "the offset is longer than " + number_text(double{kMostOffset}) + " spacings",
+                      "write an offset with a length of at most " + number_text(double{most}) + " m");
+        }
+        if (const JsonNode* dropped = node.find("dropped");
+            dropped != nullptr && expect(*dropped, JsonKind::boolean) && dropped->boolean)
+            probe.state = ProbeState::dropped;
+        return probe;
+    }
+
+    std::vector<ReflectionProbe> read_reflections(const JsonNode& node) {
+        std::vector<ReflectionProbe> out;
+        if (!expect(node, JsonKind::array)) return out;
+        if (node.items.size() > kMostReflectionProbes) {
+            fault(node.loc, "S197",
+                  "the file has " + std::to_string(node.items.size()) + " reflection probes; the limit is " +
+                      std::to_string(kMostReflectionProbes),
+                  "use larger boxes and fewer probes");
+            return out;
+        }
+        for (const JsonNode& item : node.items) {
+            if (!expect(item, JsonKind::object)) continue;
+            check_keys(item, {"name", "position", "box"});
+            ReflectionProbe probe;
+            probe.name = "reflection " + std::to_string(out.size() + 1);
+            if (const JsonNode* name = item.find("name"); name != nullptr && expect(*name, JsonKind::string))
+                probe.name = name->string;
+            probe.position = vector(required(item, "position"), kPlace, probe.position);
+            if (const JsonNode* box = item.find("box"); box != nullptr && expect(*box, JsonKind::object))
+                probe.box = read_box(*box);
+            out.push_back(std::move(probe));
+        }
+        return out;
+    }
+
+    ProbeBox read_box(const JsonNode& node) {
+        ProbeBox box;
+        check_keys(node, {"center", "size", "rotation"});
+        box.center = vector(required(node, "center"), kPlace, box.center);
+        box.half_size_m = 0.5f * vector(required(node, "size"), {kSmallest_m, kPlace.most}, glm::vec3(2));
+        const JsonNode* turn = node.find("rotation");
+        const std::vector<double> v =
+            turn != nullptr ? numbers(*turn, 4, kAnyTurn, false) : std::vector<double>{};
+        if (v.empty()) return box;
+        const glm::vec4 unit = unit_quaternion(glm::vec4(v[0], v[1], v[2], v[3]));
+        box.rotation = glm::quat(unit.w, unit.x, unit.y, unit.z);
+        return box;
+    }
+
+    const JsonDoc& document_;
+    Diagnostics faults_;
+};
+
+}  // namespace
+
+Result<Probes> read_probes(const std::string& path, const FileReader& reader, const Scene& scene,
+                           const SceneLimits& limits, const LoadOptions& options) {
+    const Result<JsonDoc> document = read_json(path, reader);
+    if (!document) return document.errors();
+    ProbeReader file(*document);
+    std::optional<glm::ivec3> size;
+    Probes probes = file.read(size);
+    if (!file.faults().empty()) return std::move(file.faults());
+    if (size) {
+        Result<TriangleTree> tree = scene_tree(scene, limits, options);
+        if (!tree) return tree.take_errors();
+        probes.volume = settled_grid(*tree, probes.volume, *size, options.threads);
+    }
+    file.check_count(probes.volume);
+    if (!file.faults().empty()) return std::move(file.faults());
+    if (probes.reflections.empty()) probes.reflections = scene.probes.reflections;
+    return probes;
+}
+
+}  // namespace weft::scene

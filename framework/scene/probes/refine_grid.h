@@ -1,0 +1,23 @@
+// Purpose: the two ways in which a scene gets its grid of irradiance probes. A small scene gets cells near
+// all of its surfaces; cells are split where they are too coarse. A large scene gets three levels around a
+// camera.
+#pragma once
+
+#include <optional>
+
+#include "scene/probes/probe_grid.h"
+#include "weft/scene/place_probes.h"
+
+namespace weft::scene {
+
+// The largest spacing near objects and the largest spacing on open ground, in finest spacings.
+inline constexpr int kObjectStride = 4;
+inline constexpr int kGroundStride = 32;
+
+// Returns nullopt if three quarters of the probes are not enough for the whole scene with the coarsest cells.
+[[nodiscard]] std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementParams& params,
+                                                    uint32_t threads);
+[[nodiscard]] ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& params,
+                                          uint32_t threads);
+
+}  // namespace weft::scene

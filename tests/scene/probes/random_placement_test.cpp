@@ -1,0 +1,62 @@
+// Purpose: tests the rules for the places of light probes with random scenes, budgets and spacings.
+#include <gtest/gtest.h>
+
+#include "tests/scene/probes/brute_rays.h"
+#include "tests/scene/probes/probe_scenes.h"
+#include "weft/scene/place_probes.h"
+
+namespace weft::scene::test {
+namespace {
+
+uint32_t number_of_seeds() {
+    return std::getenv("WEFT_EXTENDED") != nullptr ? 300 : 24;
+}
+
+void check_rules(const BoxScene& scene, const PlacementParams& params, const Probes& probes) {
+    const ProbeVolume& volume = probes.volume;
+    EXPECT_LE(count_of(volume, ProbeState::kept) + count_of(volume, ProbeState::moved), params.most_probes);
+    const BruteRays rays(scene.scene);
+    for (const Probe& probe : volume.probes) {
+        if (probe.state == ProbeState::dropped) continue;
+        EXPECT_FALSE(scene.is_near(position_of(volume, probe), 0));
+        const float spacing_m = volume.spacing_m * static_cast<float>(volume.strides[probe.level]);
+        EXPECT_LE(glm::length(probe.offset), kMostOffset * spacing_m * 1.0001f);
+        EXPECT_EQ(probe.state == ProbeState::kept, probe.offset == glm::vec3(0));
+    }
+    for (const ProbeCell& cell : cells_of(volume)) {
+        const float spacing_m = volume.spacing_m * static_cast<float>(volume.strides[cell.level]);
+        for (const uint32_t corner : cell.corners) {
+            if (corner == ProbeCell::kNoProbe) continue;
+            EXPECT_LE(glm::length(volume.probes.at(corner).offset), kMostOffset * spacing_m * 1.0001f);
+        }
+    }
+}
+
+TEST(RandomPlacement, KeepsTheRules) {
+    uint32_t with_moved = 0, with_dropped = 0, with_levels = 0;
+    for (uint32_t seed = 1; seed <= number_of_seeds(); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const BoxScene scene = random_boxes(seed);
+        PlacementParams params;
+        params.most_probes = 8 + seed * 37 % 248;
+        params.min_spacing_m = seed % 3 == 0 ? 0.25f : 0.5f;
+        params.camera = glm::vec3(1, 2, 3);
+        LoadOptions one_thread;
+        one_thread.threads = 1;
+        const Result<Probes> probes = place_probes(scene.scene, params);
+        const Result<Probes> again = place_probes(shuffled(scene.scene, seed), params, {}, one_thread);
+        ASSERT_TRUE(probes && again);
+        EXPECT_EQ(probes_to_json(*probes), probes_to_json(*again));
+        check_rules(scene, params, *probes);
+        with_moved += count_of(probes->volume, ProbeState::moved) > 0 ? 1 : 0;
+        with_dropped += count_of(probes->volume, ProbeState::dropped) > 0 ? 1 : 0;
+        with_levels += probes->volume.strides.size() > 1 ? 1 : 0;
+        if (HasFailure()) return;
+    }
+    EXPECT_GT(with_moved, number_of_seeds() / 4);
+    EXPECT_GT(with_dropped, number_of_seeds() / 4);
+    EXPECT_GT(with_levels, number_of_seeds() / 4);
+}
+
+}  // namespace
+}  // namespace weft::scene::test
