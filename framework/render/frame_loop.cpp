@@ -28,15 +28,15 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
 }
 
 // Returns the view constants of this frame. The first frame has no previous frame, so it uses its own view as
-// the previous view.
-shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera) const {
+// the previous view. So does a frame after a cut.
+shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera, bool cut) const {
     const glm::uvec2 output_px(size_.width, size_.height);
     // The jitter is in pixels of the area in which passes draw the camera.
     const glm::vec2 area_px = views_.camera_px(plan().graph, output_px);
     const glm::vec2 jitter = jitter_px(frame_index_, jitter_length_) * (glm::vec2(output_px) / area_px);
     shared::ViewConstants view =
         view_constants(camera, view_.steady_view_projection, size_.width, size_.height, jitter);
-    if (frame_index_ == 0) view.prev_view_projection = view.steady_view_projection;
+    if (frame_index_ == 0 || cut) view.prev_view_projection = view.steady_view_projection;
     return view;
 }
 
@@ -55,11 +55,12 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     frame.delta_time_s = input.delta_time_s;
     frame.pre_exposure = std::exp2(input.exposure_ev);
     frame.prev_pre_exposure = frame_index_ == 0 ? frame.pre_exposure : pre_exposure_;
+    frame.hides_history = input.camera_cut;
     pre_exposure_ = frame.pre_exposure;
     scene.begin_frame(*slot, input);
     const scene::Camera camera = scene.placed(input.camera);
     views_.set_scales(plan().graph, live.scales);
-    view_ = find_view(camera);
+    view_ = find_view(camera, input.camera_cut);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     further_suns_ = scene.find_further_suns(further_sun_sizes_);
     shared::FrameConstants constants = scene.frame_constants();

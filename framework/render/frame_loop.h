@@ -51,7 +51,7 @@ class FrameLoop {
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
 
  private:
-    [[nodiscard]] shared::ViewConstants find_view(const scene::Camera& camera) const;
+    [[nodiscard]] shared::ViewConstants find_view(const scene::Camera& camera, bool cut) const;
 
     Extent3D size_;
     uint32_t jitter_length_ = 0;

@@ -32,6 +32,7 @@ double builtin_value(const ResolvedGraph& graph, PassId pass, const ParamWrite& 
         case Builtin::none:
             return 0;
         case Builtin::valid:
+            if (frame.hides_history) return 0;
             return values.resources.rings().valid(write.resource, values.resources.frame()) ? 1 : 0;
         case Builtin::unit_valid:
         case Builtin::unit_bits:

@@ -46,6 +46,33 @@ TEST_F(FrameInputs, AChangedOneGivesThePictureOfASessionThatBeginsWithIt) {
     EXPECT_FALSE(second == first);
 }
 
+TEST_F(FrameInputs, AfterACutOfTheCameraThereIsNoHistory) {
+    const std::unique_ptr<render::Session> session = start(scene_, before_.camera, graph_path("taa"), kSize,
+                                                           {"resolved", "velocity"}, before_.exposure_ev);
+    ASSERT_TRUE(session);
+    // Returns the largest number of blended frames, which `resolved` contains, and the longest velocity.
+    const auto most = [&](const render::FrameInput& input) {
+        EXPECT_TRUE(session->render_frame(input) && session->finish());
+        glm::vec2 found(0);
+        for (const vk::ReadbackData& data : session->take_readbacks())
+            for (const glm::vec4& texel : render::decode_texels(data.format, data.bytes))
+                if (data.pass == "observe:resolved")
+                    found.x = std::max(found.x, texel.a);
+                else
+                    found.y = std::max(found.y, glm::length(glm::vec2(texel)));
+        return found;
+    };
+    EXPECT_EQ(most(before_), glm::vec2(1, 0));
+    EXPECT_EQ(most(before_).x, 2);
+    const glm::vec2 moved = most(after_);
+    EXPECT_EQ(moved.x, 3);
+    EXPECT_GT(moved.y, 0.01f);
+    before_.camera_cut = true;
+    EXPECT_EQ(most(before_), glm::vec2(1, 0));
+    before_.camera_cut = false;
+    EXPECT_EQ(most(before_).x, 2) << "the history goes on with the frame after the cut";
+}
+
 TEST_F(FrameInputs, TheFrameBeforeIsKnown) {
     const std::unique_ptr<render::Session> session = begin(before_);
     ASSERT_TRUE(session);

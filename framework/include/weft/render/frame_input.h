@@ -57,6 +57,9 @@ struct FrameInput {
     float exposure_ev = 0;
     double time_s = 0;
     double delta_time_s = 0;  // Time since the previous frame.
+    // True: the camera has jumped since the previous frame. Shaders then see no history in this frame:
+    // `<port>Valid` of histories is 0, and the view of the previous frame is that of this frame.
+    bool camera_cut = false;
     // Lists of turns. Key: the name of an import of kind "turns", which a group of passes uses. Value: the
     // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
     // entry, the group itself chooses: its rounds run in turn.

@@ -58,6 +58,7 @@ struct FrameInput {
     double delta_time_s = 0;
     float pre_exposure = 1;
     float prev_pre_exposure = 1;
+    bool hides_history = false;  // True: the shader values `<port>Valid` of histories are 0.
     const HostInputs* host = nullptr;
     // Versions of the contents of imported buffers and images, by name. Give an import a new number whenever
     // its content changes. A rest unit that reads an import without a version runs in every frame.
