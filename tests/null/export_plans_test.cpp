@@ -51,7 +51,7 @@ TEST(ExportPlans, TheProgramSeesWhatTheFrameWrites) {
         const auto exports = choose_exports(*plain, seed);
         const Result<ResolvedGraph> graph = resolve_text(text.text, text.params, fake_profile(), 64, exports);
         if (!graph) {
-            // What passes with "rest" write has no content in the frames in which they rest.
+            // Outputs of passes with "rest" have no content in the frames in which these passes rest.
             for (const Diagnostic& fault : graph.errors()) EXPECT_EQ(fault.code, "W188") << to_text({fault});
             continue;
         }

@@ -14,7 +14,7 @@ namespace {
 constexpr uint32_t kShaderLayerCapability = 69, kMultiViewCapability = 4439;
 constexpr uint32_t kLayerBuiltIn = 9, kViewIndexBuiltIn = 4440;
 
-// What a rewriter needs to know about a module before it changes it.
+// Facts about a module that a rewriter needs before it changes the module.
 struct Survey {
     explicit Survey(std::span<const uint32_t> module) {
         using namespace spirv;

@@ -55,7 +55,7 @@ struct OwnDrawList {
 // A descriptor set of the program in the pipeline layouts of passes that draw lists: set 2 or 3.
 struct OwnDrawSet {
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;  // Must outlive the session.
-    // What the layout contains. `OfferedBinding::set` is the number of the set.
+    // The bindings of the layout. `OfferedBinding::set` is the number of the set.
     std::vector<OfferedBinding> bindings;
 };
 
