@@ -12,9 +12,8 @@ constexpr float kHookY = 4.72f;
 constexpr float kSag = 0.75f;
 constexpr uint32_t kWireParts = 10;
 constexpr float kBulbRadius = 0.045f;
-// A bulb of 10 cd has 130 lm, as a small bulb of 15 W. A candle in a wide bowl is brighter than the 1 cd of a
-// thin one.
-constexpr float kBulb_cd = 10, kCandle_cd = 4;
+// A bulb of 10 cd has 130 lm, as a small bulb of 15 W.
+constexpr float kBulb_cd = 10, kCandle_cd = 1;
 constexpr uint32_t kCandlesAlongSide = 8, kCandlesAcross = 4;
 
 // Returns a point on the wire that hangs between two hooks. `share` is 0 at the first hook and 1 at the

@@ -1,6 +1,5 @@
 // Tests the exposure of the pictures of the shipped graphs: deferred and forward shading agree, the stored
 // values stay as they are, and a fixed exposure gives the picture of a graph without the module.
-#include <algorithm>
 #include <cmath>
 
 #include "tests/render/exposure/exposure_fixture.h"
@@ -83,48 +82,6 @@ TEST_F(PictureExposure, SwitchingItOffAndOnContinues) {
     const Adaptation again = after_frame(*session, {{"autoExposure", 1}, {"gain", 4}}, 1);
     EXPECT_NEAR(again.adapted_ev, again.metered_ev + (first.adapted_ev - again.metered_ev) * std::exp(-1),
                 1e-4);
-}
-
-// Returns for each sunlit pixel the part that the lamps add to its light, in ascending order. `radiance` and
-// `sun_only` are the values of hdr with and without lamps, `least` is the least sunlit value.
-std::vector<double> parts_of_lamps(const std::vector<glm::vec4>& radiance,
-                                   const std::vector<glm::vec4>& sun_only, float least) {
-    std::vector<double> parts;
-    for (size_t i = 0; i < radiance.size(); ++i)
-        if (sun_only[i].g >= least) parts.push_back(radiance[i].g / sun_only[i].g - 1.0);
-    std::ranges::sort(parts);
-    return parts;
-}
-
-// The lamps of a scene have fixed intensities, so at noon they add little to walls in the sun.
-TEST_F(PictureExposure, LampsAddLittleToSunlitWallsAtNoon) {
-    scene::BuiltinOptions noon, night;
-    noon.hour = 12.0f;
-    night.hour = 22.0f;
-    Result<scene::Scene> scene = scene::make_builtin("atrium", noon);
-    const Result<scene::Scene> dark = scene::make_builtin("atrium", night);
-    ASSERT_TRUE(scene && dark && scene->lights.size() == dark->lights.size());
-    scene->sky_zenith = scene->sky_horizon = glm::vec3(0);  // as with --env none
-    const float least = 400 * std::exp2(scene->exposure_ev);
-    // All lamps are on, also those that are off at noon.
-    std::vector<scene::Light> lights = dark->lights;
-    lights[0] = scene->lights[0];
-    for (size_t i = 1; i < lights.size(); ++i)
-        EXPECT_TRUE(scene->lights[i].intensity == 0 || scene->lights[i].intensity == lights[i].intensity);
-    const scene::Camera& court = scene->cameras.at(0);
-    scene->lights = lights;
-    const Rendered lamps = render(*scene, court, kSize, scene->exposure_ev, {"hdr"});
-    scene->lights.resize(1);
-    const Rendered sun = render(*scene, court, kSize, scene->exposure_ev, {"hdr"});
-    ASSERT_TRUE(lamps.images.contains("hdr") && sun.images.contains("hdr"));
-    const std::vector<double> parts = parts_of_lamps(lamps.images.at("hdr"), sun.images.at("hdr"), least);
-    ASSERT_GT(parts.size(), 2000u);
-    const double most = parts[parts.size() * 99 / 100];
-    std::printf("lamps add at most %.2f %% to 99 %% of %zu sunlit pixels, and %.2f %% beside a lamp\n",
-                100 * most, parts.size(), 100 * parts.back());
-    EXPECT_LT(most, 0.02);
-    EXPECT_GT(most, 0) << "the lamps are on";
-    EXPECT_LT(parts.back(), 0.1) << "a candle on the rim of the pool, 0.1 m from the stone";
 }
 
 }  // namespace
