@@ -99,6 +99,7 @@ std::vector<PassResult> pass_results(const FramePlan& plan) {
         result.key = key_of(plan.graph, pass);
         result.bytes = port_bytes(plan.graph, pass);
         result.flops = pass.flops;
+        result.rests = pass.rest_unit != kNoId;
     }
     return passes;
 }

@@ -37,12 +37,19 @@ struct PassResult {
     uint32_t queue = 0;
     // Describes the work of the pass. Passes of different graphs with equal keys count as the same pass.
     std::string key;
-    std::vector<double> ms;  // Time of the pass on the device in each round.
-    uint64_t bytes = 0;      // Number of bytes that the pass reads and writes through its ports.
+    std::vector<double> ms;  // Time of the pass on the device in each round; 0 while the pass rests.
+    // For a pass that can rest: its time in each round in a frame in which all passes run. Empty for all
+    // other passes.
+    std::vector<double> awake_ms;
+    uint64_t bytes = 0;  // Number of bytes that the pass reads and writes through its ports.
     // Number of floating-point operations that the graph file declares for the pass; 0 if the file declares
     // none.
     double flops = 0;
     bool common = false;  // True if all measured graphs have this pass.
+    bool rests = false;   // True if the pass has `rest`, or is in a group.
+
+    // Returns the times of the pass in the frames in which it runs.
+    [[nodiscard]] const std::vector<double>& running_ms() const { return awake_ms.empty() ? ms : awake_ms; }
 };
 
 // The measured times of one graph, rendered with one number of lights.
@@ -51,6 +58,8 @@ struct GraphResult {
     uint32_t lights = 0;
     std::vector<PassResult> passes;  // The passes in the order in which the plan runs them.
     std::vector<double> trivial_ms;  // Time of the trivial reference pass in each round.
+    // Frame time of each round if all passes run, also those with `rest`. Empty if the graph has none.
+    std::vector<double> awake_ms;
 
     // Returns the frame time of each round, as the sum of the times of the passes. If `with_common` is false,
     // the sum leaves out the passes that all graphs have.

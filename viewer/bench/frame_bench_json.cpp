@@ -16,12 +16,18 @@ Json spread_json(const std::vector<double>& values) {
             {"p99", s.p99}};
 }
 
+// Null if no pass rests.
+Json awake_json(const std::vector<double>& ms) {
+    return ms.empty() ? Json(nullptr) : spread_json(ms);
+}
+
 Json pass_json(const FrameBench& bench, const PassResult& pass) {
     const double limit_ms = bench.yardsticks.limit_ms(static_cast<double>(pass.bytes), pass.flops);
-    const double median_ms = spread_of(pass.ms).median;
+    const double median_ms = spread_of(pass.running_ms()).median;
     return {{"name", pass.name},
             {"queue", pass.queue},
             {"gpu_ms", spread_json(pass.ms)},
+            {"awake_ms", awake_json(pass.awake_ms)},
             {"bytes", pass.bytes},
             {"flops", pass.flops > 0 ? Json(pass.flops) : Json(nullptr)},
             {"limit_ms", limit_ms},
@@ -40,6 +46,7 @@ Json result_json(const FrameBench& bench, size_t light, size_t graph) {
             {"gpu_ms", spread_json(result.frame_ms(with_common))},
             {"over_first", bench.ratio_to_first(light, graph, with_common)},
             {"over_trivial", bench.ratio_to_trivial(light, graph, with_common)}};
+    json["awake_ms"] = awake_json(result.awake_ms);
     json["passes"] = std::move(passes);
     return json;
 }

@@ -40,14 +40,32 @@ std::string crossing_lines(const FrameBench& bench) {
     return text.empty() ? "none\n" : text;
 }
 
+const char* pass_note(const PassResult& pass) {
+    if (pass.awake_ms.empty()) return pass.common ? "  in all graphs" : "";
+    return pass.common ? "  rests, in all graphs" : "  rests";
+}
+
 std::string pass_line(const FrameBench& bench, const std::string& graph, const PassResult& pass) {
-    const Spread ms = spread_of(pass.ms);
+    const Spread ms = spread_of(pass.running_ms());
     const double limit_ms = bench.yardsticks.limit_ms(static_cast<double>(pass.bytes), pass.flops);
     return formatted("%-16s %-16s %9.3f %8.3f %8.2f %9s %9.4f %8.1f %8.2ft%s\n", graph.c_str(),
                      pass.name.c_str(), ms.median, half_width(ms), static_cast<double>(pass.bytes) / 1e6,
                      pass.flops > 0 ? formatted("%.1f", pass.flops / 1e6).c_str() : "-", limit_ms,
-                     ms.median / limit_ms, ms.median / bench.yardsticks.trivial_ms,
-                     pass.common ? "  in all graphs" : "");
+                     ms.median / limit_ms, ms.median / bench.yardsticks.trivial_ms, pass_note(pass));
+}
+
+// The frame times while passes rest, and in frames in which all passes run. Empty if no graph has such
+// passes.
+std::string awake_lines(const FrameBench& bench) {
+    std::string text;
+    for (const GraphResult& result : bench.results)
+        if (!result.awake_ms.empty())
+            text += formatted("%6u  %-16s %8.2f %8.2f\n", result.lights, result.graph.c_str(),
+                              spread_of(result.frame_ms(true)).median, spread_of(result.awake_ms).median);
+    if (text.empty()) return text;
+    return "\nframe time in ms while passes with \"rest\" rest, and in a frame in which all passes run\n"
+           "lights  graph             resting  running\n" +
+           text;
 }
 
 }  // namespace
@@ -70,6 +88,7 @@ std::string bench_text(const FrameBench& bench) {
                 "\nnumbers of lights at which one graph becomes faster than another, without the common "
                 "passes\n" +
                 crossing_lines(bench);
+    text += awake_lines(bench);
     for (size_t light = 0; light < bench.lights.size(); ++light) {
         text += formatted(
             "\ntimes of the passes with %u lights (bound: the lowest possible time, from MB, MFLOP and the "

@@ -29,6 +29,7 @@ struct Contestant {
     std::unique_ptr<render::Session> session;
     render::FrameInput frame;
     std::vector<PassResult> passes;
+    bool awake = false;  // True: no pass rests.
 };
 
 std::string graph_path(const std::string& graph) {
@@ -49,7 +50,7 @@ bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
     for (PassResult& pass : passes) {
         const auto timed = std::ranges::find(timing.passes, pass.name, &vk::PassTiming::pass);
         if (timed == timing.passes.end() || timed->gpu_ms < 0) return false;
-        pass.ms.push_back(timed->gpu_ms);
+        pass.ms.push_back(timed->rested ? 0 : timed->gpu_ms);
     }
     return true;
 }
@@ -62,6 +63,8 @@ class Run {
         render_.scene = options.scene;
         render_.request.size = options.size;
         render_.camera = options.camera;
+        render_.env = options.env;
+        render_.env_gain = options.env_gain;
         render_.seed = options.seed;
         render_.device = options.device;
         render_.timeout_s = options.timeout_s;
@@ -93,7 +96,7 @@ class Run {
 
  private:
     void tell(uint32_t lights) {
-        const size_t steps = options_.graphs.size() + 1;
+        const size_t steps = 2 * options_.graphs.size() + 1;
         const std::chrono::duration<double> elapsed = Clock::now() - begin_;
         std::fputs(progress_
                        .at(elapsed.count(), "frames (now with " + std::to_string(lights) + " lights)",
@@ -103,10 +106,13 @@ class Run {
     }
 
     [[nodiscard]] Result<Contestant> enter(const scene::Scene& scene, const std::string& graph,
-                                           uint32_t lights) {
+                                           uint32_t lights, bool awake) {
         render_.request.path = graph_path(graph);
+        render_.request.rests = !awake;
         const bool draws_scene = graph != kYardsticks;
-        render_.request.params = draws_scene ? std::map<std::string, double>{{kLightsParam, lights}}
+        // The suns of a picture are lights, too.
+        const auto all_lights = static_cast<double>(std::max(scene.lights.size(), size_t{1}));
+        render_.request.params = draws_scene ? std::map<std::string, double>{{kLightsParam, all_lights}}
                                              : std::map<std::string, double>{};
         const float aspect = aspect_of(render_.request.size);
         Result<scene::Camera> camera = choose_camera(scene, {options_.scene, render_.camera, aspect});
@@ -116,9 +122,9 @@ class Run {
         Diagnostics warnings;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings);
-        if (draws_scene && lights == options_.lights.front()) report(warnings);
+        if (draws_scene && !awake && lights == options_.lights.front()) report(warnings);
         if (!session) return session.take_errors();
-        Contestant contestant{std::move(*session), frame_input(render_, scene, *camera), {}};
+        Contestant contestant{std::move(*session), frame_input(render_, scene, *camera), {}, awake};
         contestant.passes = pass_results(contestant.session->plan());
         for (uint32_t frame = 0; frame < kWarmFrames; ++frame)
             if (Status s = contestant.session->render_frame(contestant.frame); !s) return s.take_errors();
@@ -140,19 +146,22 @@ class Run {
     [[nodiscard]] Status measure(uint32_t lights) {
         render_.lights = lights;
         Diagnostics warnings;
-        Result<scene::Scene> scene =
-            open_scene({render_.scene, render_.env, render_.hour, render_.lights, render_.seed,
-                    render_.env_gain},
-                       options_.limits.scene, warnings);
+        Result<scene::Scene> scene = open_scene(
+            {render_.scene, render_.env, render_.hour, render_.lights, render_.seed, render_.env_gain},
+            options_.limits.scene, warnings);
         if (!scene) return scene.take_errors();
         if (lights == options_.lights.front()) report(warnings);
         std::vector<Contestant> contestants;
         std::vector<std::string> graphs = options_.graphs;
         graphs.emplace_back(kYardsticks);
         for (const std::string& graph : graphs) {
-            Result<Contestant> contestant = enter(*scene, graph, lights);
+            Result<Contestant> contestant = enter(*scene, graph, lights, false);
             if (!contestant) return contestant.take_errors();
             contestants.push_back(std::move(*contestant));
+            if (contestants.back().session->plan().graph.rest_unit_count == 0) continue;
+            Result<Contestant> awake = enter(*scene, graph, lights, true);
+            if (!awake) return awake.take_errors();
+            contestants.push_back(std::move(*awake));
         }
         // Each round starts one place later in the list than the round before, so that no graph benefits from
         // always being first or last.
@@ -172,9 +181,25 @@ class Run {
                 if (pass.name == "multiplyAdd") flops_per_s_.push_back(pass.flops / ms * 1e3);
             }
         trivial_ms_.insert(trivial_ms_.end(), trivial_ms.begin(), trivial_ms.end());
-        for (size_t graph = 0; graph < bench_.graphs.size(); ++graph)
-            bench_.results.push_back(
-                {bench_.graphs[graph], lights, std::move(contestants[graph].passes), trivial_ms});
+        size_t graph = 0;
+        for (Contestant& contestant : contestants) {
+            if (&contestant == &contestants.back()) continue;  // the reference passes
+            if (contestant.awake)
+                add_awake(contestant, bench_.results.back());
+            else
+                bench_.results.push_back(
+                    {bench_.graphs[graph++], lights, std::move(contestant.passes), trivial_ms, {}});
+        }
+    }
+
+    // Adds the times of the frames in which all passes run to the result of the same graph.
+    static void add_awake(Contestant& awake, GraphResult& result) {
+        result.awake_ms.assign(result.trivial_ms.size(), 0);
+        for (PassResult& pass : awake.passes) {
+            for (size_t round = 0; round < pass.ms.size(); ++round) result.awake_ms[round] += pass.ms[round];
+            const auto resting = std::ranges::find(result.passes, pass.name, &PassResult::name);
+            if (resting != result.passes.end() && resting->rests) resting->awake_ms = std::move(pass.ms);
+        }
     }
 
     static constexpr const char* kYardsticks = "bench/yardsticks";

@@ -50,6 +50,15 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
         ->check(size_validator())
         ->capture_default_str();
     command->add_option("--camera", o.camera, "the camera, as in `weft render`");
+    command
+        ->add_option("--env", o.env, "the environment of the scene: sky, none, or a Radiance picture (.hdr)")
+        ->check(env_validator())
+        ->capture_default_str();
+    command
+        ->add_option("--env-gain", o.env_gain,
+                     "a factor on the light of the environment picture, including its suns")
+        ->transform(number_in({1e-6, 1e9, ""}))
+        ->capture_default_str();
     command->add_option("--seed", o.seed, "seed of the random lights")
         ->transform(whole_number_in(0, kMostSeed))
         ->capture_default_str();

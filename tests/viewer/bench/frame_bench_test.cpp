@@ -121,5 +121,26 @@ TEST(FrameBench, ReportsSayTheSame) {
     EXPECT_NE(svg.find(">lists</text>"), std::string::npos) << svg;
 }
 
+// A table takes 3 ms in a frame in which it runs, and nothing in all other frames.
+TEST(FrameBench, APassThatRestsIsComparedWithItsBoundInFramesInWhichItRuns) {
+    FrameBench bench = sample();
+    EXPECT_EQ(bench_text(bench).find("rest"), std::string::npos);
+    EXPECT_TRUE(Json::parse(bench_json(bench)).at("results").at(0).at("awake_ms").is_null());
+    PassResult table = pass("table", "t", {0, 0, 0});
+    table.awake_ms = {3, 2, 4};
+    bench.results[0].passes.push_back(table);
+    bench.results[0].awake_ms = {9, 10, 9};
+    const Json result = Json::parse(bench_json(bench)).at("results").at(0), found = result.at("passes").at(2);
+    EXPECT_EQ(found.at("gpu_ms").at("median"), 0);
+    EXPECT_EQ(found.at("awake_ms").at("median"), 3);
+    EXPECT_EQ(found.at("over_limit"), 0.75) << "3 ms, and a bound of 4 ms";
+    EXPECT_TRUE(result.at("passes").at(0).at("awake_ms").is_null());
+    EXPECT_EQ(result.at("frame").at("gpu_ms").at("median"), 6);
+    EXPECT_EQ(result.at("awake_ms").at("median"), 9);
+    const std::string text = bench_text(bench);
+    EXPECT_NE(text.find("    10  loop                 6.00     9.00\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("  rests\n"), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace weft::test

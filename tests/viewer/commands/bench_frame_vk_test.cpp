@@ -40,6 +40,32 @@ TEST(BenchFrame, MeasuresEveryGraphOverEveryNumberOfLights) {
     }
 }
 
+// The environment is filtered only in frames in which all passes run.
+TEST(BenchFrame, MeasuresPassesThatRest) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const RunResult run =
+        run_weft({"bench", "frame", "builtin:spheres", "--env",
+                  WEFT_SOURCE_DIR "/tests/reference/environments/day.hdr", "--graphs", "deferred", "--lights",
+                  "1", "--size", "64x36", "--rounds", "3", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.text();
+    const Json json = Json::parse(run.out), &result = json.at("results").at(0);
+    size_t filters = 0;
+    for (const Json& pass : result.at("passes")) {
+        const std::string name = pass.at("name");
+        if (name == "gbuffer") {
+            EXPECT_TRUE(pass.at("awake_ms").is_null()) << pass;
+        }
+        if (!name.starts_with("environmentFilter")) continue;
+        ++filters;
+        EXPECT_EQ(pass.at("gpu_ms").at("p99"), 0) << pass;
+        EXPECT_GT(pass.at("awake_ms").at("min"), 0) << pass;
+        EXPECT_DOUBLE_EQ(pass.at("over_limit").get<double>(),
+                         pass.at("awake_ms").at("median").get<double>() / pass.at("limit_ms").get<double>());
+    }
+    EXPECT_EQ(filters, 5u);
+    EXPECT_GT(result.at("awake_ms").at("min"), 0);
+}
+
 TEST(BenchFrame, AGraphThatIsNotThere) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const RunResult run = run_weft({"bench", "frame", "--graphs", "deferrd"});
