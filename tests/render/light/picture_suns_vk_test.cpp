@@ -4,35 +4,13 @@
 #include <cmath>
 #include <cstring>
 
-#include "scene/pictures/load_environment.h"
 #include "tests/render/exposure/exposure_fixture.h"
+#include "tests/render/light/sunny_spheres.h"
 
 namespace weft::test {
 namespace {
 
 constexpr Extent3D kSunnySize{160, 90, 1};
-
-// The spheres in the light of a picture with a sun. The lights are those that `weft render --env` makes.
-scene::Scene sunny_spheres(float gain = 1) {
-    Result<scene::Scene> made = scene::make_builtin("spheres");
-    Result<scene::Environment> picture =
-        scene::load_environment(WEFT_SOURCE_DIR "/tests/reference/environments/day.hdr", {}, gain);
-    EXPECT_TRUE(made && picture);
-    if (!made || !picture) return {};
-    scene::Scene scene = std::move(*made);
-    scene.lights.clear();
-    scene.environment = std::move(*picture);
-    for (const scene::PictureSun& sun : scene.environment.suns) {
-        scene::Light light;
-        light.type = scene::LightType::directional;
-        light.intensity = sun.illuminance_lx.g;
-        light.color = sun.illuminance_lx / light.intensity;
-        light.direction = -sun.to_sun;
-        light.angular_radius_rad = sun.angular_radius_rad;
-        scene.lights.push_back(light);
-    }
-    return scene;
-}
 
 // Sets the constant `quantized` of forward.json: forward shading then rounds as the G-buffer does.
 std::optional<std::string> read_rounded(const std::string& path) {
