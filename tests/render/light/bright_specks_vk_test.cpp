@@ -190,7 +190,7 @@ TEST_F(BrightSpecks, LightBeyondHalfFloatsIsFinite) {
     for (const auto& [graph, picture] : {std::pair("taa", "resolved"), std::pair("bloom", "hdr")}) {
         Run run = begin(true, graph, {picture}, 0.0f);
         ASSERT_TRUE(run.session);
-        for (int frame = 0; frame < 3; ++frame) {
+        for (int frame = 0; frame < 2; ++frame) {
             next_frame(run);
             expect_finite(run.pictures.at(picture), frame);
             EXPECT_TRUE(std::isfinite(run.adaptation.exposure_ev));
@@ -201,18 +201,18 @@ TEST_F(BrightSpecks, LightBeyondHalfFloatsIsFinite) {
 // The light of the whole scene becomes 256 times as bright or as dark.
 TEST_F(BrightSpecks, TheExposureFollowsAllLightWithoutSwinging) {
     const scene::Scene scene = specks_over_spheres(true);
+    const std::unique_ptr<render::Session> session =
+        start(scene, scene.cameras.at(0), kDeferredGraph, kSpeckSize, {"adaptation"}, scene.exposure_ev);
+    ASSERT_TRUE(session);
+    const Adaptation first = after_frame(*session, {}, 1.0 / 30);
+    Adaptation state = first;
     for (const double stops : {8.0, -8.0}) {
-        const std::unique_ptr<render::Session> session =
-            start(scene, scene.cameras.at(0), kDeferredGraph, kSpeckSize, {"adaptation"}, scene.exposure_ev);
-        ASSERT_TRUE(session);
-        const Adaptation first = after_frame(*session, {}, 1.0 / 30);
         const float gain = float(std::exp2(stops));
         std::vector<scene::Light> lights = scene.lights;
         for (scene::Light& light : lights) light.intensity *= gain;
         frame_of(*session).lights = lights;
         frame_of(*session).sky = render::SkyColors{scene.sky_zenith * gain, scene.sky_horizon * gain};
         const double sign = stops > 0 ? 1 : -1;
-        Adaptation state = first;
         for (int i = 0; i < 24; ++i) {
             const float before_ev = state.adapted_ev;
             state = after_frame(*session, {}, 0.4);

@@ -65,7 +65,7 @@ TEST_P(SunnyGraph, APictureStaysTheSameAfterAReloadAndAChangeOfTheSize) {
     EXPECT_TRUE(next_picture(*session) == first) << "the size of the start";
 }
 
-INSTANTIATE_TEST_SUITE_P(Graphs, SunnyGraph, testing::Values("deferred", "forward", "forward_plus"),
+INSTANTIATE_TEST_SUITE_P(Graphs, SunnyGraph, testing::Values("deferred", "forward_plus"),
                          [](const auto& graph) { return std::string(graph.param); });
 
 // Returns the half floats of `hdr`, and the exposure of the picture.
@@ -114,12 +114,12 @@ TEST_F(PictureSuns, ForwardShadingAgreesWithDeferredShading) {
 
 // 1000 times the light of the picture and its sun, with a pre-exposure of −log₂ 1000, gives the same picture,
 // with a fixed and with automatic exposure.
-TEST_P(SunnyGraph, AThousandTimesTheLightWithLessExposureIsTheSamePicture) {
+TEST_F(PictureSuns, AThousandTimesTheLightWithLessExposureIsTheSamePicture) {
     scene::Scene bright = sunny_spheres(1000);
     std::array<std::vector<std::byte>, 2> fixed, automatic;
     for (size_t i = 0; i < 2; ++i) {
         const std::unique_ptr<render::Session> session =
-            begin(GetParam(), kSunnySize, {}, i == 0 ? 0 : -std::log2(1000.0f));
+            begin("deferred", kSunnySize, {}, i == 0 ? 0 : -std::log2(1000.0f));
         ASSERT_TRUE(session);
         // At night, the module darkens the picture, which depends on the light.
         frame_of(*session).parameters["nightDarkening"] = 0;
@@ -135,7 +135,7 @@ TEST_P(SunnyGraph, AThousandTimesTheLightWithLessExposureIsTheSamePicture) {
             worst = std::max(worst,
                              std::abs(std::to_integer<int>(pair[0][k]) - std::to_integer<int>(pair[1][k])));
     }
-    std::printf("%s: at most %d of 255\n", GetParam(), worst);
+    std::printf("1000 times the light: at most %d of 255\n", worst);
     EXPECT_FALSE(fixed[0] == automatic[0]);
     EXPECT_LE(worst, 2);
 }

@@ -71,7 +71,7 @@ class Ambient {
               const scene::LightPicture& picture = scene.environment.light;
               return picture.mips.empty() ? gradient_sky(scene, w) : picture_light(picture, w);
           }),
-          azimuths_(scene.environment.light.mips.empty() ? 1 : 12) {
+          azimuths_(scene.environment.light.mips.empty() ? 1 : 8) {
         mirrored_.resize(size_t(azimuths_));
         for (int channel = 0; channel < 3; ++channel) {
             const CubeSum cube = cube_sum([&](const glm::dvec3& w) { return radiance_(w)[channel]; });
@@ -215,7 +215,7 @@ Stored stored_at(const Rendered& r, size_t i, const glm::dmat4& to_world) {
 
 // Replaces a directional light that is a disc by parallel lights in directions that are spread over the disc.
 std::vector<shared::Light> with_split_discs(const std::vector<shared::Light>& lights) {
-    constexpr int kRings = 5;
+    constexpr int kRings = 4;
     std::vector<shared::Light> split;
     for (const shared::Light& light : lights) {
         const double radius = light.type == shared::kLightDirectional ? double(light.cone_scale) : 0;
