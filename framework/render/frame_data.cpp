@@ -123,10 +123,13 @@ shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
     gpu.intensity = light.color * light.intensity;
     gpu.type = gpu_light_type(light.type);
     gpu.direction = light.direction;
-    const float inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
-    gpu.cone_scale = 1.0f / std::max(0.001f, inner - outer);
-    gpu.cone_offset = -outer * gpu.cone_scale;
-    if (light.type == scene::LightType::directional) gpu.cone_scale = light.angular_radius_rad;
+    if (light.type == scene::LightType::directional) {
+        gpu.cone_scale = light.angular_radius_rad;  // disc_radius_rad() of lights.glsl reads it.
+    } else {
+        const float inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
+        gpu.cone_scale = 1.0f / std::max(0.001f, inner - outer);
+        gpu.cone_offset = -outer * gpu.cone_scale;
+    }
     gpu.side = light.side;
     gpu.half_size_m = light.half_size_m;
     gpu.function = light.function == scene::kNone ? 0 : light.function + 1;

@@ -20,10 +20,13 @@ vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
         if (HAS_furtherSunShadow && shadow > 1u) visible = further_sun_visibility(shadow, position, s.normal);
         if (visible <= 0.0) continue;
         const Light light = lights.items[i];
-        vec3 reflected = plain_reflection(s, v, position, light);
-        // A loop instead of an if: devices that execute both sides of a branch (llvmpipe) leave an empty loop out.
-        for (bool disc = light.cone_scale > 0.0; disc; disc = false)
-            reflected = reflect_disc(s, v, -light.direction, light.cone_scale) * light.intensity;
+        const float radius = disc_radius_rad(light);
+        vec3 reflected = vec3(0.0);
+        // Loops instead of if and else: devices that execute both sides of a branch (llvmpipe) leave empty loops out.
+        for (bool is_point = radius <= 0.0; is_point; is_point = false)
+            reflected = plain_reflection(s, v, position, light);
+        for (bool is_disc = radius > 0.0; is_disc; is_disc = false)
+            reflected = reflect_disc(s, v, -light.direction, radius) * light.intensity;
         reflected *= visible;
         if (LIGHT_FUNCTIONS && light.function != 0u) reflected *= light_function(light, position);
         radiance += reflected;

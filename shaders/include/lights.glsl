@@ -9,6 +9,9 @@ struct Incident {
     vec3 irradiance;
 };
 
+// Returns the angular radius of the disc of a directional light in radians; 0 if the light has no disc.
+float disc_radius_rad(Light light) { return light.type == kLightDirectional ? light.cone_scale : 0.0; }
+
 float distance_window(float distance2, float range_m) {
     if (range_m <= 0.0) return 1.0;
     const float ratio2 = distance2 / (range_m * range_m);

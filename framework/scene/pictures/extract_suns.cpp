@@ -25,6 +25,7 @@ struct RowShape {
     double solid_angle = 0;  // Of one texel.
     double across = 0;  // ∫ sin² θ over the row's polar angles θ, times 2 sin(half the texel's azimuth).
     double up = 0;      // ∫ cos θ over one texel, the y of its direction.
+    double sides2 = 0;  // width² + height² of a texel, in rad².
 };
 
 // Light that comes from a set of texels.
@@ -33,10 +34,20 @@ struct RegionLight {
     double flux = 0;                           // ∫ luminance.
     glm::dvec3 flow{0};                        // ∫ luminance × direction.
     std::array<glm::dvec3, 3> channel_flow{};  // ∫ radiance × direction for each channel.
+    double sides2 = 0;                         // ∫ luminance × RowShape::sides2.
     [[nodiscard]] double spread_rad() const {
         // The mean direction of a uniform disc with the radius a has the length cos²(a / 2).
         const double missing = std::clamp(1 - glm::length(flow) / flux, 0.0, 1.0);
         return 2 * std::asin(std::sqrt(missing));
+    }
+    // The radius of the disc before the picture was divided into texels. Half of the square of the radius is
+    // the variance of a disc. Texels add (width² + height²) / 12 to the variance twice: a texel is a mean
+    // over its area, and spread_rad() counts it as light from its whole area. In sources that are hardly
+    // larger than a texel, the variance that texels add depends on their position, so the spread is reduced
+    // at most to a half.
+    [[nodiscard]] double radius_rad() const {
+        const double spread2 = spread_rad() * spread_rad();
+        return std::sqrt(std::max(spread2 - sides2 / flux / 3, spread2 / 4));
     }
 };
 
@@ -52,8 +63,9 @@ class SunFinder {
             const double sines =
                 (bottom - top - (std::sin(bottom) * std::cos(bottom) - std::sin(top) * std::cos(top))) / 2;
             const double squares = std::sin(bottom) * std::sin(bottom) - std::sin(top) * std::sin(top);
+            const double across = step * std::sin((top + bottom) / 2);
             rows_.push_back({step * (std::cos(top) - std::cos(bottom)), sines * 2 * std::sin(step / 2),
-                             step * squares / 2});
+                             step * squares / 2, across * across + (bottom - top) * (bottom - top)});
         }
         for (uint32_t x = 0; x < width_; ++x) {
             const double azimuth = (x + 0.5) * step - std::numbers::pi;
@@ -150,6 +162,7 @@ class SunFinder {
             light.solid_angle += row.solid_angle;
             light.flux += luminance * row.solid_angle;
             light.flow += luminance * flow;
+            light.sides2 += luminance * row.solid_angle * row.sides2;
             for (size_t c = 0; c < 3; ++c) light.channel_flow[c] += excess[static_cast<int>(c)] * flow;
         }
         return light;
@@ -207,7 +220,7 @@ class SunFinder {
         PictureSun sun;
         sun.to_sun = glm::vec3(to_sun);
         sun.solid_angle_sr = static_cast<float>(light.solid_angle);
-        sun.angular_radius_rad = static_cast<float>(light.spread_rad());
+        sun.angular_radius_rad = static_cast<float>(light.radius_rad());
         for (size_t c = 0; c < 3; ++c)
             sun.illuminance_lx[static_cast<int>(c)] =
                 static_cast<float>(std::max(0.0, glm::dot(light.channel_flow[c], to_sun)));

@@ -19,8 +19,8 @@ struct Light {
     vec3 intensity;      // Colour × intensity in the unit of the light type, Rec.709.
     uint type;
     vec3 direction;      // Unit vector along which the light travels; for a capsule, its axis.
-    float cone_scale;    // Spot: saturate(cos(angle) · scale + offset)², as in KHR_lights_punctual. Directional: the
-                         // angular radius of the light's disc in radians; 0: the light has no disc.
+    float cone_scale;    // Spot: saturate(cos(angle) · scale + offset)², as in KHR_lights_punctual. Directional lights
+                         // have no cone: they store disc_radius_rad() of lights.glsl here.
     vec3 side;           // Unit vector perpendicular to `direction`: the width axis of a rectangle, and of the doors
                          // and the picture of the light. For a capsule: the direction that its doors and picture face.
     float cone_offset;

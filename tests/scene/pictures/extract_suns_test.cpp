@@ -94,7 +94,8 @@ TEST_P(OneSun, HasItsDirectionSizeAndLightAndLeavesTheSky) {
                 double{suns[0].angular_radius_rad} / radius);
     EXPECT_LT(off, 0.1);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], 1, 0.005);
-    EXPECT_NEAR(suns[0].angular_radius_rad, radius, std::max(0.1 * radius, 0.3 * texel_rad));
+    // Where all texels end in one point, at a pole, more of the spread is due to texels than elsewhere.
+    EXPECT_NEAR(suns[0].angular_radius_rad, radius, (std::abs(c.height_deg) > 85 ? 0.05 : 0.01) * radius);
     for (const glm::vec3& texel : picture.texels) ASSERT_EQ(texel, glm::vec3(0.5, 0.75, 1));
 }
 
@@ -118,8 +119,8 @@ TEST(ExtractSuns, KeepTheIlluminance) {
         glm::dvec3 sum(0);
         for (uint32_t y = 0; y < picture.height; ++y) {
             const double angle =
-                (std::cos(kPi_rad * y / picture.height) - std::cos(kPi_rad * (y + 1) / picture.height)) * 2 * kPi_rad /
-                picture.width;
+                (std::cos(kPi_rad * y / picture.height) - std::cos(kPi_rad * (y + 1) / picture.height)) * 2 *
+                kPi_rad / picture.width;
             for (uint32_t x = 0; x < picture.width; ++x)
                 sum += glm::dvec3(picture.texels[size_t{y} * picture.width + x]) * angle *
                        std::max(0.0, glm::dot(n, direction_at(x + 0.5, y + 0.5, picture)));

@@ -14,8 +14,8 @@
 
 namespace weft::scene {
 
-// A small version of a picture of the surroundings, from which the light on surfaces is computed. The format of
-// `mips` and `scale` is that of Environment.
+// A small version of a picture of the surroundings, from which the light on surfaces is computed. The format
+// of `mips` and `scale` is that of Environment.
 struct LightPicture {
     uint32_t width_px = 0;
     uint32_t height_px = 0;
@@ -28,7 +28,7 @@ struct LightPicture {
 struct PictureSun {
     glm::vec3 to_sun{0, 1, 0};     // Unit vector to the centroid of the light.
     float solid_angle_sr = 0;      // Of the region.
-    float angular_radius_rad = 0;  // Of the disc of uniform luminance whose light is spread as much.
+    float angular_radius_rad = 0;  // Of a disc of uniform luminance that would have this picture.
     // The illuminance that the region adds on a plane that faces it, in lx, Rec.709.
     glm::vec3 illuminance_lx{0};
 };
