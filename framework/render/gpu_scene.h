@@ -1,9 +1,10 @@
 // Purpose: a scene on the GPU in the form that graphs use. It has four draw lists. "opaque", "masked" and
-// "anisotropic" are sorted by material; "transparent" is sorted by distance in every frame. Each list also
-// has a buffer of draw commands. Parts can be added to the scene and removed from it while frames run; their
-// draws belong to the same lists, but not to the buffers that describe the scene. Further draw lists belong
-// to the program. The shaders use descriptor sets 0 (frame), 2 (material) and 3 (draw); see frame_set.glsl,
-// material_set.glsl and surface_vertex.glsl in shaders/include/.
+// "anisotropic" are sorted by material; "transparent" is sorted by distance in every frame. Each of these
+// lists also has a buffer of draw commands. "opaqueStill" and "maskedStill" have the draws of "opaque" and
+// "masked" whose objects do not move. Parts can be added to the scene and removed from it while frames run;
+// their draws belong to the same lists, but not to the buffers that describe the scene. Further draw lists
+// belong to the program. The shaders use descriptor sets 0 (frame), 2 (material) and 3 (draw); see
+// frame_set.glsl, material_set.glsl and surface_vertex.glsl in shaders/include/.
 #pragma once
 
 #include <map>
@@ -17,6 +18,7 @@
 #include "render/parts/draw_recorder.h"
 #include "render/parts/gpu_part.h"
 #include "render/parts/part_list.h"
+#include "render/probes/probe_imports.h"
 #include "weft/render/draw_list.h"
 #include "weft/vulkan/draw_source.h"
 
@@ -27,6 +29,7 @@ struct SceneSettings {
     OwnDrawLists draw_lists;
     OwnDrawSets draw_sets;
     bool moves_instances = false;
+    scene::Probes probes;
 };
 
 class GpuScene final : public vk::DrawSource {
@@ -76,6 +79,7 @@ class GpuScene final : public vk::DrawSource {
     // scene changes when one of its objects moves, and when a part with such objects is added or removed.
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     uint32_t record(const vk::DrawContext& context) const override;
+    [[nodiscard]] const GpuProbes& probes() const { return probes_; }
     // Hook for tests: if `culls` is false, draws outside of the frustum are recorded too.
     void set_culling(bool culls) { culls_ = culls; }
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
@@ -111,6 +115,7 @@ class GpuScene final : public vk::DrawSource {
     PartList parts_;
     GpuFrame frame_;
     SceneBuffers buffers_;
+    GpuProbes probes_;
     SceneSettings settings_;
     uint64_t objects_version_ = 0;  // Changes whenever an object of the first part has moved.
     // Indices into the transparent lists of the parts, from far to near as seen from the camera. Neighbours

@@ -18,7 +18,7 @@ namespace {
 // the scene. If the device has queues of several families, the objects are shared by all these families;
 // otherwise the main queue's family owns them.
 ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene, const SessionInput& input) {
-    ImportCatalog catalog = scene_imports(input.request.size, &scene);
+    ImportCatalog catalog = scene_imports(input.request.size, &scene, &input.probes);
     for (const auto& [name, count] : input.views)
         catalog.imports.insert_or_assign(name, view_list(name, count));
     for (const auto& [name, views] : input.textures)
@@ -91,8 +91,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
     if (!loaded) return loaded.errors();
-    Result<DrawnScene> drawn =
-        DrawnScene::create(device, scene, {input.draw_lists, input.draw_sets, input.moves_instances}, owned);
+    Result<DrawnScene> drawn = DrawnScene::create(
+        device, scene, {input.draw_lists, input.draw_sets, input.moves_instances, input.probes}, owned);
     if (!drawn) return drawn.take_errors();
     Result<PendingSwap> first = graph->start(device, drawn->gpu(), StageSettings(input));
     if (!first) return first.take_errors();

@@ -111,6 +111,10 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                     "if the graph has "
                     "no automatic exposure]")
         ->transform(number_in({-40, 40, "EV"}));
+    command
+        .add_option("--probes", o.probes,
+                    "the light probes of the scene: none, auto, or a file (.json), as in `weft scene`")
+        ->capture_default_str();
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
     command

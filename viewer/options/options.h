@@ -30,6 +30,7 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     // The resource that is written instead of the output, such as "normal" or "hdr@sky".
     std::string resource;
+    std::string probes = "none";  // "auto", "none", a file, or empty: see ProbeChoice::probes.
     // For imports of kind "turns": the rounds of the group that run in each frame.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns;
     bool validate = false;
@@ -53,7 +54,7 @@ struct RenderOptions {
 // Returns the files that the command reads. A word such as "sky" is included, too, because a file may have
 // that name.
 [[nodiscard]] inline std::vector<std::string> inputs_of(const RenderOptions& options) {
-    return {options.scene, options.request.path, options.env};
+    return {options.scene, options.request.path, options.env, options.probes};
 }
 
 struct ViewOptions {

@@ -86,6 +86,7 @@ class GpuPart {
     [[nodiscard]] Status make_draw_sets(vk::Device& device);
     void sort_draws(const scene::Scene& scene);
     void find_moving_draws();
+    void drop_from_still_lists(uint32_t object);
     void write_object(uint32_t slot, const MovingObject& object);
     void update_bounds();
 
@@ -100,6 +101,8 @@ class GpuPart {
     std::map<std::string, PartDrawList, std::less<>> lists_;
     // The draws of each object in MovingObjects::all().
     std::vector<std::vector<DrawRef>> draws_of_object_;
+    // For each object in MovingObjects::all(): true if it is in the lists of objects that do not move.
+    std::vector<bool> is_still_;
     std::optional<scene::Bounds> fixed_bounds_;  // Of the objects that do not move.
     std::optional<scene::Bounds> bounds_;
     SurfaceTree still_surfaces_;

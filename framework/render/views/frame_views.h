@@ -18,6 +18,8 @@ namespace weft::render {
 
 // Name of the list with the views of the scene's lamps.
 inline constexpr const char* kLampViews = "lampFaces";
+// Name of the list with the views of the faces of the irradiance probes.
+inline constexpr const char* kProbeFaceViews = "probeFaces";
 
 // The names of the views that one pass with multiview draws, as in PassDecl::views.
 using ViewNames = std::vector<std::string>;
@@ -38,6 +40,7 @@ struct ViewSources {
     std::span<const shared::Light> lights;
     const ViewLists& program;
     const FurtherSunMaps& further_suns;
+    std::span<const shared::ViewConstants> probe_faces;  // The views of kProbeFaceViews.
 };
 
 class FrameViews {

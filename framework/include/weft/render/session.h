@@ -22,6 +22,7 @@
 #include "weft/render/pending_swap.h"
 #include "weft/render/scene_part.h"
 #include "weft/result.h"
+#include "weft/scene/probes.h"
 #include "weft/vulkan/frame_results.h"
 
 namespace weft::scene {
@@ -63,6 +64,8 @@ struct SessionInput {
     // instances and no parts (W246). DrawList::record() binds them. Error: W256 a shader reads a set that is
     // missing here.
     OwnDrawSets draw_sets = {};
+    // The light probes of the scene: scene::place_probes() or read_probes(). Empty: the scene has none.
+    scene::Probes probes = {};
     // True: FrameInput::transforms may move the instances of the scene. Their buffers are then in memory that
     // the CPU writes, one for each frame slot.
     bool moves_instances = false;
