@@ -34,7 +34,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     Result<std::unique_ptr<GpuPart>> part =
         GpuPart::create({device, scene, owned, uploader, settings.moves_instances, true});
     if (!part) return part.take_errors();
-    Result<GpuProbes> probes = GpuProbes::create(device, settings.probes.volume);
+    Result<GpuProbes> probes = GpuProbes::create(device, settings.probes);
     if (!probes) return probes.take_errors();
     Result<SceneBuffers> described =
         SceneBuffers::create(device, scene, (*part)->geometry().meshes, settings.moves_instances);

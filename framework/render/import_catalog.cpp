@@ -185,7 +185,7 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene, c
     add_scene_buffers(catalog, scene);
     const scene::Probes none;
     if (probes == nullptr && scene != nullptr) probes = &none;
-    add_probe_imports(catalog, probes != nullptr ? &probes->volume : nullptr);
+    add_probe_imports(catalog, probes);
     const uint32_t textures = scene != nullptr ? order_textures(*scene).count() : 1;
     catalog.imports.emplace(kMaterialTextures, texture_table(kMaterialTextures, textures));
     catalog.bindings = scene_bindings();

@@ -1,7 +1,9 @@
-// Purpose: the imports with which graphs see the irradiance probes of a scene, and their buffers on the GPU.
-// "probePoints", "probeCells" and "probeGrid" are buffers (shared/probe_grid.glsl), "probeFaces" is a list of
-// views, and the number "irradianceProbes" is the number of probes. A graph that lets the program choose the
-// rounds of its probes imports "probeTurns".
+// Purpose: the imports with which graphs see the light probes of a scene, and their buffers on the GPU.
+// Irradiance probes: "probePoints", "probeCells" and "probeGrid" are buffers (shared/probe_grid.glsl),
+// "probeFaces" is a list of views, and the number "irradianceProbes" is the number of probes. Reflection
+// probes: "reflectionPoints" (shared::ProbePoint) and "reflectionBoxes" (shared::ReflectionBox) are buffers,
+// "reflectionFaces" is a list of views, and "reflectionProbes" is their number. A graph that lets the program
+// choose the rounds of its probes imports "probeTurns" and "reflectionTurns".
 // Errors: those of vk::Buffer::create() and upload_buffer().
 #pragma once
 
@@ -17,15 +19,17 @@
 namespace weft::render {
 
 inline constexpr const char* kProbeTurns = "probeTurns";
-inline constexpr std::array kProbeBuffers{"probePoints", "probeCells", "probeGrid"};
+inline constexpr const char* kReflectionTurns = "reflectionTurns";
+inline constexpr std::array kProbeBuffers{"probePoints", "probeCells", "probeGrid", "reflectionPoints",
+                                          "reflectionBoxes"};
 
-// Adds the imports, the strides of their structs, and the number "irradianceProbes". `probes`: those of a
-// scene; null: the catalogue describes no scene, and has two probes.
-void add_probe_imports(ImportCatalog& catalog, const scene::ProbeVolume* probes);
+// Adds the imports, the strides of their structs, and the numbers "irradianceProbes" and "reflectionProbes".
+// `probes`: those of a scene; null: the catalogue describes no scene, and has two probes of each kind.
+void add_probe_imports(ImportCatalog& catalog, const scene::Probes* probes);
 
 class GpuProbes {
  public:
-    [[nodiscard]] static Result<GpuProbes> create(vk::Device& device, const scene::ProbeVolume& volume);
+    [[nodiscard]] static Result<GpuProbes> create(vk::Device& device, const scene::Probes& scene);
     // Adds the buffers to the imports of an executor.
     void bind(vk::ImportBindings& to) const;
     // Adds the versions of the buffers, which never change.
@@ -33,10 +37,14 @@ class GpuProbes {
     [[nodiscard]] const std::vector<shared::ProbePoint>& points() const { return points_; }
     // Returns the views of the list "probeFaces".
     [[nodiscard]] const std::vector<shared::ViewConstants>& faces() const { return faces_; }
+    // Returns the views of the list "reflectionFaces".
+    [[nodiscard]] const std::vector<shared::ViewConstants>& reflection_faces() const {
+        return reflection_faces_;
+    }
 
  private:
     std::vector<shared::ProbePoint> points_;
-    std::vector<shared::ViewConstants> faces_;
+    std::vector<shared::ViewConstants> faces_, reflection_faces_;
     std::map<std::string, vk::Buffer, std::less<>> buffers_;
 };
 

@@ -91,6 +91,22 @@ ProbeTables probe_tables(const scene::ProbeVolume& volume) {
     return tables;
 }
 
+ReflectionTables reflection_tables(const std::vector<scene::ReflectionProbe>& probes) {
+    ReflectionTables tables;
+    for (const scene::ReflectionProbe& probe : probes) {
+        tables.points.push_back({probe.position, 0});
+        shared::ReflectionBox& box = tables.boxes.emplace_back();
+        if (!probe.box) continue;
+        // The inverse of: scale, then rotate, then move to the centre.
+        const glm::mat3 rows = glm::mat3_cast(probe.box->rotation);
+        for (int i = 0; i < 3; ++i) {
+            const glm::vec3 axis = rows[i] / probe.box->half_size_m[i];
+            box.to_box[static_cast<size_t>(i)] = glm::vec4(axis, -glm::dot(axis, probe.box->center));
+        }
+    }
+    return tables;
+}
+
 uint32_t count_probes(const scene::ProbeVolume& volume) {
     return static_cast<uint32_t>(volume.probes.size()) - scene::count_of(volume, scene::ProbeState::dropped);
 }

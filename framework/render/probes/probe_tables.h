@@ -1,12 +1,13 @@
-// Purpose: the irradiance probes of a scene as data for shaders, and the views of the faces of the probes.
-// The probes have numbers from 0, in the order of ProbeVolume::probes without those that were dropped. Pure
-// functions; no Vulkan. Units: metres.
+// Purpose: the light probes of a scene as data for shaders, and the views of the faces of the probes. The
+// irradiance probes have numbers from 0, in the order of ProbeVolume::probes without those that were dropped.
+// Pure functions; no Vulkan. Units: metres.
 #pragma once
 
 #include <vector>
 
 #include "shared/frame.glsl"
 #include "shared/probe_grid.glsl"
+#include "shared/reflection_box.glsl"
 #include "weft/scene/probes.h"
 
 namespace weft::render {
@@ -19,6 +20,13 @@ struct ProbeTables {
     shared::ProbeGrid grid{};
 };
 [[nodiscard]] ProbeTables probe_tables(const scene::ProbeVolume& volume);
+
+// The contents of the imports "reflectionPoints" and "reflectionBoxes".
+struct ReflectionTables {
+    std::vector<shared::ProbePoint> points;
+    std::vector<shared::ReflectionBox> boxes;  // Boxes of 0 for probes without a box.
+};
+[[nodiscard]] ReflectionTables reflection_tables(const std::vector<scene::ReflectionProbe>& probes);
 
 // Returns the number of probes that exist.
 [[nodiscard]] uint32_t count_probes(const scene::ProbeVolume& volume);
