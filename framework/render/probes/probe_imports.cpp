@@ -33,6 +33,7 @@ void add_probe_imports(ImportCatalog& catalog, const scene::ProbeVolume* probes)
     faces.assumes_views = probes == nullptr;
     catalog.imports.emplace(kProbeFaceViews, std::move(faces));
     catalog.numbers.emplace("irradianceProbes", count);
+    catalog.numbers.emplace("probeCellSlots", static_cast<double>(slots));
 }
 
 bool is_probe_import(std::string_view name) {

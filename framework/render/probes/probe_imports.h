@@ -1,7 +1,7 @@
 // Purpose: the imports with which graphs see the irradiance probes of a scene, and their buffers on the GPU.
 // "probePoints", "probeCells" and "probeGrid" are buffers (shared/probe_grid.glsl), "probeFaces" is a list of
-// views, and the number "irradianceProbes" is the number of probes. A graph that lets the program choose the
-// rounds of its probes imports "probeTurns".
+// views. The number "irradianceProbes" is the number of probes, and "probeCellSlots" the number of slots in
+// "probeCells". A graph that lets the program choose the rounds of its probes imports "probeTurns".
 // Errors: those of vk::Buffer::create() and upload_buffer().
 #pragma once
 
@@ -19,7 +19,7 @@ namespace weft::render {
 inline constexpr const char* kProbeTurns = "probeTurns";
 inline constexpr std::array kProbeBuffers{"probePoints", "probeCells", "probeGrid"};
 
-// Adds the imports, the strides of their structs, and the number "irradianceProbes". `probes`: those of a
+// Adds the imports, the strides of their structs, and the numbers. `probes`: those of a
 // scene; null: the catalogue describes no scene, and has two probes.
 void add_probe_imports(ImportCatalog& catalog, const scene::ProbeVolume* probes);
 
