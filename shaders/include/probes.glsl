@@ -34,6 +34,8 @@ const float kProbeReach = 0.5;
 // The point moves by this many spacings along the normal, and as far towards the eye, before a probe looks at it. So a
 // surface does not hide itself. The offset ends at a spacing of kMostBiasSpacing_m.
 const float kProbeBias = 0.1, kMostBiasSpacing_m = 1.0;
+// The probes of a cell are trusted fully if they see the point with this share of their weights.
+const float kProbeTrust = 0.02;
 // Smallest standard deviation of the inverse distance, as a share of it.
 const float kLeastDeviation = 0.03;
 
@@ -122,15 +124,23 @@ ProbeCorner probe_corner(ProbeQuery q, uint cell, uint corner, vec3 t, float spa
     return found;
 }
 
-// Adds the light of the probes of a cell, with the weight `share`. Returns the share that was used: 0 if the cell has
-// no probe. `t`: place of the point in the cell.
-float add_probe_cell(inout ProbeLight sum, ProbeQuery q, uint cell, vec3 t, float spacing_m, float share) {
+// Sums over cells: irradiance / π for both directions, the share of probes that have light, and the weights.
+struct ProbeSum {
+    vec3 facing, mirrored;
+    float lit, weight;
+};
+
+// Adds the light of the probes of a cell, with the weight `share`. Returns how well these probes see the point, from 0
+// to 1, or −1 if the cell has no probe. Hidden probes count little, so that a coarser cell with visible probes decides.
+// `t`: place of the point in the cell.
+float add_probe_cell(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float spacing_m, float share) {
     vec3 facing = vec3(0.0), mirrored = vec3(0.0);
-    float lit = 0.0, all = 0.0;
+    float lit = 0.0, all = 0.0, weights = 0.0;
     [[dont_unroll]] for (uint corner = 0u; corner < 8u; ++corner) {
         const ProbeCorner found = probe_corner(q, cell, corner, t, spacing_m);
         const float visible = found.weight * found.visible;
         all += visible;
+        weights += found.weight;
         if (!found.lit) continue;
         lit += visible;
         const uint first = kProbeShStride * found.probe;
@@ -140,14 +150,14 @@ float add_probe_cell(inout ProbeLight sum, ProbeQuery q, uint cell, vec3 t, floa
             mirrored += visible * q.mirrored_basis[i] * coefficient;
         }
     }
-    if (all <= 0.0) return 0.0;
-    if (lit > 0.0) {
-        const float scale = share / all;
-        sum.facing += scale * max(facing, vec3(0.0));
-        sum.mirrored += scale * max(mirrored, vec3(0.0));
-        sum.validity += scale * lit;
-    }
-    return share;
+    if (weights <= 0.0) return -1.0;
+    const float trust = clamp(all / (weights * kProbeTrust), 1e-4, 1.0);
+    const float scale = share * trust / all;
+    sum.facing += scale * max(facing, vec3(0.0));
+    sum.mirrored += scale * max(mirrored, vec3(0.0));
+    sum.lit += scale * lit;
+    sum.weight += share * trust;
+    return trust;
 }
 
 // Finds the cell of a level. Points that are at most kProbeReach spacings away from a cell of the coarsest level use
@@ -186,11 +196,11 @@ uint probe_cell_at(vec3 grid, uint level, bool coarsest, out vec3 t, out float s
 // which the irradiance is wanted.
 ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
     const ProbeQuery q = ProbeQuery(position, n, to_eye, harmonic_basis(n), harmonic_basis(mirrored));
-    ProbeLight sum = ProbeLight(vec3(0.0), vec3(0.0), 0.0);
     const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
     const uint levels = probeMap.items[1].x;
-    float rest = 1.0;
-    bool reached_end = false;  // The coarsest level has given light.
+    ProbeSum sum = ProbeSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
+    float rest = 1.0;      // Weight that is left for coarser levels.
+    float outside = 1.0;   // 0 in a cell, 1 if no cell is near.
     [[dont_unroll]] for (uint level = 0u; level < levels && rest > 1e-3; ++level) {
         const float stride = float(probe_stride(level));
         const bool coarsest = level + 1u == levels;
@@ -198,14 +208,13 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
         float share;
         const uint cell = probe_cell_at(grid / stride, level, coarsest, t, share);
         if (cell == kNoItem || share <= 0.0) continue;
-        rest -= add_probe_cell(sum, q, cell, t, stride * probe_grid_spacing_m(), rest * share);
-        reached_end = coarsest;
+        const float trust = add_probe_cell(sum, q, cell, t, stride * probe_grid_spacing_m(), rest * share);
+        if (trust < 0.0) continue;
+        rest *= 1.0 - share * trust;
+        outside = coarsest ? outside * (1.0 - share) : 0.0;
     }
-    if (sum.validity <= 0.0) return sum;
-    const float scale = 1.0 / sum.validity;
-    // Cells of a fine level without a coarser cell at the same place give all the light.
-    const float validity = reached_end ? sum.validity : sum.validity / (1.0 - rest);
-    return ProbeLight(sum.facing * scale, sum.mirrored * scale, validity);
+    if (sum.lit <= 0.0) return ProbeLight(vec3(0.0), vec3(0.0), 0.0);
+    return ProbeLight(sum.facing / sum.lit, sum.mirrored / sum.lit, sum.lit / sum.weight * (1.0 - outside));
 }
 
 // Returns irradiance / π of the probes (rgb) and their validity (a), from 0 to 1. Where the validity is below 1, mix

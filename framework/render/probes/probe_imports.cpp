@@ -43,6 +43,7 @@ void add_probe_imports(ImportCatalog& catalog, const scene::Probes* probes) {
     add_faces(kReflectionFaceViews, reflections * kCubeFaces);
     catalog.numbers.emplace("irradianceProbes", count);
     catalog.numbers.emplace("reflectionProbes", reflections);
+    catalog.numbers.emplace("probeCellSlots", static_cast<double>(slots));
 }
 
 bool is_probe_import(std::string_view name) {

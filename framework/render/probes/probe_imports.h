@@ -1,10 +1,11 @@
 // Purpose: the imports with which graphs see the light probes of a scene, and their buffers on the GPU.
 // Irradiance probes: "probePoints", "probeCells" and "probeGrid" are buffers (shared/probe_grid.glsl),
-// "probeFaces" is a list of views, and the number "irradianceProbes" is the number of probes. Reflection
-// probes: "reflectionPoints" (shared::ProbePoint) and "reflectionBoxes" (shared::ReflectionBox) are buffers,
-// "reflectionFaces" is a list of views, and "reflectionProbes" is their number. A graph that lets the program
-// choose the rounds of its probes imports "probeTurns" and "reflectionTurns".
-// Errors: those of vk::Buffer::create() and upload_buffer().
+// "probeFaces" is a list of views, the number "irradianceProbes" is the number of probes, and
+// "probeCellSlots" the number of slots in "probeCells". Reflection probes: "reflectionPoints"
+// (shared::ProbePoint) and "reflectionBoxes" (shared::ReflectionBox) are buffers, "reflectionFaces" is a list
+// of views, and "reflectionProbes" is their number. A graph that lets the program choose the rounds of its
+// probes imports "probeTurns" and "reflectionTurns". Errors: those of vk::Buffer::create() and
+// upload_buffer().
 #pragma once
 
 #include <array>
@@ -23,7 +24,7 @@ inline constexpr const char* kReflectionTurns = "reflectionTurns";
 inline constexpr std::array kProbeBuffers{"probePoints", "probeCells", "probeGrid", "reflectionPoints",
                                           "reflectionBoxes"};
 
-// Adds the imports, the strides of their structs, and the numbers "irradianceProbes" and "reflectionProbes".
+// Adds the imports, the strides of their structs, and the numbers.
 // `probes`: those of a scene; null: the catalogue describes no scene, and has two probes of each kind.
 void add_probe_imports(ImportCatalog& catalog, const scene::Probes* probes);
 
