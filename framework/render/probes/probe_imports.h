@@ -4,8 +4,8 @@
 // "probeCellSlots" the number of slots in "probeCells". Reflection probes: "reflectionPoints"
 // (shared::ProbePoint) and "reflectionBoxes" (shared::ReflectionBox) are buffers, "reflectionFaces" is a list
 // of views, and "reflectionProbes" is their number. A graph that lets the program choose the rounds of its
-// probes imports "probeTurns" and "reflectionTurns". Errors: those of vk::Buffer::create() and
-// upload_buffer().
+// probes imports "probeTurns" and "reflectionTurns".
+// Errors: those of vk::Buffer::create() and upload_buffer().
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ inline constexpr const char* kReflectionTurns = "reflectionTurns";
 inline constexpr std::array kProbeBuffers{"probePoints", "probeCells", "probeGrid", "reflectionPoints",
                                           "reflectionBoxes"};
 
-// Adds the imports, the strides of their structs, and the numbers.
-// `probes`: those of a scene; null: the catalogue describes no scene, and has two probes of each kind.
+// Adds the imports, the strides of their structs, and the numbers. `probes`: those of a scene; null: the
+// catalogue describes no scene, and has two probes of each kind.
 void add_probe_imports(ImportCatalog& catalog, const scene::Probes* probes);
 
 class GpuProbes {
