@@ -29,7 +29,8 @@ layout(std430) readonly buffer ReflectionBoxes { ReflectionBox items[]; } reflec
 const int kReflectionCandidates = 4;
 // The weight of a probe with a box, relative to one without a box at a distance of 1 m.
 const float kBoxWeight = 1000.0;
-// The weight of a probe falls to 0 over this part of its box, at all sides.
+// Outside of its box, the weight of a probe falls to 0 over this part of half the size of the box. So the walls of a room
+// whose box ends at the walls are inside.
 const float kBoxFade = 0.1;
 // A ray that meets no surface is followed so far.
 const float kFarReflection_m = 10000.0;
@@ -51,13 +52,13 @@ vec3 to_reflection_box(uint probe, vec4 point) {
 }
 
 // Returns the weight of a probe at a point before it is known whether it sees the point (x), and how far the point is
-// inside of its box (y): 0 at the border, 1 in the middle and without a box.
+// inside of its box (y): 1 in the box and without a box, 0 far enough outside.
 vec2 reflection_weight(uint probe, vec3 position) {
     const vec3 way = position - reflectionPoints.items[probe].position;
     const float near = 1.0 / (dot(way, way) + 0.25);
     if (!has_reflection_box(probe)) return vec2(near * near, 1.0);
     const vec3 at = abs(to_reflection_box(probe, vec4(position, 1.0)));
-    const float inside = smoothstep(0.0, kBoxFade, 1.0 - max(at.x, max(at.y, at.z)));
+    const float inside = smoothstep(0.0, kBoxFade, 1.0 + kBoxFade - max(at.x, max(at.y, at.z)));
     return vec2(kBoxWeight * inside, inside);
 }
 
