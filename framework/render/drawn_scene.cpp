@@ -34,6 +34,9 @@ Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& sc
     if (!gpu) return gpu.take_errors();
     DrawnScene drawn;
     drawn.gpu_ = std::move(*gpu);
+    std::vector<glm::vec3> places;
+    for (const shared::ProbePoint& probe : drawn.gpu_->probes().points()) places.push_back(probe.position);
+    drawn.turns_ = ProbeTurns(std::move(places));
     drawn.scene_lights_ = scene.lights;
     drawn.light_functions_ = scene.light_functions.size();
     drawn.lights_move_ = std::ranges::any_of(scene.lights, [](const scene::Light& light) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gpu_scene.h"
+#include "render/probes/probe_turns.h"
 #include "render/views/sun_cascades.h"
 #include "weft/render/frame_input.h"
 #include "weft/scene/scene.h"
@@ -40,6 +41,11 @@ class DrawnScene {
     [[nodiscard]] FurtherSunMaps find_further_suns(const FurtherSunSizes& sizes_px) const {
         return further_sun_maps(lights_, bounds_, sizes_px);
     }
+    [[nodiscard]] bool has_probes() const { return turns_.size() > 0; }
+    // Returns the irradiance probes that may be lit anew in the next frame; see ProbeTurns::next().
+    [[nodiscard]] std::vector<uint32_t> next_probe_turns(const glm::vec3& camera) {
+        return turns_.next(camera);
+    }
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
     [[nodiscard]] const GpuScene& gpu() const { return *gpu_; }
 
@@ -56,6 +62,7 @@ class DrawnScene {
     std::vector<shared::Light> lights_;
     scene::Bounds bounds_;
     SunCascadesCache sun_;
+    ProbeTurns turns_;
     shared::FrameConstants constants_{};
 };
 

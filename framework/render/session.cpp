@@ -1,6 +1,8 @@
 #include "weft/render/session.h"
 
+#include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "render/imports/output_import.h"
@@ -204,11 +206,47 @@ Status Session::remove_part(PartId part) {
     return d;
 }
 
+uint32_t Session::probe_count() const {
+    return static_cast<uint32_t>(parts_->scene.gpu().probes().points().size());
+}
+
+Result<std::vector<vk::FrameTiming>> Session::warm_up_probes(const FrameInput& first,
+                                                             const ProbeWarmUp& settings) {
+    const uint32_t probes = parts_->frames.takes_turns(kProbeTurns) ? probe_count() : 0;
+    const uint32_t step = std::max(1u, settings.most_per_frame);
+    std::vector<vk::FrameTiming> timings;
+    const auto collect = [&] {
+        static_cast<void>(take_readbacks());
+        std::ranges::move(take_timings(), std::back_inserter(timings));
+    };
+    FrameInput frame = first;
+    frame.submit = {};
+    for (uint32_t round = 0; round < settings.rounds; ++round)
+        for (uint32_t begin = 0; begin < probes; begin += step) {
+            const uint32_t end = std::min(begin + step, probes);
+            std::vector<uint32_t>& turns = frame.turns[kProbeTurns];
+            turns.resize(end - begin);
+            std::iota(turns.begin(), turns.end(), begin);
+            if (Status rendered = render_frame(frame, true); !rendered) return rendered.take_errors();
+            collect();
+            if (settings.progress) settings.progress(round * probes + end, settings.rounds * probes);
+        }
+    if (probes == 0 || settings.rounds == 0) return timings;
+    if (Status finished = finish(); !finished) return finished.take_errors();
+    collect();
+    return timings;
+}
+
 Status Session::render_frame(const FrameInput& input) {
+    return render_frame(input, false);
+}
+
+Status Session::render_frame(const FrameInput& input, bool warms_up) {
     Result<std::unique_ptr<vk::Amendment>> values = parts_->graph->set_parameters(input.parameters);
     if (!values) return values.take_errors();
     if (*values) parts_->frames.amend(std::move(*values));
-    return parts_->frames.render(input, parts_->graph->live_inputs(), parts_->scene);
+    return parts_->frames.render(input, parts_->graph->live_inputs(), parts_->scene,
+                                 warms_up ? FrameLoop::Kind::warm_up : FrameLoop::Kind::normal);
 }
 
 Status Session::finish() {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -80,6 +81,16 @@ struct SessionInput {
     std::string drop_barriers_before;  // Hook for tests: name of a pass whose barriers are not recorded.
 };
 
+// How Session::warm_up_probes() lights the irradiance probes.
+struct ProbeWarmUp {
+    uint32_t rounds = 4;  // Number of turns of each probe.
+    // Number of probes that have a turn in one frame, at least 1. With many, a frame takes long; with few,
+    // many frames are rendered.
+    uint32_t most_per_frame = 64;
+    // Called after each frame with the number of turns so far and of all turns. May be empty.
+    std::function<void(uint32_t done, uint32_t all)> progress = {};
+};
+
 struct SessionParts;
 
 class Session {
@@ -145,6 +156,15 @@ class Session {
     // create(). This thread renders the frames, so each of these pipelines delayed a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const;
 
+    // Returns the number of irradiance probes of the scene that exist.
+    [[nodiscard]] uint32_t probe_count() const;
+    // Lights all irradiance probes before the first frame. It renders frames with the input of the first
+    // frame in which all probes have turns, whatever rule holds for other frames. Nobody sees their pictures:
+    // Weft submits them itself, drops their readbacks, and does not count them, and the first frame sees no
+    // history. Returns their times. Does nothing if the scene has no probes, or if no group of the graph
+    // takes its turns from the import "probeTurns".
+    [[nodiscard]] Result<std::vector<vk::FrameTiming>> warm_up_probes(const FrameInput& first,
+                                                                      const ProbeWarmUp& settings = {});
     [[nodiscard]] Status render_frame(const FrameInput& input);
     [[nodiscard]] Status finish();
     // Returns true if the graph writes an output image. Some graphs write only other resources.
@@ -168,6 +188,7 @@ class Session {
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, scene::Scene* owned, const SessionInput& input,
         Diagnostics& warnings, std::set<std::filesystem::path>* files);
+    [[nodiscard]] Status render_frame(const FrameInput& input, bool warms_up);
     [[nodiscard]] Status change_selection(const Selection& selection, Diagnostics& warnings);
 
     std::unique_ptr<SessionParts> parts_;
