@@ -41,11 +41,9 @@ class DrawnScene {
     [[nodiscard]] FurtherSunMaps find_further_suns(const FurtherSunSizes& sizes_px) const {
         return further_sun_maps(lights_, bounds_, sizes_px);
     }
-    [[nodiscard]] bool has_probes() const { return turns_.size() > 0; }
-    // Returns the irradiance probes that may be lit anew in the next frame; see ProbeTurns::next().
-    [[nodiscard]] std::vector<uint32_t> next_probe_turns(const glm::vec3& camera) {
-        return turns_.next(camera);
-    }
+    // Returns the turns of the irradiance probes, and those of the reflection probes.
+    [[nodiscard]] ProbeTurns& probe_turns() { return turns_; }
+    [[nodiscard]] ProbeTurns& reflection_turns() { return reflection_turns_; }
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
     [[nodiscard]] const GpuScene& gpu() const { return *gpu_; }
 
@@ -62,7 +60,7 @@ class DrawnScene {
     std::vector<shared::Light> lights_;
     scene::Bounds bounds_;
     SunCascadesCache sun_;
-    ProbeTurns turns_;
+    ProbeTurns turns_, reflection_turns_;
     shared::FrameConstants constants_{};
 };
 

@@ -91,8 +91,12 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
-    if (takes_turns(kProbeTurns) && !frame.turns.contains(kProbeTurns) && scene.has_probes())
-        frame.turns.emplace(kProbeTurns, scene.next_probe_turns(view_.eye));
+    const auto choose = [&](const char* import, ProbeTurns& turns) {
+        if (takes_turns(import) && !frame.turns.contains(import) && turns.size() > 0)
+            frame.turns.emplace(import, turns.next(view_.eye));
+    };
+    choose(kProbeTurns, scene.probe_turns());
+    choose(kReflectionTurns, scene.reflection_turns());
     frame.scales = live.scales;
     frame.switches = &live.switches;
     frame.submit = input.submit;

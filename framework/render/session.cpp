@@ -210,9 +210,15 @@ uint32_t Session::probe_count() const {
     return static_cast<uint32_t>(parts_->scene.gpu().probes().points().size());
 }
 
+uint32_t Session::reflection_probe_count() const {
+    return static_cast<uint32_t>(parts_->scene.gpu().probes().reflection_points().size());
+}
+
 Result<std::vector<vk::FrameTiming>> Session::warm_up_probes(const FrameInput& first,
                                                              const ProbeWarmUp& settings) {
     const uint32_t probes = parts_->frames.takes_turns(kProbeTurns) ? probe_count() : 0;
+    const uint32_t reflections = parts_->frames.takes_turns(kReflectionTurns) ? reflection_probe_count() : 0;
+    const uint32_t all = settings.rounds * probes + (settings.rounds > 0 ? reflections : 0);
     const uint32_t step = std::max(1u, settings.most_per_frame);
     std::vector<vk::FrameTiming> timings;
     const auto collect = [&] {
@@ -221,17 +227,28 @@ Result<std::vector<vk::FrameTiming>> Session::warm_up_probes(const FrameInput& f
     };
     FrameInput frame = first;
     frame.submit = {};
-    for (uint32_t round = 0; round < settings.rounds; ++round)
-        for (uint32_t begin = 0; begin < probes; begin += step) {
-            const uint32_t end = std::min(begin + step, probes);
-            std::vector<uint32_t>& turns = frame.turns[kProbeTurns];
-            turns.resize(end - begin);
+    uint32_t done = 0;
+    // Renders frames in which all probes of a kind have turns, and the others have none.
+    const auto run = [&](const char* import, uint32_t count) -> Status {
+        for (uint32_t begin = 0; begin < count; begin += step) {
+            std::vector<uint32_t> turns(std::min(step, count - begin));
             std::iota(turns.begin(), turns.end(), begin);
-            if (Status rendered = render_frame(frame, true); !rendered) return rendered.take_errors();
+            frame.turns[kProbeTurns].clear();
+            frame.turns[kReflectionTurns].clear();
+            frame.turns[import] = turns;
+            if (Status rendered = render_frame(frame, true); !rendered) return rendered;
             collect();
-            if (settings.progress) settings.progress(round * probes + end, settings.rounds * probes);
+            done += static_cast<uint32_t>(turns.size());
+            if (settings.progress) settings.progress(done, all);
         }
-    if (probes == 0 || settings.rounds == 0) return timings;
+        return Unit{};
+    };
+    for (uint32_t round = 0; round < settings.rounds; ++round)
+        if (Status ran = run(kProbeTurns, probes); !ran) return ran.take_errors();
+    // Reflection probes show the light of the irradiance probes, so they come last.
+    if (all > 0)
+        if (Status ran = run(kReflectionTurns, reflections); !ran) return ran.take_errors();
+    if (all == 0) return timings;
     if (Status finished = finish(); !finished) return finished.take_errors();
     collect();
     return timings;

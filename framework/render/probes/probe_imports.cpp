@@ -57,6 +57,7 @@ Result<GpuProbes> GpuProbes::create(vk::Device& device, const scene::Probes& sce
     ReflectionTables reflections = reflection_tables(scene.reflections);
     probes.points_ = tables.points;
     probes.faces_ = probe_face_views(tables.points);
+    probes.reflection_points_ = reflections.points;
     probes.reflection_faces_ = probe_face_views(reflections.points);
     // Vulkan has no empty buffers.
     if (tables.points.empty()) tables.points.emplace_back();

@@ -38,13 +38,16 @@ class GpuProbes {
     [[nodiscard]] const std::vector<shared::ProbePoint>& points() const { return points_; }
     // Returns the views of the list "probeFaces".
     [[nodiscard]] const std::vector<shared::ViewConstants>& faces() const { return faces_; }
+    [[nodiscard]] const std::vector<shared::ProbePoint>& reflection_points() const {
+        return reflection_points_;
+    }
     // Returns the views of the list "reflectionFaces".
     [[nodiscard]] const std::vector<shared::ViewConstants>& reflection_faces() const {
         return reflection_faces_;
     }
 
  private:
-    std::vector<shared::ProbePoint> points_;
+    std::vector<shared::ProbePoint> points_, reflection_points_;
     std::vector<shared::ViewConstants> faces_, reflection_faces_;
     std::map<std::string, vk::Buffer, std::less<>> buffers_;
 };

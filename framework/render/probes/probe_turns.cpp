@@ -5,7 +5,7 @@
 
 namespace weft::render {
 
-ProbeTurns::ProbeTurns(std::vector<glm::vec3> places) {
+ProbeTurns::ProbeTurns(std::vector<glm::vec3> places, uint32_t most_turns) : most_turns_(most_turns) {
     for (const glm::vec3& place : places) probes_.push_back({place});
 }
 
@@ -24,7 +24,7 @@ std::vector<uint32_t> ProbeTurns::next(const glm::vec3& camera) {
     const auto before = [](const Candidate& a, const Candidate& b) {
         return std::tie(a.turns, a.distance2, a.probe) < std::tie(b.turns, b.distance2, b.probe);
     };
-    const auto count = static_cast<std::ptrdiff_t>(std::min<size_t>(kMostTurns, waiting.size()));
+    const auto count = static_cast<std::ptrdiff_t>(std::min<size_t>(most_turns_, waiting.size()));
     std::ranges::partial_sort(waiting, waiting.begin() + count, before);
     std::vector<uint32_t> chosen;
     for (auto next = waiting.begin(); next != waiting.begin() + count; ++next) {

@@ -81,12 +81,12 @@ struct SessionInput {
     std::string drop_barriers_before;  // Hook for tests: name of a pass whose barriers are not recorded.
 };
 
-// How Session::warm_up_probes() lights the irradiance probes.
+// How Session::warm_up_probes() lights the light probes.
 struct ProbeWarmUp {
-    uint32_t rounds = 4;  // Number of turns of each probe.
+    uint32_t rounds = 4;  // Number of turns of each irradiance probe. A reflection probe has one turn.
     // Number of probes that have a turn in one frame, at least 1. With many, a frame takes long; with few,
     // many frames are rendered.
-    uint32_t most_per_frame = 64;
+    uint32_t most_per_frame = 255;
     // Called after each frame with the number of turns so far and of all turns. May be empty.
     std::function<void(uint32_t done, uint32_t all)> progress = {};
 };
@@ -158,11 +158,13 @@ class Session {
 
     // Returns the number of irradiance probes of the scene that exist.
     [[nodiscard]] uint32_t probe_count() const;
-    // Lights all irradiance probes before the first frame. It renders frames with the input of the first
+    // Returns the number of reflection probes of the scene.
+    [[nodiscard]] uint32_t reflection_probe_count() const;
+    // Lights all probes before the first frame. It renders frames with the input of the first
     // frame in which all probes have turns, whatever rule holds for other frames. Nobody sees their pictures:
     // Weft submits them itself, drops their readbacks, and does not count them, and the first frame sees no
     // history. Returns their times. Does nothing if the scene has no probes, or if no group of the graph
-    // takes its turns from the import "probeTurns".
+    // takes its turns from the imports "probeTurns" and "reflectionTurns".
     [[nodiscard]] Result<std::vector<vk::FrameTiming>> warm_up_probes(const FrameInput& first,
                                                                       const ProbeWarmUp& settings = {});
     [[nodiscard]] Status render_frame(const FrameInput& input);
