@@ -68,6 +68,7 @@ void DrawnScene::begin_frame(uint32_t slot, const FrameInput& input) {
     gpu_->begin_frame(slot, input.time_s);
     bounds_ = gpu_->bounds().value_or(scene::Bounds{});
     update_lights(input);
+    gpu_->set_lights(slot, lights_);
 }
 
 void DrawnScene::update_lights(const FrameInput& input) {

@@ -37,9 +37,10 @@ class DrawnScene {
     // drawn. Empty if the scene has no directional light with an intensity above 0, or if the graph draws no
     // shadow map of the sun. `aspect` is width / height of the picture.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps);
-    // Returns the shadow maps of the directional lights 2 to 4 that the graph draws.
+    // Returns the shadow maps of the directional lights 2 to 4, and those over all objects that do not move,
+    // which the graph draws.
     [[nodiscard]] FurtherSunMaps find_further_suns(const FurtherSunSizes& sizes_px) const {
-        return further_sun_maps(lights_, bounds_, sizes_px);
+        return further_sun_maps(lights_, bounds_, gpu_->still_bounds().value_or(bounds_), sizes_px);
     }
     // Returns the turns of the irradiance probes, and those of the reflection probes.
     [[nodiscard]] ProbeTurns& probe_turns() { return turns_; }

@@ -15,6 +15,7 @@
 
 #include "render/gpu_frame.h"
 #include "render/imports/scene_buffers.h"
+#include "render/imports/scene_lights.h"
 #include "render/parts/draw_recorder.h"
 #include "render/parts/gpu_part.h"
 #include "render/parts/part_list.h"
@@ -48,8 +49,12 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] bool replaces_sets() const { return !settings_.draw_sets.empty(); }
     // Begins a frame: moves the objects of all parts to their places at `time_s`. Call it before set_frame().
     void begin_frame(uint32_t slot, double time_s);
+    // Writes the import "sceneLights" for a frame slot.
+    void set_lights(uint32_t slot, std::span<const shared::Light> lights) { lights_.write(slot, lights); }
     // Returns the box around all objects and all draw lists of the program; nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> bounds() const;
+    // Returns the box around the objects that do not move; nullopt if there are none.
+    [[nodiscard]] std::optional<scene::Bounds> still_bounds() const;
     // Returns the box around the draw lists of the program and around the parts in which all objects move.
     // Nothing else is known about their surfaces. nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> unknown_bounds() const;
@@ -85,9 +90,10 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
     [[nodiscard]] bool is_mirrored(std::string_view view) const override;
     // Adds the buffers that graphs can import: the draw commands of each list, under the name commands_of(),
-    // and kSceneBuffers.
+    // kSceneBuffers, and kSceneLights.
     void bind(vk::ImportBindings& to) const;
-    // Adds the versions of these buffers. Those of "instances" and "bounds" change when an object moves.
+    // Adds the versions of these buffers. Those of "instances" and "bounds" change when an object moves, that
+    // of "sceneLights" when a light changes.
     void add_versions(std::map<std::string, uint64_t, std::less<>>& to) const;
 
  private:
@@ -116,6 +122,7 @@ class GpuScene final : public vk::DrawSource {
     GpuFrame frame_;
     SceneBuffers buffers_;
     GpuProbes probes_;
+    SceneLights lights_;
     SceneSettings settings_;
     uint64_t objects_version_ = 0;  // Changes whenever an object of the first part has moved.
     // Indices into the transparent lists of the parts, from far to near as seen from the camera. Neighbours

@@ -5,6 +5,7 @@
 #include "render/frame_data.h"
 #include "render/imports/material_textures.h"
 #include "render/imports/scene_buffers.h"
+#include "render/imports/scene_lights.h"
 #include "render/probes/probe_imports.h"
 #include "render/scene_bindings.h"
 #include "render/views/frame_views.h"
@@ -175,6 +176,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene, c
     // The first directional light has the list "sun".
     const uint32_t suns = std::clamp(count_directional_lights(scene), 1u, shared::kMostSuns);
     catalog.imports.emplace(kFurtherSunViews, view_list(kFurtherSunViews, suns - 1));
+    catalog.imports.emplace(
+        kSceneSunViews,
+        view_list(kSceneSunViews, std::min(count_directional_lights(scene), shared::kMostSuns)));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0},
                        {"outputIsLinear", 0}};
@@ -186,6 +190,7 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene, c
     const scene::Probes none;
     if (probes == nullptr && scene != nullptr) probes = &none;
     add_probe_imports(catalog, probes);
+    catalog.imports.emplace(kSceneLights, scene_lights_import(scene));
     const uint32_t textures = scene != nullptr ? order_textures(*scene).count() : 1;
     catalog.imports.emplace(kMaterialTextures, texture_table(kMaterialTextures, textures));
     catalog.bindings = scene_bindings();

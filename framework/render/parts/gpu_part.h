@@ -60,6 +60,8 @@ class GpuPart {
     [[nodiscard]] const MovingObjects& moving() const { return moving_; }
     // Returns the box around all objects; nullopt if the part has none.
     [[nodiscard]] const std::optional<scene::Bounds>& bounds() const { return bounds_; }
+    // Returns the box around the objects that do not move; nullopt if there are none.
+    [[nodiscard]] const std::optional<scene::Bounds>& fixed_bounds() const { return fixed_bounds_; }
     // Returns the surfaces of the objects that do not move.
     [[nodiscard]] const SurfaceTree& still_surfaces() const { return still_surfaces_; }
     // Returns null if the part has no draw in this list.

@@ -3,12 +3,12 @@
 // some draws of "opaque" and "masked". The draw lists "opaqueStill" and "maskedStill" have the draws of
 // "opaque" and "masked" whose objects do not move. Further imports: a buffer with the draw commands of each
 // of the first four lists (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes,
-// materials), the table materialTextures with the textures of all materials, the irradiance probes
-// (render/probes/probe_imports.h), and the output image. The lists of views "sun",
-// "furtherSuns" and "lampFaces" have the cascades of the sun, the views of the directional lights 2 to 4, and
-// the views of the scene's lamps. Graphs may also use the
-// view "camera", the element types Light and DrawCommand and those of the buffers, and the numbers
-// directionalLights, environmentPictures, outputIsLinear and irradianceProbes.
+// materials), the buffer sceneLights, the table materialTextures with the textures of all materials, the
+// irradiance probes (render/probes/probe_imports.h), and the output image. The lists of views "sun",
+// "furtherSuns", "sceneSuns" and "lampFaces" have the cascades of the sun, the views of the directional
+// lights 2 to 4, those of the lights 1 to 4 over all objects that do not move, and the views of the scene's
+// lamps. Graphs may also use the view "camera", the element types Light and DrawCommand and those of the
+// buffers, and the numbers directionalLights, environmentPictures, outputIsLinear and irradianceProbes.
 #pragma once
 
 #include <array>
