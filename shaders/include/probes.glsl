@@ -43,10 +43,11 @@ const float kLeastCloseness = 0.01;
 const float kLeastDeviation = 0.03;
 
 // The light of the probes. facing, mirrored: irradiance / π for the normal and for a second direction. validity: 0 if no
-// probe gives light, 1 if the probes give all of it.
+// probe gives light, 1 if the probes give all of it. outside: 1 if no cell is near the point, 0 in a cell.
 struct ProbeLight {
     vec3 facing, mirrored;
     float validity;
+    float outside;
 };
 
 // What a lookup needs to know about the point.
@@ -216,8 +217,8 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
         rest *= 1.0 - share * trust;
         outside = coarsest ? outside * (1.0 - share) : 0.0;
     }
-    if (sum.lit <= 0.0) return ProbeLight(vec3(0.0), vec3(0.0), 0.0);
-    return ProbeLight(sum.facing / sum.lit, sum.mirrored / sum.lit, sum.lit / sum.weight * (1.0 - outside));
+    if (sum.lit <= 0.0) return ProbeLight(vec3(0.0), vec3(0.0), 0.0, outside);
+    return ProbeLight(sum.facing / sum.lit, sum.mirrored / sum.lit, sum.lit / sum.weight * (1.0 - outside), outside);
 }
 
 // Returns irradiance / π of the probes (rgb) and their validity (a), from 0 to 1. Where the validity is below 1, mix
