@@ -36,14 +36,18 @@ const float kProbeReach = 0.5;
 const float kProbeBias = 0.1, kMostBiasSpacing_m = 1.0;
 // The probes of a cell are trusted fully if they see the point with this share of their weights.
 const float kProbeTrust = 0.02;
+// Smallest trilinear factor along an axis. So even a point at a side of the cell gets light from the probes at the other
+// side if those at its side are missing or do not see it.
+const float kLeastCloseness = 0.01;
 // Smallest standard deviation of the inverse distance, as a share of it.
 const float kLeastDeviation = 0.03;
 
 // The light of the probes. facing, mirrored: irradiance / π for the normal and for a second direction. validity: 0 if no
-// probe gives light, 1 if the probes give all of it.
+// probe gives light, 1 if the probes give all of it. outside: 1 if no cell is near the point, 0 in a cell.
 struct ProbeLight {
     vec3 facing, mirrored;
     float validity;
+    float outside;
 };
 
 // What a lookup needs to know about the point.
@@ -111,11 +115,11 @@ ProbeCorner probe_corner(ProbeQuery q, uint cell, uint corner, vec3 t, float spa
     ProbeCorner found = ProbeCorner(probeMap.items[cell + 1u + corner / 4u][corner % 4u], 0.0, 1.0, false);
     if (found.probe == kNoProbe) return found;
     const vec3 place = uintBitsToFloat(probeMap.items[kProbeGridItems + found.probe].xyz);
-    const vec3 close = mix(1.0 - t, t, vec3(uvec3(corner, corner >> 1, corner >> 2) & 1u));
+    const vec3 close = max(mix(1.0 - t, t, vec3(uvec3(corner, corner >> 1, corner >> 2) & 1u)), kLeastCloseness);
     const vec3 to_probe = place - q.position;
     const float cosine = dot(to_probe, q.normal) * inversesqrt(max(dot(to_probe, to_probe), 1e-12));
     const float wrapped = 0.5 + 0.5 * cosine;
-    found.weight = max(close.x * close.y * close.z, 1e-6) * (wrapped * wrapped + 0.2);
+    found.weight = close.x * close.y * close.z * (wrapped * wrapped + 0.2);
     found.lit = probeSh.items[kProbeShStride * found.probe].w > 0.0;
     if (!found.lit) return found;
     const vec3 seen_at = q.position + (q.normal + q.to_eye) * (kProbeBias * min(spacing_m, kMostBiasSpacing_m));
@@ -213,8 +217,8 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
         rest *= 1.0 - share * trust;
         outside = coarsest ? outside * (1.0 - share) : 0.0;
     }
-    if (sum.lit <= 0.0) return ProbeLight(vec3(0.0), vec3(0.0), 0.0);
-    return ProbeLight(sum.facing / sum.lit, sum.mirrored / sum.lit, sum.lit / sum.weight * (1.0 - outside));
+    if (sum.lit <= 0.0) return ProbeLight(vec3(0.0), vec3(0.0), 0.0, outside);
+    return ProbeLight(sum.facing / sum.lit, sum.mirrored / sum.lit, sum.lit / sum.weight * (1.0 - outside), outside);
 }
 
 // Returns irradiance / π of the probes (rgb) and their validity (a), from 0 to 1. Where the validity is below 1, mix

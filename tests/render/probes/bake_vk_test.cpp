@@ -97,30 +97,42 @@ TEST_F(ProbeBake, TheFacesOfAProbeShowTheWallsOfItsRoom) {
 }
 
 // The reference integrates the distances of the walls over the texels of the map, with 64 × 64 directions.
-TEST_F(ProbeBake, TheMomentsAreThoseOfTheWalls) {
+TEST_F(ProbeBake, TheMomentsAreThoseOfThePlanesThatFitTheWalls) {
     const std::unique_ptr<render::Session> session = begin(room(), probes_at({kProbePlace}));
     ASSERT_TRUE(session);
     frame(*session);
     constexpr int kSamples = 64;
     double worst_mean = 0, worst_deviation = 0;
     for (int i = 0; i < kMapSide * kMapSide; ++i) {
-        glm::dvec3 sum(0);
-        for (int s = 0; s < kSamples * kSamples; ++s) {
-            const glm::vec2 inside = (glm::vec2(s % kSamples, s / kSamples) + 0.5f) / float{kSamples};
+        const auto direction_at = [&](glm::vec2 inside) {
             glm::vec2 e =
                 (glm::vec2(i % kMapSide - 1, i / kMapSide - 1) + inside) / float{kInnerSide} * 2.0f - 1.0f;
             // Beyond an edge, the map is turned about the middle of the edge by half a turn.
             if (std::abs(e.x) > 1) e = {std::copysign(2.0f, e.x) - e.x, -e.y};
             if (std::abs(e.y) > 1) e = {-e.x, std::copysign(2.0f, e.y) - e.y};
+            return e;
+        };
+        glm::dmat3 squares(0);
+        glm::dvec3 products(0);
+        double nears = 0, weights = 0;
+        for (int s = 0; s < kSamples * kSamples; ++s) {
+            const glm::vec2 e =
+                direction_at((glm::vec2(s % kSamples, s / kSamples) + 0.5f) / float{kSamples});
             const double distance = look(kProbePlace, octahedral(e)).distance_m;
             const glm::vec2 fold = glm::abs(e);
             const glm::vec3 corner(fold, std::abs(1 - fold.x - fold.y));
             glm::vec3 flat = corner;
             if (fold.x + fold.y > 1) flat = {1 - fold.y, 1 - fold.x, fold.x + fold.y - 1};
             const double weight = std::pow(glm::length(flat), -3.0);
-            sum += weight * glm::dvec3(1, 1 / distance, 1 / (distance * distance));
+            const glm::dvec3 direction(octahedral(e));
+            squares += weight * glm::outerProduct(direction, direction);
+            products += weight / distance * direction;
+            nears += weight / (distance * distance);
+            weights += weight;
         }
-        const double mean = sum.y / sum.x, deviation = std::sqrt(std::max(0.0, sum.z / sum.x - mean * mean));
+        const glm::dvec3 plane = glm::inverse(squares) * products;
+        const double mean = glm::dot(plane, glm::dvec3(octahedral(direction_at(glm::vec2(0.5f)))));
+        const double deviation = std::sqrt(std::max(0.0, nears - glm::dot(plane, products)) / weights);
         const glm::vec4 seen = moments(0, i % kMapSide, i / kMapSide);
         worst_mean = std::max(worst_mean, std::abs(double{seen.r} - mean) / mean);
         worst_deviation = std::max(worst_deviation, std::abs(double{seen.g} - deviation) / mean);

@@ -23,6 +23,6 @@ void main() {
     }
     // Distances from 0.5 m to 5 m.
     const float inverse = 0.2 + 1.8 * hash01(uvec3(probe, me.x, 4u));
-    const float deviation = (0.1 + 0.3 * hash01(uvec3(probe, me.x, 5u))) * inverse;
+    const float deviation = (0.3 + 0.3 * hash01(uvec3(probe, me.x, 5u))) * inverse;
     imageStore(probeMoments, ivec3(me.x % 18u, me.x / 18u, probe), params.blocked * vec4(inverse, deviation, 0.0, 0.0));
 }
