@@ -47,13 +47,24 @@ inline glm::vec3 octahedral(glm::vec2 e) {
 
 class ProbeBake : public SessionTest {
  protected:
+    struct Picture {
+        std::string graph = "bake.json";
+        std::vector<std::string> observed = kBakeImages;
+        uint32_t side_px = 32;
+        std::map<std::string, double> params = {};
+    };
+
+    std::unique_ptr<render::Session> begin(const scene::Scene& scene, const scene::Probes& probes) {
+        return begin(scene, probes, Picture());
+    }
     std::unique_ptr<render::Session> begin(const scene::Scene& scene, const scene::Probes& probes,
-                                           const std::vector<std::string>& observed = kBakeImages) {
+                                           const Picture& picture) {
         passes_ = registered_passes();
         render::SessionInput input;
-        input.request.path = WEFT_SOURCE_DIR "/tests/render/probes/bake.json";
-        input.request.size = {32, 32, 1};
-        input.request.observed = observed;
+        input.request.path = WEFT_SOURCE_DIR "/tests/render/probes/" + picture.graph;
+        input.request.size = {picture.side_px, picture.side_px, 1};
+        input.request.observed = picture.observed;
+        for (const auto& [name, value] : picture.params) input.request.params[name] = value;
         input.load.reader = read_text;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";

@@ -220,7 +220,7 @@ TEST_F(ProbeBake, AListOfTurnsChoosesTheProbes) {
 }
 
 TEST_F(ProbeBake, WithoutProbesNothingRuns) {
-    const std::unique_ptr<render::Session> session = begin(room(), {}, {});
+    const std::unique_ptr<render::Session> session = begin(room(), {}, {.observed = {}});
     ASSERT_TRUE(session);
     for (const PassDecl& pass : session->plan().graph.passes)
         EXPECT_FALSE(pass.name.starts_with("probeBake")) << pass.name;
