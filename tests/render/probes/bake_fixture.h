@@ -10,7 +10,7 @@
 
 namespace weft::test {
 
-inline constexpr int kFaceSide = 32, kMapSide = 18, kInnerSide = 16;
+inline constexpr int kBakeSide = 32, kMapSide = 18, kInnerSide = 16;
 // The images of the bake.
 inline const std::vector<std::string> kBakeImages{"probeAlbedo", "probeNormal", "probeDistance",
                                                   "probeEmission", "probeMoments"};
@@ -27,7 +27,7 @@ inline scene::Probes probes_at(const std::vector<glm::vec3>& places) {
 }
 
 // Returns the direction of a texel of a face that a samplerCube of Vulkan reads.
-inline glm::vec3 direction_of_texel(int face, int x, int y, int side = kFaceSide) {
+inline glm::vec3 direction_of_texel(int face, int x, int y, int side = kBakeSide) {
     const float s = (2.0f * static_cast<float>(x) + 1.0f) / static_cast<float>(side) - 1.0f;
     const float t = (2.0f * static_cast<float>(y) + 1.0f) / static_cast<float>(side) - 1.0f;
     const std::array<glm::vec3, 6> directions{glm::vec3{1, -t, -s}, {-1, -t, s}, {s, 1, t},
@@ -97,7 +97,7 @@ class ProbeBake : public SessionTest {
     [[nodiscard]] glm::vec4 texel(const std::string& image, int probe, int face, int x, int y) const {
         const auto layer = static_cast<size_t>(6 * probe + face);
         return images_.at(
-            image)[(layer * kFaceSide + static_cast<size_t>(y)) * kFaceSide + static_cast<size_t>(x)];
+            image)[(layer * kBakeSide + static_cast<size_t>(y)) * kBakeSide + static_cast<size_t>(x)];
     }
     // Returns a texel of the map of moments of a probe; the border begins at 0.
     [[nodiscard]] glm::vec4 moments(int probe, int x, int y) const {
