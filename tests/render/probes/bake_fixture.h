@@ -10,7 +10,7 @@
 
 namespace weft::test {
 
-inline constexpr int kFaceSide = 32, kMapSide = 18, kInnerSide = 16;
+inline constexpr int kBakeSide = 32, kMapSide = 18, kInnerSide = 16;
 // The images of the bake.
 inline const std::vector<std::string> kBakeImages{"probeAlbedo", "probeNormal", "probeDistance",
                                                   "probeEmission", "probeMoments"};
@@ -27,7 +27,7 @@ inline scene::Probes probes_at(const std::vector<glm::vec3>& places) {
 }
 
 // Returns the direction of a texel of a face that a samplerCube of Vulkan reads.
-inline glm::vec3 direction_of_texel(int face, int x, int y, int side = kFaceSide) {
+inline glm::vec3 direction_of_texel(int face, int x, int y, int side = kBakeSide) {
     const float s = (2.0f * static_cast<float>(x) + 1.0f) / static_cast<float>(side) - 1.0f;
     const float t = (2.0f * static_cast<float>(y) + 1.0f) / static_cast<float>(side) - 1.0f;
     const std::array<glm::vec3, 6> directions{glm::vec3{1, -t, -s}, {-1, -t, s}, {s, 1, t},
@@ -47,13 +47,24 @@ inline glm::vec3 octahedral(glm::vec2 e) {
 
 class ProbeBake : public SessionTest {
  protected:
+    struct Picture {
+        std::string graph = "bake.json";
+        std::vector<std::string> observed = kBakeImages;
+        uint32_t side_px = 32;
+        std::map<std::string, double> params = {};
+    };
+
+    std::unique_ptr<render::Session> begin(const scene::Scene& scene, const scene::Probes& probes) {
+        return begin(scene, probes, Picture());
+    }
     std::unique_ptr<render::Session> begin(const scene::Scene& scene, const scene::Probes& probes,
-                                           const std::vector<std::string>& observed = kBakeImages) {
+                                           const Picture& picture) {
         passes_ = registered_passes();
         render::SessionInput input;
-        input.request.path = WEFT_SOURCE_DIR "/tests/render/probes/bake.json";
-        input.request.size = {32, 32, 1};
-        input.request.observed = observed;
+        input.request.path = WEFT_SOURCE_DIR "/tests/render/probes/" + picture.graph;
+        input.request.size = {picture.side_px, picture.side_px, 1};
+        input.request.observed = picture.observed;
+        for (const auto& [name, value] : picture.params) input.request.params[name] = value;
         input.load.reader = read_text;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
@@ -86,7 +97,7 @@ class ProbeBake : public SessionTest {
     [[nodiscard]] glm::vec4 texel(const std::string& image, int probe, int face, int x, int y) const {
         const auto layer = static_cast<size_t>(6 * probe + face);
         return images_.at(
-            image)[(layer * kFaceSide + static_cast<size_t>(y)) * kFaceSide + static_cast<size_t>(x)];
+            image)[(layer * kBakeSide + static_cast<size_t>(y)) * kBakeSide + static_cast<size_t>(x)];
     }
     // Returns a texel of the map of moments of a probe; the border begins at 0.
     [[nodiscard]] glm::vec4 moments(int probe, int x, int y) const {

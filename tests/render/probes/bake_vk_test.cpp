@@ -75,8 +75,8 @@ TEST_F(ProbeBake, TheFacesOfAProbeShowTheWallsOfItsRoom) {
     ASSERT_TRUE(session);
     frame(*session);
     size_t compared = 0;
-    for (int i = 0; i < 2 * 6 * kFaceSide * kFaceSide; ++i) {
-        const int x = i % kFaceSide, y = i / kFaceSide % kFaceSide, layer = i / (kFaceSide * kFaceSide);
+    for (int i = 0; i < 2 * 6 * kBakeSide * kBakeSide; ++i) {
+        const int x = i % kBakeSide, y = i / kBakeSide % kBakeSide, layer = i / (kBakeSide * kBakeSide);
         const int probe = layer / 6, face = layer % 6;
         const Hit hit = look(places[static_cast<size_t>(probe)], direction_of_texel(face, x, y));
         if (hit.clearance_m < 1e-3f) continue;
@@ -138,7 +138,7 @@ TEST_F(ProbeBake, TheMomentsAreThoseOfThePlanesThatFitTheWalls) {
         worst_deviation = std::max(worst_deviation, std::abs(double{seen.g} - deviation) / mean);
     }
     EXPECT_LT(worst_mean, 0.01);
-    EXPECT_LT(worst_deviation, 0.01);
+    EXPECT_LT(worst_deviation, 0.015);
     std::printf("largest error of the mean: %.4f, of the deviation: %.4f\n", worst_mean, worst_deviation);
 }
 
@@ -186,6 +186,7 @@ TEST_F(ProbeBake, AProbeIsBakedAgainOnlyIfAnObjectThatStandsStillChanges) {
     const auto block = static_cast<uint32_t>(scene.instances.size() - 1);
     const std::unique_ptr<render::Session> session = begin(scene, probes_at({kProbePlace}));
     ASSERT_TRUE(session);
+    frame_of(*session).turns["probeTurns"] = {0};
     frame(*session);
     EXPECT_EQ(ran_, 7u);
     EXPECT_NEAR(texel("probeDistance", 0, 5, 16, 16).r, 1, 0.01f);
@@ -220,7 +221,7 @@ TEST_F(ProbeBake, AListOfTurnsChoosesTheProbes) {
 }
 
 TEST_F(ProbeBake, WithoutProbesNothingRuns) {
-    const std::unique_ptr<render::Session> session = begin(room(), {}, {});
+    const std::unique_ptr<render::Session> session = begin(room(), {}, {.observed = {}});
     ASSERT_TRUE(session);
     for (const PassDecl& pass : session->plan().graph.passes)
         EXPECT_FALSE(pass.name.starts_with("probeBake")) << pass.name;
