@@ -1,6 +1,6 @@
 // The light of the surroundings that a surface reflects (ambient light). Units: cd/m². Ports, all optional:
 // `environmentCube` and `environmentSh` of graphs/modules/environment.json, `dfg` of graphs/modules/dfg.json, and
-// `probeSh`, `probeMoments` and `probeMap` of graphs/modules/probe_apply.json. Without the first two, diffuse light
+// `probeSh`, `probeMoments` and `probeMap` of graphs/modules/probe_apply.json, and those of reflection_probes.glsl. Without the first two, diffuse light
 // comes from the harmonics in `frame`, and mirrored light from the blurred picture or the gradient sky. With probes,
 // diffuse light comes from the probes around the point.
 #ifndef WEFT_AMBIENT
@@ -10,6 +10,7 @@
 #include "environment_cube.glsl"
 #include "frame_set.glsl"
 #include "probes.glsl"
+#include "reflection_probes.glsl"
 #include "sky.glsl"
 
 layout(constant_id = 23) const bool HAS_environmentCube = false;
@@ -79,15 +80,29 @@ struct AmbientLight {
     vec3 diffuse, mirrored;
 };
 
-// Replaces the light of the whole surroundings by that of the probes around a point. Probes know only diffuse light. So
-// mirrored light changes by the same factor as the irradiance from the mirrored directions. This also darkens
-// reflections where the sky is hidden. A very rough surface mirrors what a diffuse surface reflects.
+// Replaces mirrored light by that of the reflection probes around a point, as far as these see what the point mirrors.
+// `here`: irradiance / π at the point from the middle of the mirrored directions. A rough surface mirrors light from many
+// directions, and a probe elsewhere receives more or less of it. So the light of a probe changes by the same factor as the
+// irradiance.
+vec3 with_reflection_probes(vec3 light, vec3 position, vec3 middle, float roughness, vec3 here) {
+    const ReflectionLight seen = reflection_light(position, middle, roughness);
+    const vec3 change = clamp(here / max(seen.irradiance_over_pi, vec3(1e-9)), 0.0, 2.0);
+    return mix(light, seen.radiance * mix(vec3(1.0), change, smoothstep(0.1, 0.3, roughness)), seen.share);
+}
+
+// Replaces the light of the whole surroundings by that of the probes around a point. Irradiance probes know only diffuse
+// light. So where no reflection probe helps, mirrored light changes by the same factor as the irradiance from the mirrored
+// directions. This also darkens reflections where the sky is hidden. A very rough surface mirrors what a diffuse surface
+// reflects.
 AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3 mirrored, float roughness) {
     const vec3 middle = middle_of_lobe(mirrored, n, roughness);
     const ProbeLight probes = probe_light(position, n, v, middle);
     const vec3 change = clamp(probes.mirrored / max(sky_irradiance_over_pi(middle), vec3(1e-9)), 0.0, 2.0);
     const float very_rough = clamp(lod_of_roughness(roughness) - kLastFiltered, 0.0, 1.0);
-    const vec3 near = mix(light.mirrored * change, probes.mirrored, very_rough);
+    vec3 near = light.mirrored * change;
+    if (HAS_reflectionCubes && very_rough < 1.0)
+        near = with_reflection_probes(near, position, middle, roughness, probes.mirrored);
+    near = mix(near, probes.mirrored, very_rough);
     return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
 }
 

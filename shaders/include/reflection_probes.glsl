@@ -1,6 +1,5 @@
 // The light that a surface mirrors, from the reflection probes around a point. Units: cd/m², metres. Ports, all optional,
-// but only together: `reflectionCubes`, `reflectionSh`, `reflectionPoints` and `reflectionBoxes` of
-// graphs/modules/reflection_probes.json. If HAS_reflectionCubes is false, the functions must not be called.
+// but only together: `reflectionCubes`, `reflectionSh` and `reflectionMap` of graphs/modules/reflection_probes.json. If HAS_reflectionCubes is false, the functions must not be called.
 //
 // A cube shows what its probe sees. A point next to the probe sees the same surfaces in other directions. So a ray from
 // the point is followed to the surface that it meets, and the cube is read in the direction of this surface. Inside of a
@@ -16,14 +15,14 @@
 
 layout(constant_id = 29) const bool HAS_reflectionCubes = false;
 layout(constant_id = 30) const bool HAS_reflectionSh = false;
-layout(constant_id = 31) const bool HAS_reflectionPoints = false;
-layout(constant_id = 32) const bool HAS_reflectionBoxes = false;
+layout(constant_id = 31) const bool HAS_reflectionMap = false;
 // Radiance · kProbeRadianceScale; the mips are those of environment_cube.glsl. Alpha of mip 0: inverse distance from the
 // probe in 1/m, 0 for the sky. The inverse distance is a linear function on a plane, so it can be interpolated.
 uniform samplerCubeArray reflectionCubes;
 layout(std430) readonly buffer ReflectionSh { vec4 items[]; } reflectionSh;  // As probeSh.
-layout(std430) readonly buffer ReflectionPoints { ProbePoint items[]; } reflectionPoints;
-layout(std430) readonly buffer ReflectionBoxes { ReflectionBox items[]; } reflectionBoxes;
+// For each probe: its position, and the rows of the matrix from world space to its box, which reaches from −1 to 1. A
+// probe without a box has rows of 0.
+layout(std430) readonly buffer ReflectionMap { vec4 items[]; } reflectionMap;
 
 // The probes that a point asks whether they see it: those that are best by their distance and their boxes.
 const int kReflectionCandidates = 4;
@@ -44,17 +43,22 @@ struct ReflectionLight {
     float share;
 };
 
-bool has_reflection_box(uint probe) { return reflectionBoxes.items[probe].to_box[0].xyz != vec3(0.0); }
+uint reflection_probe_count() { return uint(reflectionMap.items.length()) / kReflectionItems; }
+
+vec3 reflection_place(uint probe) { return reflectionMap.items[probe * kReflectionItems].xyz; }
+
+bool has_reflection_box(uint probe) { return reflectionMap.items[probe * kReflectionItems + 1u].xyz != vec3(0.0); }
 
 vec3 to_reflection_box(uint probe, vec4 point) {
-    const ReflectionBox box = reflectionBoxes.items[probe];
-    return vec3(dot(box.to_box[0], point), dot(box.to_box[1], point), dot(box.to_box[2], point));
+    const uint row = probe * kReflectionItems + 1u;
+    return vec3(dot(reflectionMap.items[row], point), dot(reflectionMap.items[row + 1u], point),
+                dot(reflectionMap.items[row + 2u], point));
 }
 
 // Returns the weight of a probe at a point before it is known whether it sees the point (x), and how far the point is
 // inside of its box (y): 1 in the box and without a box, 0 far enough outside.
 vec2 reflection_weight(uint probe, vec3 position) {
-    const vec3 way = position - reflectionPoints.items[probe].position;
+    const vec3 way = position - reflection_place(probe);
     const float near = 1.0 / (dot(way, way) + 0.25);
     if (!has_reflection_box(probe)) return vec2(near * near, 1.0);
     const vec3 at = abs(to_reflection_box(probe, vec4(position, 1.0)));
@@ -116,12 +120,12 @@ vec3 boxed_reflection(uint probe, vec3 position, vec3 direction) {
     const vec3 ends = (mix(vec3(-1.0), vec3(1.0), greaterThanEqual(along, vec3(0.0))) - from) /
                       mix(along, vec3(1e-9), equal(along, vec3(0.0)));
     const float end = max(min(ends.x, min(ends.y, ends.z)), 0.0);
-    return position + direction * end - reflectionPoints.items[probe].position;
+    return position + direction * end - reflection_place(probe);
 }
 
 // Adds the light of one probe with a weight. `direction` is the middle of the lobe.
 void add_reflection(inout ReflectionLight sum, uint probe, vec3 position, vec3 direction, float roughness, float weight) {
-    const vec3 from = position - reflectionPoints.items[probe].position;
+    const vec3 from = position - reflection_place(probe);
     float agreement = 1.0;
     const vec3 way = has_reflection_box(probe) ? boxed_reflection(probe, position, direction)
                                                : followed_reflection(probe, from, direction, agreement);
@@ -149,7 +153,7 @@ ReflectionCandidates reflection_candidates(vec3 position) {
         best.probes[i] = 0u;
         best.weights[i] = vec2(0.0);
     }
-    const uint count = uint(reflectionPoints.items.length());
+    const uint count = reflection_probe_count();
     [[dont_unroll]] for (uint probe = 0u; probe < count; ++probe) {
         uint moved = probe;
         vec2 weight = reflection_weight(probe, position);
@@ -178,7 +182,7 @@ ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness)
     for (int i = 0; i < kReflectionCandidates; ++i) {
         weights[i] = 0.0;
         if (best.weights[i].x <= 0.0) continue;
-        const float visible = reflection_visibility(best.probes[i], position - reflectionPoints.items[best.probes[i]].position);
+        const float visible = reflection_visibility(best.probes[i], position - reflection_place(best.probes[i]));
         weights[i] = best.weights[i].x * visible;
         all += weights[i];
         inside = max(inside, best.weights[i].y * visible);

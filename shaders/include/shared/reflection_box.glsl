@@ -9,5 +9,8 @@ struct ReflectionBox {
     vec4 reserved;
 };
 
+// Items of the buffer `reflectionMap` for each probe.
+const uint kReflectionItems = 4u;
+
 #include "end.glsl"
 #endif

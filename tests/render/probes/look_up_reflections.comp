@@ -23,6 +23,6 @@ void main() {
     float agreement = 1.0;
     const vec3 way = has_reflection_box(0u)
                          ? boxed_reflection(0u, position, direction)
-                         : followed_reflection(0u, position - reflectionPoints.items[0].position, direction, agreement);
+                         : followed_reflection(0u, position - reflection_place(0u), direction, agreement);
     imageStore(found, ivec2(at, 1), vec4(normalize(way), agreement));
 }
