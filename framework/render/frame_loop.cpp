@@ -64,6 +64,7 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     const bool cut = input.camera_cut || hides_history_;
     frame.hides_history = cut;
     hides_history_ = kind == Kind::warm_up;
+    frame.prepares_units = kind == Kind::warm_up;
     pre_exposure_ = frame.pre_exposure;
     scene.begin_frame(*slot, input);
     const scene::Camera camera = scene.placed(input.camera);

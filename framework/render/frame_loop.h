@@ -18,8 +18,9 @@ class FrameLoop {
     // GraphDesc::jitter); 0 means no offsets. `size` is the size of the output in pixels.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
-    // normal: the next frame of the program. warm_up: a frame before it, whose picture nobody sees. It has
-    // the number of the next frame, and after it, the next frame sees no history.
+    // normal: the next frame of the program. warm_up: a frame before it that has no picture: only passes at
+    // rest and groups run, and the passes whose results they read. It has the number of the next frame, which
+    // then sees no history.
     enum class Kind : uint8_t { normal, warm_up };
     // `live` replaces the switches and scales in FrameInput::parameters.
     [[nodiscard]] Status render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene,

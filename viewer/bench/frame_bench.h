@@ -11,6 +11,7 @@
 #include "viewer/options/options.h"
 #include "weft/plan.h"
 #include "weft/result.h"
+#include "weft/vulkan/frame_results.h"
 
 namespace weft::viewer {
 
@@ -33,7 +34,9 @@ struct Yardsticks {
 };
 
 struct PassResult {
+    // A pass of a group has the name without the number of the round: the result is the sum of all rounds.
     std::string name;
+    bool in_group = false;
     uint32_t queue = 0;
     // Describes the work of the pass. Passes of different graphs with equal keys count as the same pass.
     std::string key;
@@ -45,12 +48,20 @@ struct PassResult {
     bool common = false;  // True if all measured graphs have this pass.
 };
 
+// The time of a pass of a group while the light probes were lit before the first frame.
+struct RoundCost {
+    std::string pass;
+    uint64_t rounds = 0;  // Number of rounds that ran.
+    double round_ms = 0;  // Mean time of one round.
+};
+
 // The measured times of one graph, rendered with one number of lights.
 struct GraphResult {
     std::string graph;
     uint32_t lights = 0;
     std::vector<PassResult> passes;  // The passes in the order in which the plan runs them.
     std::vector<double> trivial_ms;  // Time of the trivial reference pass in each round.
+    std::vector<RoundCost> warm_up;  // Empty without light probes.
 
     // Returns the frame time of each round, as the sum of the times of the passes. If `with_common` is false,
     // the sum leaves out the passes that all graphs have.
@@ -92,6 +103,12 @@ struct FrameBench {
 };
 
 [[nodiscard]] std::vector<PassResult> pass_results(const FramePlan& plan);
+// Appends the times of one frame to the results of its passes. Returns false if a pass has no time, because
+// the device has no timestamps.
+[[nodiscard]] bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes);
+// Returns the costs of the rounds that ran in these frames. Returns nothing for passes without a time.
+[[nodiscard]] std::vector<RoundCost> round_costs(const FramePlan& plan,
+                                                 const std::vector<vk::FrameTiming>& timings);
 // Sets `common` to true for each pass that all graphs have (with the same number of lights). If there is only
 // one graph, `common` stays false.
 void find_common(FrameBench& bench);

@@ -50,6 +50,8 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
         ->check(size_validator())
         ->capture_default_str();
     command->add_option("--camera", o.camera, "the camera, as in `weft render`");
+    command->add_option("--probes", o.probes, "the light probes of the scene, as in `weft render`")
+        ->capture_default_str();
     command->add_option("--seed", o.seed, "seed of the random lights")
         ->transform(whole_number_in(0, kMostSeed))
         ->capture_default_str();

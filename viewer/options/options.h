@@ -143,6 +143,7 @@ struct FrameBenchOptions {
     std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
     Extent3D size{640, 360, 1};
     std::string camera;
+    std::string probes = "none";  // "auto", "none", a file, or empty: see ProbeChoice::probes.
     uint32_t seed = 1;
     uint32_t rounds = 7;
     std::string device;

@@ -1,7 +1,6 @@
 #include "viewer/output/group_times.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <set>
 
@@ -27,10 +26,14 @@ double GroupTimes::all_gpu_ms() const {
     return std::accumulate(gpu_ms.begin(), gpu_ms.end(), 0.0);
 }
 
+std::string name_without_round(const std::string& pass) {
+    return pass.substr(0, pass.find('#'));
+}
+
 std::vector<GroupTimes> group_times(const FramePlan& plan, std::span<const vk::FrameTiming> timings) {
     const std::vector<GroupDecl>& groups = plan.graph.groups;
     std::vector<GroupTimes> all;
-    for (const GroupDecl& group : groups) all.push_back({group.name, group.rounds, {}, {}});
+    for (const GroupDecl& group : groups) all.push_back({group.name, group.rounds, {}, {}, {}});
     if (groups.empty()) return all;
     const std::map<std::string, uint32_t> units = units_of_passes(plan.graph);
     for (const vk::FrameTiming& frame : timings) {
@@ -44,7 +47,9 @@ std::vector<GroupTimes> group_times(const FramePlan& plan, std::span<const vk::F
             if (group == groups.end()) continue;
             const auto i = static_cast<size_t>(group - groups.begin());
             ran[i].insert(unit->second);
-            ms[i] = ms[i] < 0 || pass.gpu_ms < 0 ? -1 : ms[i] + pass.gpu_ms;
+            const auto add = [&](double& sum) { sum = sum < 0 || pass.gpu_ms < 0 ? -1 : sum + pass.gpu_ms; };
+            add(ms[i]);
+            add(all[i].pass_ms[name_without_round(pass.pass)]);
         }
         for (size_t i = 0; i < groups.size(); ++i) {
             all[i].ran.push_back(static_cast<uint32_t>(ran[i].size()));

@@ -5,7 +5,7 @@ layout(local_size_x = 1) in;
 readonly buffer ProbePoints { ProbePoint items[]; } probePoints;
 readonly buffer ProbeCells { ProbeCell items[]; } probeCells;
 readonly buffer ProbeGridBlock { ProbeGrid item; } probeGrid;
-writeonly buffer Counts { uint items[]; } counts;
+buffer Counts { uint items[]; } counts;
 
 bool holds_probes(ProbeCell cell) {
     for (uint corner = 0u; corner < 8u; ++corner) {
@@ -33,5 +33,5 @@ void main() {
     counts.items[1] = cells;
     counts.items[2] = right;
     counts.items[3] = probeGrid.item.levels;
-    for (uint i = 4u; i < 8u; ++i) counts.items[i] = 0u;
+    ++counts.items[4];  // Number of frames.
 }

@@ -115,9 +115,10 @@ class ProbesVk : public SessionTest {
         std::memcpy(&value, &bytes.at(at * sizeof value), sizeof value);
         return value;
     }
+    // The numbers of probes, cells, cells with the right probes, levels and frames.
     [[nodiscard]] std::vector<uint32_t> counts() const {
-        std::vector<uint32_t> words(4);
-        std::memcpy(words.data(), read_.at("observe:counts").data(), 4 * sizeof(uint32_t));
+        std::vector<uint32_t> words(5);
+        std::memcpy(words.data(), read_.at("observe:counts").data(), words.size() * sizeof(uint32_t));
         return words;
     }
 
@@ -133,7 +134,7 @@ TEST_F(ProbesVk, ShadersFindTheProbesAndTheirCells) {
     ASSERT_TRUE(session);
     EXPECT_EQ(session->probe_count(), 11u);
     frame(*session);
-    EXPECT_EQ(counts(), (std::vector<uint32_t>{11, 2, 2, 1}));
+    EXPECT_EQ(counts(), (std::vector<uint32_t>{11, 2, 2, 1, 1}));
 }
 
 TEST_F(ProbesVk, FacesShowWhatDoesNotMove) {
@@ -184,7 +185,7 @@ TEST_F(ProbesVk, WithoutProbesTheGroupIsGone) {
     ASSERT_TRUE(warm);
     EXPECT_TRUE(warm->empty());
     frame(*session);
-    EXPECT_EQ(counts(), (std::vector<uint32_t>{0, 0, 0, 0}));
+    EXPECT_EQ(counts(), (std::vector<uint32_t>{0, 0, 0, 0, 1}));
 }
 
 TEST_F(ProbesVk, FourProbesHaveATurnInAFrameAndTheNearestComeFirst) {
@@ -240,6 +241,7 @@ TEST_F(ProbesVk, AWarmUpLightsAllAndShiftsNothing) {
         frame(*warm, 0.1 * i);
         EXPECT_EQ(lit_, std::vector<uint32_t>{}) << "frame " << i;
         EXPECT_EQ(read_.at("observe:noted"), wanted.at("observe:noted")) << "frame " << i;
+        EXPECT_EQ(read_.at("observe:counts"), wanted.at("observe:counts")) << "frame " << i;
         EXPECT_NEAR(depth(23, 5), 0.01f / 9, 1e-6f);
     }
 }

@@ -160,11 +160,12 @@ class Session {
     [[nodiscard]] uint32_t probe_count() const;
     // Returns the number of reflection probes of the scene.
     [[nodiscard]] uint32_t reflection_probe_count() const;
-    // Lights all probes before the first frame. It renders frames with the input of the first
-    // frame in which all probes have turns, whatever rule holds for other frames. Nobody sees their pictures:
-    // Weft submits them itself, drops their readbacks, and does not count them, and the first frame sees no
-    // history. Returns their times. Does nothing if the scene has no probes, or if no group of the graph
-    // takes its turns from the imports "probeTurns" and "reflectionTurns".
+    // Lights all probes before the first frame. It runs frames with the input of the first frame in which all
+    // probes have turns, whatever rule holds for other frames. They have no picture: only passes with "rest"
+    // and groups run, and the passes whose results they read. Weft submits these frames itself, drops their
+    // readbacks and does not count them, and the first frame sees no history. Returns their times. Does
+    // nothing if the scene has no probes, or if no group of the graph takes its turns from the imports
+    // "probeTurns" and "reflectionTurns".
     [[nodiscard]] Result<std::vector<vk::FrameTiming>> warm_up_probes(const FrameInput& first,
                                                                       const ProbeWarmUp& settings = {});
     [[nodiscard]] Status render_frame(const FrameInput& input);
