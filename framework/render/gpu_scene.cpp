@@ -68,7 +68,7 @@ std::optional<scene::Bounds> GpuScene::bounds() const {
 
 std::optional<scene::Bounds> GpuScene::still_bounds() const {
     std::optional<scene::Bounds> all;
-    parts_.each([&](const GpuPart& part) { all = united(all, part.fixed_bounds()); });
+    parts_.each([&](const GpuPart& part) { all = united(all, part.still_bounds()); });
     return all;
 }
 

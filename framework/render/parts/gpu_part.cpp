@@ -29,6 +29,7 @@ Result<std::unique_ptr<GpuPart>> GpuPart::create(const PartInput& input) {
     part->moving_ = MovingObjects(scene, input.moves_instances);
     part->sort_draws(scene);
     part->find_moving_draws();
+    part->find_still_bounds();
     if (!scene.instances.empty()) part->bounds_ = scene::world_bounds(scene);
     if (!input.moves_instances) part->fixed_bounds_ = scene::fixed_bounds(scene);
     part->still_surfaces_ = SurfaceTree(render::still_surfaces(scene, input.moves_instances));
@@ -119,6 +120,7 @@ void GpuPart::drop_from_still_lists(uint32_t object) {
             std::erase_if(list.draws, [&](const PartDraw& draw) { return draw.instance == instance; });
         list.changed = list.changed || removed > 0;
     }
+    find_still_bounds();
 }
 
 void GpuPart::write_object(uint32_t slot, const MovingObject& object) {
@@ -133,6 +135,13 @@ void GpuPart::update_bounds() {
     const bool first = std::exchange(has_begun_, true) == false;
     if (!moving_.any_changed() && (!first || nodes_.empty())) return;
     if (const auto all = united(fixed_bounds_, moving_.bounds())) bounds_ = all;
+}
+
+void GpuPart::find_still_bounds() {
+    still_bounds_.reset();
+    for (const auto& [name, list] : lists_)
+        if (is_still_list(name))
+            for (const PartDraw& draw : list.draws) still_bounds_ = united(still_bounds_, draw.box);
 }
 
 const PartDrawList* GpuPart::list(std::string_view name) const {

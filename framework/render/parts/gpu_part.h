@@ -60,8 +60,8 @@ class GpuPart {
     [[nodiscard]] const MovingObjects& moving() const { return moving_; }
     // Returns the box around all objects; nullopt if the part has none.
     [[nodiscard]] const std::optional<scene::Bounds>& bounds() const { return bounds_; }
-    // Returns the box around the objects that do not move; nullopt if there are none.
-    [[nodiscard]] const std::optional<scene::Bounds>& fixed_bounds() const { return fixed_bounds_; }
+    // Returns the box around the draws in the lists of objects that do not move; nullopt if there are none.
+    [[nodiscard]] const std::optional<scene::Bounds>& still_bounds() const { return still_bounds_; }
     // Returns the surfaces of the objects that do not move.
     [[nodiscard]] const SurfaceTree& still_surfaces() const { return still_surfaces_; }
     // Returns null if the part has no draw in this list.
@@ -91,6 +91,7 @@ class GpuPart {
     void drop_from_still_lists(uint32_t object);
     void write_object(uint32_t slot, const MovingObject& object);
     void update_bounds();
+    void find_still_bounds();
 
     GpuGeometry geometry_;
     GpuMaterials materials_;
@@ -107,6 +108,7 @@ class GpuPart {
     std::vector<bool> is_still_;
     std::optional<scene::Bounds> fixed_bounds_;  // Of the objects that do not move.
     std::optional<scene::Bounds> bounds_;
+    std::optional<scene::Bounds> still_bounds_;
     SurfaceTree still_surfaces_;
     bool has_begun_ = false;  // True after the first begin_frame() of a part that moves.
 };

@@ -133,6 +133,25 @@ TEST_F(RestGroups, SettleRunsARoundAgainAfterAChange) {
     for (const char* rounds : {"1", "1", ""}) EXPECT_EQ(frame(), rounds);
 }
 
+TEST_F(RestGroups, APassThatRunsBeginsTheCountAgain) {
+    plan =
+        made(R"j("g": {"repeat": {"i": "0..2"}, "rest": true, "settle": 2, "passes": {
+        "store": {"type": "compute", "shader": "read.comp", "in": {"a": "k"}, "out": {"dst": "probes.layer(i)"}}}})j",
+             R"j("table": {"type": "compute", "shader": "make.comp", "out": {"dst": "k"}, "rest": true},)j");
+    state.emplace(plan);
+    inputs.assign(plan.graph.rest_unit_count, UnitInput(std::in_place));
+    ASSERT_EQ(plan.graph.groups[0].first_unit, 1u);
+    EXPECT_EQ(frame(), "0 1 2 3");
+    for (const char* rounds : {"1 2 3", "1 2 3", ""}) EXPECT_EQ(frame(), rounds);
+    change(0);
+    EXPECT_EQ(frame(), "0 1 2 3");
+    EXPECT_EQ(frame(), "1 2 3");
+    change(0);
+    EXPECT_EQ(frame(), "0 1 2 3");
+    EXPECT_EQ(reason(1), WakeReason::unit) << "the round also settles, but this is a change";
+    for (const char* rounds : {"1 2 3", "1 2 3", ""}) EXPECT_EQ(frame(), rounds);
+}
+
 TEST_F(RestGroups, RoundsSettleInTheirTurns) {
     make(R"j("perFrame": 1, "rest": true, "settle": 1, )j");
     EXPECT_EQ(frame(), "0 1 2");

@@ -142,6 +142,32 @@ TEST_F(ProbeBake, TheMomentsAreThoseOfThePlanesThatFitTheWalls) {
     std::printf("largest error of the mean: %.4f, of the deviation: %.4f\n", worst_mean, worst_deviation);
 }
 
+// The probe sees a small rectangle near each edge of the map, on one side of the middle of the edge.
+TEST_F(ProbeBake, TheBorderOfAMapContinuesIt) {
+    scene::Scene scene;
+    const uint32_t material = scene::add_matt(scene, "rectangle", glm::vec3(0.5f));
+    for (const glm::vec3& middle : {glm::vec3(-1, 0.3f, -1), glm::vec3(1.2f, -0.4f, -1),
+                                    glm::vec3(0.5f, 1.4f, -1), glm::vec3(-0.4f, -1.6f, -1)})
+        add_rectangle(scene, middle, {0, 0, 1}, 0.35f, material);
+    scene::finish_scene(scene, glm::vec3(0), glm::vec3(0), 0);
+    const std::unique_ptr<render::Session> session = begin(scene, probes_at({{0, 0, 0}}));
+    ASSERT_TRUE(session);
+    frame(*session);
+    constexpr int kLast = kMapSide - 1;
+    size_t seen = 0;
+    for (int i = 1; i < kLast; ++i) {
+        EXPECT_EQ(moments(0, 0, i), moments(0, 1, kLast - i)) << i;
+        EXPECT_EQ(moments(0, kLast, i), moments(0, kLast - 1, kLast - i)) << i;
+        EXPECT_EQ(moments(0, i, 0), moments(0, kLast - i, 1)) << i;
+        EXPECT_EQ(moments(0, i, kLast), moments(0, kLast - i, kLast - 1)) << i;
+        for (const glm::ivec2 at : {glm::ivec2(0, i), {kLast, i}, {i, 0}, {i, kLast}})
+            seen += moments(0, at.x, at.y).r > 0 ? 1 : 0;
+    }
+    EXPECT_EQ(moments(0, 0, 0), moments(0, kLast - 1, kLast - 1));
+    EXPECT_EQ(moments(0, kLast, 0), moments(0, 1, kLast - 1));
+    EXPECT_GT(seen, 8u);
+}
+
 // Each face of the probe sees another kind of surface at its middle.
 TEST_F(ProbeBake, BacksOfOneSidedSurfacesAreMarked) {
     scene::Scene scene;

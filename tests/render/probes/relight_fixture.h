@@ -59,6 +59,7 @@ class Relight : public SessionTest {
         input.passes = &passes_;
         input.check_plan = true;
         input.probes = probes;
+        input.moves_instances = moves_instances_;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings_);
         EXPECT_TRUE(session) << to_text(session.errors());
@@ -109,6 +110,7 @@ class Relight : public SessionTest {
             woken_, [](const auto& pass) { return pass.first.starts_with("probeRelight::light"); }));
     }
 
+    bool moves_instances_ = false;
     uint32_t count_ = 0;                        // Number of probes.
     std::map<std::string, std::string> woken_;  // The passes that ran in the last frame, and why.
 };

@@ -53,6 +53,33 @@ TEST_F(RelightRest, ProbesRestUntilALightChanges) {
     EXPECT_EQ(rounds_until_rest(*session), kRoundsOfAChange) << "the surroundings";
 }
 
+// An object that moves is not part of what the probes see. The program has moved it before, so it counts as
+// one that moves.
+TEST_F(RelightRest, ProbesRestWhileAnObjectMoves) {
+    scene::Scene scene = open_box(kAlbedo05);
+    const auto moved = static_cast<uint32_t>(scene.instances.size());
+    scene.materials.push_back(matt(glm::vec3(0)));
+    add_quad(scene, {0, 1, 1}, {0, 0, 1}, {1, 0, 0}, 1);
+    moves_instances_ = true;
+    const auto session = begin(scene, probe_at(glm::vec3(kBoxProbe)), {.face_px = 16, .sky = 1});
+    ASSERT_TRUE(session);
+    glm::mat4 transform = scene.instances[moved].transform;
+    const auto move = [&](float by_m) {
+        transform[3].x += by_m;
+        frame_of(*session).transforms = {{moved, transform}};
+        return round(*session);
+    };
+    const double before = round(*session)[0].irradiance({0, -1, 0}).g;
+    const double after = move(30)[0].irradiance({0, -1, 0}).g;
+    EXPECT_GT(std::abs(after - before), 0.1) << "the object leaves the objects that do not move";
+    frame_of(*session).transforms.clear();
+    EXPECT_EQ(rounds_until_rest(*session), kRoundsOfAChange - 1);
+    for (const float by_m : {-30.0f, 1.0f, 40.0f}) {
+        EXPECT_EQ(move(by_m)[0].irradiance({0, -1, 0}).g, after);
+        EXPECT_EQ(rounds_run(), 0u) << by_m;
+    }
+}
+
 // A lamp in a room lights it; a lamp behind the wall does not.
 TEST_F(RelightRest, ALampShinesOnlyWhereTheProbeSeesIt) {
     const dvec3 least(-2, 0, -1), most(2, 3, 4), place(0.5, 1, 1), lamp(-1, 2.2, 2);
