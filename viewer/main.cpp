@@ -126,7 +126,9 @@ std::optional<ExitCode> CommandLine::enter_sandbox() {
     if (render->parsed() && render_options.sandbox) {
         RenderOptions& o = render_options;
         const bool is_file = o.env != "sky" && o.env != "none";
-        needs = {{folder_of(o.request.path), folder_of_scene(o.scene), is_file ? o.env : ""},
+        const bool is_probe_file = o.probes != "auto" && o.probes != "none";
+        needs = {{folder_of(o.request.path), folder_of_scene(o.scene), is_file ? o.env : "",
+                  is_probe_file ? o.probes : ""},
                  inputs_of(o),
                  {&o.output, &o.stats},
                  true};
@@ -164,7 +166,8 @@ ExitCode CommandLine::run_command() {
     if (bench.compile->parsed()) return run_bench_compile(bench.compile_options);
     if (bench.app->parsed()) return run_bench_frame(bench.frame_options);
     std::fputs(
-        "weft: no command was given; wanted render, view, check, plan, schema, explain, diff, compare, scene, "
+        "weft: no command was given; wanted render, view, check, plan, schema, explain, diff, compare, "
+        "scene, "
         "bench or doctor\nRun `weft --help`.\n",
         stderr);
     return ExitCode::usage;

@@ -26,6 +26,12 @@ Diagnostic cannot_move(const InstanceTransform& moved, const GpuPart* part) {
     return d;
 }
 
+std::vector<glm::vec3> places_of(const std::vector<shared::ProbePoint>& points) {
+    std::vector<glm::vec3> places;
+    for (const shared::ProbePoint& point : points) places.push_back(point.position);
+    return places;
+}
+
 }  // namespace
 
 Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& scene,
@@ -34,6 +40,10 @@ Result<DrawnScene> DrawnScene::create(vk::Device& device, const scene::Scene& sc
     if (!gpu) return gpu.take_errors();
     DrawnScene drawn;
     drawn.gpu_ = std::move(*gpu);
+    const GpuProbes& probes = drawn.gpu_->probes();
+    drawn.turns_ = ProbeTurns(places_of(probes.points()));
+    drawn.reflection_turns_ =
+        ProbeTurns(places_of(probes.reflection_points()), ProbeTurns::kMostReflectionTurns);
     drawn.scene_lights_ = scene.lights;
     drawn.light_functions_ = scene.light_functions.size();
     drawn.lights_move_ = std::ranges::any_of(scene.lights, [](const scene::Light& light) {
@@ -58,6 +68,7 @@ void DrawnScene::begin_frame(uint32_t slot, const FrameInput& input) {
     gpu_->begin_frame(slot, input.time_s);
     bounds_ = gpu_->bounds().value_or(scene::Bounds{});
     update_lights(input);
+    gpu_->set_lights(slot, lights_);
 }
 
 void DrawnScene::update_lights(const FrameInput& input) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/gpu_scene.h"
+#include "render/probes/probe_turns.h"
 #include "render/views/sun_cascades.h"
 #include "weft/render/frame_input.h"
 #include "weft/scene/scene.h"
@@ -36,10 +37,14 @@ class DrawnScene {
     // drawn. Empty if the scene has no directional light with an intensity above 0, or if the graph draws no
     // shadow map of the sun. `aspect` is width / height of the picture.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps);
-    // Returns the shadow maps of the directional lights 2 to 4 that the graph draws.
+    // Returns the shadow maps of the directional lights 2 to 4, and those over all objects that do not move,
+    // which the graph draws.
     [[nodiscard]] FurtherSunMaps find_further_suns(const FurtherSunSizes& sizes_px) const {
-        return further_sun_maps(lights_, bounds_, sizes_px);
+        return further_sun_maps(lights_, bounds_, gpu_->still_bounds().value_or(bounds_), sizes_px);
     }
+    // Returns the turns of the irradiance probes, and those of the reflection probes.
+    [[nodiscard]] ProbeTurns& probe_turns() { return turns_; }
+    [[nodiscard]] ProbeTurns& reflection_turns() { return reflection_turns_; }
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }
     [[nodiscard]] const GpuScene& gpu() const { return *gpu_; }
 
@@ -56,6 +61,7 @@ class DrawnScene {
     std::vector<shared::Light> lights_;
     scene::Bounds bounds_;
     SunCascadesCache sun_;
+    ProbeTurns turns_, reflection_turns_;
     shared::FrameConstants constants_{};
 };
 

@@ -201,6 +201,7 @@ shared::Material gpu_material(const scene::Material& m) {
     gpu.anisotropy_turn = {std::cos(m.anisotropy_rotation_rad), std::sin(m.anisotropy_rotation_rad)};
     gpu.anisotropy_uv = uv_of(m.anisotropy_texture);
     gpu.anisotropy_textured = m.anisotropy_texture.texture == scene::kNone ? 0.0f : 1.0f;
+    gpu.two_sided = m.double_sided ? 1 : 0;
     return gpu;
 }
 

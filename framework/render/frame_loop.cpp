@@ -1,5 +1,6 @@
 #include "render/frame_loop.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -40,7 +41,12 @@ shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera, bool cut
     return view;
 }
 
-Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene) {
+bool FrameLoop::takes_turns(std::string_view import) const {
+    return std::ranges::any_of(plan().graph.groups,
+                               [&](const GroupDecl& group) { return group.turns == import; });
+}
+
+Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene, Kind kind) {
     // After begin_frame(), only errors of Vulkan may end the frame early.
     if (Status given = views_.check(input.views); !given) return given;
     if (Status given = scene.check(input); !given) return given;
@@ -55,22 +61,28 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     frame.delta_time_s = input.delta_time_s;
     frame.pre_exposure = std::exp2(input.exposure_ev);
     frame.prev_pre_exposure = frame_index_ == 0 ? frame.pre_exposure : pre_exposure_;
-    frame.hides_history = input.camera_cut;
+    const bool cut = input.camera_cut || hides_history_;
+    frame.hides_history = cut;
+    hides_history_ = kind == Kind::warm_up;
+    frame.prepares_units = kind == Kind::warm_up;
     pre_exposure_ = frame.pre_exposure;
     scene.begin_frame(*slot, input);
     const scene::Camera camera = scene.placed(input.camera);
     views_.set_scales(plan().graph, live.scales);
-    view_ = find_view(camera, input.camera_cut);
+    view_ = find_view(camera, cut);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     further_suns_ = scene.find_further_suns(further_sun_sizes_);
     shared::FrameConstants constants = scene.frame_constants();
     if (input.sky) set_sky(*input.sky, constants);
-    constants.frame_index = static_cast<uint32_t>(frame_index_++);
+    constants.frame_index = static_cast<uint32_t>(frame_index_);
+    if (kind == Kind::normal) ++frame_index_;
     constants.time_s = static_cast<float>(input.time_s);
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    views_.update({view_, sun_, scene.lights(), input.views, further_suns_}, plan().graph);
+    views_.update({view_, sun_, scene.lights(), input.views, further_suns_, scene.gpu().probes().faces(),
+                   scene.gpu().probes().reflection_faces()},
+                  plan().graph);
     if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, further_suns_.constants,
                                            views_.views(), views_.united_views());
         !set)
@@ -80,6 +92,12 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     host.set("lights", lights);
     frame.host = &host;
     frame.turns = input.turns;
+    const auto choose = [&](const char* import, ProbeTurns& turns) {
+        if (takes_turns(import) && !frame.turns.contains(import) && turns.size() > 0)
+            frame.turns.emplace(import, turns.next(view_.eye));
+    };
+    choose(kProbeTurns, scene.probe_turns());
+    choose(kReflectionTurns, scene.reflection_turns());
     frame.scales = live.scales;
     frame.switches = &live.switches;
     frame.submit = input.submit;

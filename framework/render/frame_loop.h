@@ -18,8 +18,13 @@ class FrameLoop {
     // GraphDesc::jitter); 0 means no offsets. `size` is the size of the output in pixels.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
+    // normal: the next frame of the program. warm_up: a frame before it that has no picture: only passes at
+    // rest and groups run, and the passes whose results they read. It has the number of the next frame, which
+    // then sees no history.
+    enum class Kind : uint8_t { normal, warm_up };
     // `live` replaces the switches and scales in FrameInput::parameters.
-    [[nodiscard]] Status render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene);
+    [[nodiscard]] Status render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene,
+                                Kind kind = Kind::normal);
     [[nodiscard]] Status finish() { return stage_.executor->finish(); }
     // Reads the output image of the last frame. Errors: W184 the graph has no output, V426 its final layout
     // is not transfer_src.
@@ -41,6 +46,8 @@ class FrameLoop {
     [[nodiscard]] std::optional<ExportedResource> exported(std::string_view name) const;
     // Returns the number of the frame from which on no frame in flight uses what this frame does not use.
     [[nodiscard]] uint64_t next_free_frame() const { return frame_index_ + vk::kFramesInFlight; }
+    // Returns true if a group of the running graph takes its turns from this import.
+    [[nodiscard]] bool takes_turns(std::string_view import) const;
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
     // Returns the view constants of the last frame.
     [[nodiscard]] const shared::ViewConstants& view() const { return view_; }
@@ -58,6 +65,7 @@ class FrameLoop {
     SunMaps sun_maps_;
     FurtherSunSizes further_sun_sizes_{};
     FrameViews views_;
+    bool hides_history_ = false;  // True: the next frame sees no history.
     // Index of the next frame, counted from 0.
     uint64_t frame_index_ = 0;
     shared::ViewConstants view_{};

@@ -17,7 +17,7 @@ namespace {
 constexpr uint64_t kAlignmentBytes = 256;
 constexpr uint64_t kSunOffsetBytes = 256;
 constexpr uint64_t kFurtherSunsOffsetBytes = 768;
-constexpr uint64_t kSlotBytes = 1280;
+constexpr uint64_t kSlotBytes = 1536;
 constexpr uint64_t kViewBytes = sizeof(shared::ViewConstants);
 // Graphs keep views in buffers, too, so the struct itself has such a size.
 static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kSlotBytes % kAlignmentBytes == 0 &&

@@ -34,12 +34,18 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     Result<std::unique_ptr<GpuPart>> part =
         GpuPart::create({device, scene, owned, uploader, settings.moves_instances, true});
     if (!part) return part.take_errors();
+    Result<GpuProbes> probes = GpuProbes::create(device, settings.probes);
+    if (!probes) return probes.take_errors();
     Result<SceneBuffers> described =
         SceneBuffers::create(device, scene, (*part)->geometry().meshes, settings.moves_instances);
     if (!described) return described.take_errors();
+    Result<SceneLights> lights = SceneLights::create(device, scene_light_capacity(&scene));
+    if (!lights) return lights.take_errors();
     gpu->frame_ = std::move(*frame);
     gpu->parts_.add_first(std::move(*part));
     gpu->buffers_ = std::move(*described);
+    gpu->probes_ = std::move(*probes);
+    gpu->lights_ = std::move(*lights);
     gpu->settings_ = settings;
     if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
     return gpu;
@@ -57,6 +63,12 @@ std::optional<scene::Bounds> GpuScene::bounds() const {
     std::optional<scene::Bounds> all;
     parts_.each([&](const GpuPart& part) { all = united(all, part.bounds()); });
     for (const auto& [name, own] : settings_.draw_lists) all = united(all, own.list->bounds());
+    return all;
+}
+
+std::optional<scene::Bounds> GpuScene::still_bounds() const {
+    std::optional<scene::Bounds> all;
+    parts_.each([&](const GpuPart& part) { all = united(all, part.still_bounds()); });
     return all;
 }
 
@@ -115,7 +127,7 @@ void GpuScene::sort_transparent(const glm::vec3& eye) {
 }
 
 Status GpuScene::upload_commands(vk::Device& device) {
-    for (const char* list : kDrawLists) {
+    for (const char* list : kCommandLists) {
         std::vector<shared::DrawCommand> commands;
         if (const PartDrawList* draws = first().list(list))
             for (const PartDraw& draw : draws->draws)
@@ -140,6 +152,8 @@ void GpuScene::bind(vk::ImportBindings& to) const {
     for (const auto& [list, buffer] : commands_) to.buffers.emplace(commands_of(list), buffer.handle());
     bind_scene_buffer("instances", first().geometry().instances, to);
     buffers_.bind(to);
+    probes_.bind(to);
+    lights_.bind(to);
     to.textures.emplace(kMaterialTextures, first().material_table());
 }
 
@@ -147,6 +161,8 @@ void GpuScene::add_versions(std::map<std::string, uint64_t, std::less<>>& to) co
     for (const auto& [list, unused] : commands_) to.emplace(commands_of(list), 0);
     for (const char* name : kSceneBuffers) to.emplace(name, 0);
     to["instances"] = to["bounds"] = objects_version_;
+    GpuProbes::add_versions(to);
+    to.emplace(kSceneLights, lights_.version());
 }
 
 VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {

@@ -1,9 +1,10 @@
 // Purpose: a scene on the GPU in the form that graphs use. It has four draw lists. "opaque", "masked" and
-// "anisotropic" are sorted by material; "transparent" is sorted by distance in every frame. Each list also
-// has a buffer of draw commands. Parts can be added to the scene and removed from it while frames run; their
-// draws belong to the same lists, but not to the buffers that describe the scene. Further draw lists belong
-// to the program. The shaders use descriptor sets 0 (frame), 2 (material) and 3 (draw); see frame_set.glsl,
-// material_set.glsl and surface_vertex.glsl in shaders/include/.
+// "anisotropic" are sorted by material; "transparent" is sorted by distance in every frame. Each of these
+// lists also has a buffer of draw commands. "opaqueStill" and "maskedStill" have the draws of "opaque" and
+// "masked" whose objects do not move. Parts can be added to the scene and removed from it while frames run;
+// their draws belong to the same lists, but not to the buffers that describe the scene. Further draw lists
+// belong to the program. The shaders use descriptor sets 0 (frame), 2 (material) and 3 (draw); see
+// frame_set.glsl, material_set.glsl and surface_vertex.glsl in shaders/include/.
 #pragma once
 
 #include <map>
@@ -14,9 +15,11 @@
 
 #include "render/gpu_frame.h"
 #include "render/imports/scene_buffers.h"
+#include "render/imports/scene_lights.h"
 #include "render/parts/draw_recorder.h"
 #include "render/parts/gpu_part.h"
 #include "render/parts/part_list.h"
+#include "render/probes/probe_imports.h"
 #include "weft/render/draw_list.h"
 #include "weft/vulkan/draw_source.h"
 
@@ -27,6 +30,7 @@ struct SceneSettings {
     OwnDrawLists draw_lists;
     OwnDrawSets draw_sets;
     bool moves_instances = false;
+    scene::Probes probes;
 };
 
 class GpuScene final : public vk::DrawSource {
@@ -45,8 +49,12 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] bool replaces_sets() const { return !settings_.draw_sets.empty(); }
     // Begins a frame: moves the objects of all parts to their places at `time_s`. Call it before set_frame().
     void begin_frame(uint32_t slot, double time_s);
+    // Writes the import "sceneLights" for a frame slot.
+    void set_lights(uint32_t slot, std::span<const shared::Light> lights) { lights_.write(slot, lights); }
     // Returns the box around all objects and all draw lists of the program; nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> bounds() const;
+    // Returns the box around the objects that do not move; nullopt if there are none.
+    [[nodiscard]] std::optional<scene::Bounds> still_bounds() const;
     // Returns the box around the draw lists of the program and around the parts in which all objects move.
     // Nothing else is known about their surfaces. nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> unknown_bounds() const;
@@ -76,14 +84,16 @@ class GpuScene final : public vk::DrawSource {
     // scene changes when one of its objects moves, and when a part with such objects is added or removed.
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     uint32_t record(const vk::DrawContext& context) const override;
+    [[nodiscard]] const GpuProbes& probes() const { return probes_; }
     // Hook for tests: if `culls` is false, draws outside of the frustum are recorded too.
     void set_culling(bool culls) { culls_ = culls; }
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
     [[nodiscard]] bool is_mirrored(std::string_view view) const override;
     // Adds the buffers that graphs can import: the draw commands of each list, under the name commands_of(),
-    // and kSceneBuffers.
+    // kSceneBuffers, and kSceneLights.
     void bind(vk::ImportBindings& to) const;
-    // Adds the versions of these buffers. Those of "instances" and "bounds" change when an object moves.
+    // Adds the versions of these buffers. Those of "instances" and "bounds" change when an object moves, that
+    // of "sceneLights" when a light changes.
     void add_versions(std::map<std::string, uint64_t, std::less<>>& to) const;
 
  private:
@@ -111,6 +121,8 @@ class GpuScene final : public vk::DrawSource {
     PartList parts_;
     GpuFrame frame_;
     SceneBuffers buffers_;
+    GpuProbes probes_;
+    SceneLights lights_;
     SceneSettings settings_;
     uint64_t objects_version_ = 0;  // Changes whenever an object of the first part has moved.
     // Indices into the transparent lists of the parts, from far to near as seen from the camera. Neighbours

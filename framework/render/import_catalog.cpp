@@ -5,6 +5,8 @@
 #include "render/frame_data.h"
 #include "render/imports/material_textures.h"
 #include "render/imports/scene_buffers.h"
+#include "render/imports/scene_lights.h"
+#include "render/probes/probe_imports.h"
 #include "render/scene_bindings.h"
 #include "render/views/frame_views.h"
 #include "render/views/sun_cascades.h"
@@ -33,6 +35,8 @@ DrawVariant variant(const std::string& name, bool masked, bool anisotropic) {
 
 std::vector<DrawVariant> variants_of(const std::string& list) {
     if (list == "anisotropic") return {variant("opaque", false, true), variant("masked", true, true)};
+    if (list == "opaqueStill") return {variant("opaque", false, false)};
+    if (list == "maskedStill") return {variant("masked", true, false)};
     return {variant(list, list == "masked", false)};
 }
 
@@ -69,7 +73,7 @@ uint32_t count_draws(const scene::Scene* scene, std::string_view list) {
     if (scene == nullptr) return 1;
     return static_cast<uint32_t>(
         std::ranges::count_if(scene->instances, [&](const scene::Instance& instance) {
-            return is_in_draw_list(scene->materials[instance.material], list);
+            return is_in_draw_list(instance, scene->materials[instance.material], list);
         }));
 }
 
@@ -119,7 +123,15 @@ ImportDecl output(Extent3D extent) {
 
 }  // namespace
 
-bool is_in_draw_list(const scene::Material& material, std::string_view list) {
+bool is_still_list(std::string_view list) {
+    return list == "opaqueStill" || list == "maskedStill";
+}
+
+bool is_in_draw_list(const scene::Instance& instance, const scene::Material& material,
+                     std::string_view list) {
+    if (is_still_list(list))
+        return instance.node == scene::kNone &&
+               is_in_draw_list(instance, material, list == "opaqueStill" ? "opaque" : "masked");
     if (list == "anisotropic")
         return material.anisotropy > 0 && material.alpha_mode != scene::AlphaMode::blend;
     switch (material.alpha_mode) {
@@ -149,13 +161,12 @@ ImportDecl view_list(const std::string& name, uint32_t count) {
     return import;
 }
 
-ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
+ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene, const scene::Probes* probes) {
     ImportCatalog catalog;
-    for (const char* list : kDrawLists) {
-        ImportDecl import = draw_list(list, count_draws(scene, list));
-        catalog.imports.emplace(commands_of(list), draw_commands(import));
-        catalog.imports.emplace(list, std::move(import));
-    }
+    for (const char* list : kDrawLists)
+        catalog.imports.emplace(list, draw_list(list, count_draws(scene, list)));
+    for (const char* list : kCommandLists)
+        catalog.imports.emplace(commands_of(list), draw_commands(catalog.imports.at(list)));
     catalog.imports.emplace("backbuffer", output(output_extent));
     catalog.views = {"camera", "sun"};
     catalog.imports.emplace("sun", view_list("sun", shared::kMostSunCascades));
@@ -165,6 +176,9 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
     // The first directional light has the list "sun".
     const uint32_t suns = std::clamp(count_directional_lights(scene), 1u, shared::kMostSuns);
     catalog.imports.emplace(kFurtherSunViews, view_list(kFurtherSunViews, suns - 1));
+    catalog.imports.emplace(
+        kSceneSunViews,
+        view_list(kSceneSunViews, std::min(count_directional_lights(scene), shared::kMostSuns)));
     catalog.numbers = {{"directionalLights", count_directional_lights(scene)},
                        {"environmentPictures", has_environment_picture(scene) ? 1 : 0},
                        {"outputIsLinear", 0}};
@@ -173,6 +187,10 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene) {
                        {"Light", sizeof(shared::Light)},
                        {"ViewConstants", sizeof(shared::ViewConstants)}};
     add_scene_buffers(catalog, scene);
+    const scene::Probes none;
+    if (probes == nullptr && scene != nullptr) probes = &none;
+    add_probe_imports(catalog, probes);
+    catalog.imports.emplace(kSceneLights, scene_lights_import(scene));
     const uint32_t textures = scene != nullptr ? order_textures(*scene).count() : 1;
     catalog.imports.emplace(kMaterialTextures, texture_table(kMaterialTextures, textures));
     catalog.bindings = scene_bindings();

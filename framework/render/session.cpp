@@ -1,6 +1,8 @@
 #include "weft/render/session.h"
 
+#include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "render/imports/output_import.h"
@@ -18,7 +20,7 @@ namespace {
 // the scene. If the device has queues of several families, the objects are shared by all these families;
 // otherwise the main queue's family owns them.
 ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene, const SessionInput& input) {
-    ImportCatalog catalog = scene_imports(input.request.size, &scene);
+    ImportCatalog catalog = scene_imports(input.request.size, &scene, &input.probes);
     for (const auto& [name, count] : input.views)
         catalog.imports.insert_or_assign(name, view_list(name, count));
     for (const auto& [name, views] : input.textures)
@@ -91,8 +93,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     const Status loaded = graph->load_first(input.parsed, warnings);
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
     if (!loaded) return loaded.errors();
-    Result<DrawnScene> drawn =
-        DrawnScene::create(device, scene, {input.draw_lists, input.draw_sets, input.moves_instances}, owned);
+    Result<DrawnScene> drawn = DrawnScene::create(
+        device, scene, {input.draw_lists, input.draw_sets, input.moves_instances, input.probes}, owned);
     if (!drawn) return drawn.take_errors();
     Result<PendingSwap> first = graph->start(device, drawn->gpu(), StageSettings(input));
     if (!first) return first.take_errors();
@@ -204,11 +206,64 @@ Status Session::remove_part(PartId part) {
     return d;
 }
 
+uint32_t Session::probe_count() const {
+    return static_cast<uint32_t>(parts_->scene.gpu().probes().points().size());
+}
+
+uint32_t Session::reflection_probe_count() const {
+    return static_cast<uint32_t>(parts_->scene.gpu().probes().reflection_points().size());
+}
+
+Result<std::vector<vk::FrameTiming>> Session::warm_up_probes(const FrameInput& first,
+                                                             const ProbeWarmUp& settings) {
+    const uint32_t probes = parts_->frames.takes_turns(kProbeTurns) ? probe_count() : 0;
+    const uint32_t reflections = parts_->frames.takes_turns(kReflectionTurns) ? reflection_probe_count() : 0;
+    const uint32_t all = settings.rounds * probes + (settings.rounds > 0 ? reflections : 0);
+    const uint32_t step = std::max(1u, settings.most_per_frame);
+    std::vector<vk::FrameTiming> timings;
+    const auto collect = [&] {
+        static_cast<void>(take_readbacks());
+        std::ranges::move(take_timings(), std::back_inserter(timings));
+    };
+    FrameInput frame = first;
+    frame.submit = {};
+    uint32_t done = 0;
+    // Renders frames in which all probes of a kind have turns, and the others have none.
+    const auto run = [&](const char* import, uint32_t count) -> Status {
+        for (uint32_t begin = 0; begin < count; begin += step) {
+            std::vector<uint32_t> turns(std::min(step, count - begin));
+            std::iota(turns.begin(), turns.end(), begin);
+            frame.turns[kProbeTurns].clear();
+            frame.turns[kReflectionTurns].clear();
+            frame.turns[import] = turns;
+            if (Status rendered = render_frame(frame, true); !rendered) return rendered;
+            collect();
+            done += static_cast<uint32_t>(turns.size());
+            if (settings.progress) settings.progress(done, all);
+        }
+        return Unit{};
+    };
+    for (uint32_t round = 0; round < settings.rounds; ++round)
+        if (Status ran = run(kProbeTurns, probes); !ran) return ran.take_errors();
+    // Reflection probes show the light of the irradiance probes, so they come last.
+    if (all > 0)
+        if (Status ran = run(kReflectionTurns, reflections); !ran) return ran.take_errors();
+    if (all == 0) return timings;
+    if (Status finished = finish(); !finished) return finished.take_errors();
+    collect();
+    return timings;
+}
+
 Status Session::render_frame(const FrameInput& input) {
+    return render_frame(input, false);
+}
+
+Status Session::render_frame(const FrameInput& input, bool warms_up) {
     Result<std::unique_ptr<vk::Amendment>> values = parts_->graph->set_parameters(input.parameters);
     if (!values) return values.take_errors();
     if (*values) parts_->frames.amend(std::move(*values));
-    return parts_->frames.render(input, parts_->graph->live_inputs(), parts_->scene);
+    return parts_->frames.render(input, parts_->graph->live_inputs(), parts_->scene,
+                                 warms_up ? FrameLoop::Kind::warm_up : FrameLoop::Kind::normal);
 }
 
 Status Session::finish() {

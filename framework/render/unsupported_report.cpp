@@ -65,7 +65,7 @@ Diagnostics report_transparent(const FramePlan& plan, const scene::Scene& scene)
     std::set<uint32_t> materials;
     size_t objects = 0;
     for (const scene::Instance& instance : scene.instances) {
-        if (!is_in_draw_list(scene.materials[instance.material], "transparent")) continue;
+        if (!is_in_draw_list(instance, scene.materials[instance.material], "transparent")) continue;
         materials.insert(instance.material);
         ++objects;
     }

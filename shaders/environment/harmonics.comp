@@ -22,10 +22,6 @@ const float kLeastShare = 0.7;  // As in framework/scene/pictures/environment.cp
 const float kTolerance = 0.01;
 const int kMostSteps = 21;
 
-// Squared normalisation factors of the harmonics times the factors of a cosine lobe for the orders 0, 1 and 2.
-const float kZero = 0.25 / kPi, kOne = 0.5 / kPi, kTwo = 0.9375 / kPi;
-const float kFactors[9] = float[9](kZero, kOne, kOne, kOne, kTwo, kTwo, kTwo, kTwo / 12.0, kTwo / 4.0);
-
 shared vec3 coefficients[9];
 shared vec3 beams[kBeams];  // Direction and flux of the light of each texel of `raw`.
 shared vec3 fluxes[kBeams];
@@ -60,7 +56,7 @@ void main() {
     if (thread < 9u) {
         vec3 sum = vec3(0.0);
         for (uint part = 0u; part < uint(parts.items.length()) / 9u; ++part) sum += parts.items[part * 9u + thread].rgb;
-        coefficients[thread] = sum * kFactors[thread];
+        coefficients[thread] = sum * kIrradianceFactors[thread];
     }
     find_beams();
     barrier();

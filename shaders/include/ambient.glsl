@@ -1,13 +1,16 @@
 // The light of the surroundings that a surface reflects (ambient light). Units: cd/m². Ports, all optional:
-// `environmentCube` and `environmentSh` of graphs/modules/environment.json, and `dfg` of graphs/modules/dfg.json.
-// Without the first two, diffuse light comes from the harmonics in `frame`, and mirrored light from the blurred picture
-// or the gradient sky.
+// `environmentCube` and `environmentSh` of graphs/modules/environment.json, `dfg` of graphs/modules/dfg.json, and
+// `probeSh`, `probeMoments` and `probeMap` of graphs/modules/probe_apply.json, and those of reflection_probes.glsl. Without the first two, diffuse light
+// comes from the harmonics in `frame`, and mirrored light from the blurred picture or the gradient sky. With probes,
+// diffuse light comes from the probes around the point.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
 #include "brdf.glsl"
 #include "dfg.glsl"
 #include "environment_cube.glsl"
 #include "frame_set.glsl"
+#include "probes.glsl"
+#include "reflection_probes.glsl"
 #include "sky.glsl"
 
 layout(constant_id = 23) const bool HAS_environmentCube = false;
@@ -53,26 +56,66 @@ vec3 blurred_radiance(vec3 direction, vec3 n, float roughness) {
     return mix(environment_radiance(direction, 2.0 * alpha), sky_irradiance_over_pi(n), alpha);
 }
 
+// Returns the middle of the directions from which a surface with this roughness reflects light. `mirrored` is the
+// direction in which a smooth surface mirrors the sky. The middle for a rough surface is nearer to the normal: Lagarde
+// and de Rousiers 2014, "Moving Frostbite to Physically Based Rendering".
+vec3 middle_of_lobe(vec3 mirrored, vec3 n, float roughness) {
+    const float alpha = roughness * roughness;
+    return normalize(mix(n, mirrored, (1.0 - alpha) * (sqrt(1.0 - alpha) + alpha)));
+}
+
 // Returns the mean radiance that a surface with this roughness mirrors. `mirrored` is the direction in which a smooth
-// surface mirrors the sky. The middle of the lobe of a rough surface is nearer to the normal: Lagarde and de Rousiers
-// 2014, "Moving Frostbite to Physically Based Rendering". Surfaces with the roughness 1 mirror irradiance / π.
+// surface mirrors the sky. Surfaces with the roughness 1 mirror irradiance / π.
 vec3 mirrored_radiance(vec3 mirrored, vec3 n, float roughness) {
     if (!HAS_environmentCube) return blurred_radiance(mirrored, n, roughness);
-    const float alpha = roughness * roughness;
-    const vec3 middle = normalize(mix(n, mirrored, (1.0 - alpha) * (sqrt(1.0 - alpha) + alpha)));
+    const vec3 middle = middle_of_lobe(mirrored, n, roughness);
     const float lod = lod_of_roughness(roughness);
     const vec3 filtered = textureLod(environmentCube, middle, min(lod, kLastFiltered)).rgb * frame.environment_unit;
     if (lod <= kLastFiltered) return filtered;
     return mix(filtered, sky_irradiance_over_pi(middle), min(lod - kLastFiltered, 1.0));
 }
 
+// The light of the surroundings on a surface: irradiance / π, and the mean radiance that it mirrors.
+struct AmbientLight {
+    vec3 diffuse, mirrored;
+};
+
+// Replaces mirrored light by that of the reflection probes around a point, as far as these see what the point mirrors.
+// `here`: irradiance / π at the point from the middle of the mirrored directions. A rough surface mirrors light from many
+// directions, and a probe elsewhere receives more or less of it. So the light of a probe changes by the same factor as the
+// irradiance.
+vec3 with_reflection_probes(vec3 light, vec3 position, vec3 middle, float roughness, vec3 here) {
+    const ReflectionLight seen = reflection_light(position, middle, roughness);
+    const vec3 change = clamp(here / max(seen.irradiance_over_pi, vec3(1e-9)), 0.0, 2.0);
+    return mix(light, seen.radiance * mix(vec3(1.0), change, smoothstep(0.1, 0.3, roughness)), seen.share);
+}
+
+// Replaces the light of the whole surroundings by that of the probes around a point. Irradiance probes know only diffuse
+// light. So where no reflection probe helps, mirrored light changes by the same factor as the irradiance from the mirrored
+// directions. This also darkens reflections where the sky is hidden. A very rough surface mirrors what a diffuse surface
+// reflects.
+AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3 mirrored, float roughness) {
+    const vec3 middle = middle_of_lobe(mirrored, n, roughness);
+    const ProbeLight probes = probe_light(position, n, v, middle);
+    const vec3 change = clamp(probes.mirrored / max(sky_irradiance_over_pi(middle), vec3(1e-9)), 0.0, 2.0);
+    const float very_rough = clamp(lod_of_roughness(roughness) - kLastFiltered, 0.0, 1.0);
+    vec3 near = light.mirrored * change;
+    if (HAS_reflectionCubes && very_rough < 1.0)
+        near = with_reflection_probes(near, position, middle, roughness, probes.mirrored);
+    near = mix(near, probes.mirrored, very_rough);
+    return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
+}
+
 // Returns the reflection of the surroundings. with_albedo() must have set the members of `s`. An anisotropic surface
 // reflects the sky like an isotropic surface whose highlight has the same peak.
-vec3 ambient_reflection(Surface s, vec3 v, float roughness) {
+vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position) {
     const vec3 specular = (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy;
     const vec3 base = s.diffuse * (1.0 - max(specular.r, max(specular.g, specular.b)));
     const vec3 across = s.anisotropic ? bent_normal(s, v, roughness) : s.normal;
     const float blur = s.anisotropic ? sqrt(sqrt(s.alphas.x * s.alphas.y)) : roughness;
-    return base * sky_irradiance_over_pi(s.normal) + specular * mirrored_radiance(reflect(-v, across), s.normal, blur);
+    const vec3 mirrored = reflect(-v, across);
+    AmbientLight light = AmbientLight(sky_irradiance_over_pi(s.normal), mirrored_radiance(mirrored, s.normal, blur));
+    if (HAS_probeSh) light = with_probes(light, position, s.normal, v, mirrored, blur);
+    return base * light.diffuse + specular * light.mirrored;
 }
 #endif

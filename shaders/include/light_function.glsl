@@ -66,13 +66,13 @@ PictureSpot picture_ahead(LightFunction f, vec2 at, float pixel, bool endless) {
     return PictureSpot(0.5 + 0.5 * vec2(place.x, -place.y), footprint, weight);
 }
 
-vec3 light_function(Light light, vec3 position) {
+// `pixel_m`: width at the position, in metres, of the area over which the picture of the light is averaged.
+vec3 light_function(Light light, vec3 position, float pixel_m) {
     if (light.function == 0u) return vec3(1.0);
     const LightFunction f = light_functions.items[light.function - 1u];
     const LightFrame frame_of_light = light_frame(light);
     const vec3 way = position - light.position;
     const vec3 at = vec3(dot(way, frame_of_light.width), dot(way, frame_of_light.up), dot(way, frame_of_light.forward));
-    const float pixel_m = distance(position, view.eye) * 2.0 * view.inverse_viewport.y / abs(view.projection[1][1]);
     const float distance_m = max(length(way), 1e-4);
     const bool parallel = light.type == kLightDirectional, around = light.type == kLightPoint && f.picture != 0u;
     float open = parallel ? 1.0 : falloff_curve(f, distance_m);
@@ -88,5 +88,11 @@ vec3 light_function(Light light, vec3 position) {
     }
     if (f.picture == 0u) return vec3(open);
     return open * spot.weight == 0.0 ? vec3(0.0) : open * spot.weight * light_picture(f, spot.uv, spot.footprint);
+}
+
+// Averages the picture of the light over a pixel of the screen.
+vec3 light_function(Light light, vec3 position) {
+    const float pixel_m = distance(position, view.eye) * 2.0 * view.inverse_viewport.y / abs(view.projection[1][1]);
+    return light_function(light, position, pixel_m);
 }
 #endif

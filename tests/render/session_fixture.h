@@ -93,6 +93,7 @@ class SessionTest : public ::testing::Test {
         input.passes = &passes_;
         input.check_plan = true;
         input.queues = queues_;
+        input.probes = probes_;
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings_);
         EXPECT_TRUE(session) << to_text(session.errors());
@@ -134,6 +135,7 @@ class SessionTest : public ::testing::Test {
     }
 
     uint32_t queues_ = 1;
+    scene::Probes probes_;  // The light probes of the next sessions.
     PassCatalog passes_;
     Diagnostics warnings_;
     std::unique_ptr<vk::Device> device_;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
+#include "viewer/output/group_times.h"
 #include "viewer/output/port_bytes.h"
 
 namespace weft::viewer {
@@ -93,8 +95,13 @@ std::vector<PassResult> pass_results(const FramePlan& plan) {
     std::vector<PassResult> passes;
     for (Position position(0); position < plan.schedule.order.size(); ++position) {
         const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
+        const bool in_group = std::ranges::any_of(
+            plan.graph.groups, [&](const GroupDecl& group) { return group.has_unit(pass.rest_unit); });
+        const std::string name = in_group ? name_without_round(pass.name) : pass.name;
+        if (in_group && std::ranges::find(passes, name, &PassResult::name) != passes.end()) continue;
         PassResult& result = passes.emplace_back();
-        result.name = pass.name;
+        result.name = name;
+        result.in_group = in_group;
         result.queue = plan.schedule.queue[position];
         result.key = key_of(plan.graph, pass);
         result.bytes = port_bytes(plan.graph, pass);
@@ -102,6 +109,31 @@ std::vector<PassResult> pass_results(const FramePlan& plan) {
         result.rests = pass.rest_unit != kNoId;
     }
     return passes;
+}
+
+bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
+    std::map<std::string, double, std::less<>> times, of_groups;
+    for (const vk::PassTiming& pass : timing.passes) {
+        if (pass.gpu_ms < 0) return false;
+        times.emplace(pass.pass, pass.gpu_ms);
+        if (!pass.rested) of_groups[name_without_round(pass.pass)] += pass.gpu_ms;
+    }
+    for (PassResult& pass : passes) {
+        const auto timed = times.find(pass.name);
+        if (!pass.in_group && timed == times.end()) return false;
+        pass.ms.push_back(pass.in_group ? of_groups[pass.name] : timed->second);
+    }
+    return true;
+}
+
+std::vector<RoundCost> round_costs(const FramePlan& plan, const std::vector<vk::FrameTiming>& timings) {
+    std::vector<RoundCost> costs;
+    for (const GroupTimes& group : group_times(plan, timings))
+        for (const auto& [pass, ms] : group.pass_ms) {
+            const uint64_t rounds = group.all_ran();
+            if (ms >= 0 && rounds > 0) costs.push_back({pass, rounds, ms / static_cast<double>(rounds)});
+        }
+    return costs;
 }
 
 void find_common(FrameBench& bench) {

@@ -11,6 +11,7 @@
 #include "viewer/options/options.h"
 #include "weft/plan.h"
 #include "weft/result.h"
+#include "weft/vulkan/frame_results.h"
 
 namespace weft::viewer {
 
@@ -33,7 +34,9 @@ struct Yardsticks {
 };
 
 struct PassResult {
+    // A pass of a group has the name without the number of the round: the result is the sum of all rounds.
     std::string name;
+    bool in_group = false;
     uint32_t queue = 0;
     // Describes the work of the pass. Passes of different graphs with equal keys count as the same pass.
     std::string key;
@@ -52,6 +55,13 @@ struct PassResult {
     [[nodiscard]] const std::vector<double>& running_ms() const { return awake_ms.empty() ? ms : awake_ms; }
 };
 
+// The time of a pass of a group while the light probes were lit before the first frame.
+struct RoundCost {
+    std::string pass;
+    uint64_t rounds = 0;  // Number of rounds that ran.
+    double round_ms = 0;  // Mean time of one round.
+};
+
 // The measured times of one graph, rendered with one number of lights.
 struct GraphResult {
     std::string graph;
@@ -60,6 +70,7 @@ struct GraphResult {
     std::vector<double> trivial_ms;  // Time of the trivial reference pass in each round.
     // Frame time of each round if all passes run, also those with `rest`. Empty if the graph has none.
     std::vector<double> awake_ms;
+    std::vector<RoundCost> warm_up;  // Empty without light probes.
 
     // Returns the frame time of each round, as the sum of the times of the passes. If `with_common` is false,
     // the sum leaves out the passes that all graphs have.
@@ -101,6 +112,12 @@ struct FrameBench {
 };
 
 [[nodiscard]] std::vector<PassResult> pass_results(const FramePlan& plan);
+// Appends the times of one frame to the results of its passes. Returns false if a pass has no time, because
+// the device has no timestamps.
+[[nodiscard]] bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes);
+// Returns the costs of the rounds that ran in these frames. Returns nothing for passes without a time.
+[[nodiscard]] std::vector<RoundCost> round_costs(const FramePlan& plan,
+                                                 const std::vector<vk::FrameTiming>& timings);
 // Sets `common` to true for each pass that all graphs have (with the same number of lights). If there is only
 // one graph, `common` stays false.
 void find_common(FrameBench& bench);

@@ -48,6 +48,13 @@ Json result_json(const FrameBench& bench, size_t light, size_t graph) {
             {"over_trivial", bench.ratio_to_trivial(light, graph, with_common)}};
     json["awake_ms"] = awake_json(result.awake_ms);
     json["passes"] = std::move(passes);
+    Json warm_up = Json::array();
+    for (const RoundCost& cost : result.warm_up)
+        warm_up.push_back({{"pass", cost.pass},
+                           {"rounds", cost.rounds},
+                           {"round_ms", cost.round_ms},
+                           {"over_trivial", cost.round_ms / bench.yardsticks.trivial_ms}});
+    json["warm_up"] = std::move(warm_up);
     return json;
 }
 

@@ -68,6 +68,20 @@ std::string awake_lines(const FrameBench& bench) {
            text;
 }
 
+// Returns a table with the costs of the rounds that lit the light probes; empty without probes.
+std::string warm_up_table(const FrameBench& bench) {
+    std::string lines;
+    for (const GraphResult& result : bench.results)
+        for (const RoundCost& cost : result.warm_up)
+            lines += formatted("%-16s %6u  %-28s %7llu %9.4f %8.3ft\n", result.graph.c_str(), result.lights,
+                               cost.pass.c_str(), static_cast<unsigned long long>(cost.rounds), cost.round_ms,
+                               cost.round_ms / bench.yardsticks.trivial_ms);
+    if (lines.empty()) return lines;
+    return "\nlighting the probes before the first frame: time of one round, which is one probe\n"
+           "graph            lights  pass                          rounds        ms /trivial\n" +
+           lines;
+}
+
 }  // namespace
 
 std::string bench_text(const FrameBench& bench) {
@@ -101,7 +115,7 @@ std::string bench_text(const FrameBench& bench) {
             for (const PassResult& pass : bench.at(light, graph).passes)
                 text += pass_line(bench, bench.graphs[graph], pass);
     }
-    return text;
+    return text + warm_up_table(bench);
 }
 
 }  // namespace weft::viewer

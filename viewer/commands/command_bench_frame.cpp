@@ -8,6 +8,7 @@
 
 #include "viewer/bench/frame_bench.h"
 #include "viewer/commands/commands.h"
+#include "viewer/commands/probe_source.h"
 #include "viewer/commands/scene_source.h"
 #include "viewer/commands/session_setup.h"
 #include "viewer/files/files.h"
@@ -30,6 +31,7 @@ struct Contestant {
     render::FrameInput frame;
     std::vector<PassResult> passes;
     bool awake = false;  // True: no pass rests.
+    std::vector<RoundCost> warm_up;
 };
 
 std::string graph_path(const std::string& graph) {
@@ -42,17 +44,6 @@ Diagnostic no_timestamps() {
     d.message = "the device has no timestamps, so `weft bench frame` cannot measure times";
     d.help = {"choose another device with --device; `weft doctor` lists the devices"};
     return d;
-}
-
-// Appends the times of one frame to the results of its passes. Returns false if a pass has no time, because
-// the device has no timestamps.
-bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
-    for (PassResult& pass : passes) {
-        const auto timed = std::ranges::find(timing.passes, pass.name, &vk::PassTiming::pass);
-        if (timed == timing.passes.end() || timed->gpu_ms < 0) return false;
-        pass.ms.push_back(timed->rested ? 0 : timed->gpu_ms);
-    }
-    return true;
 }
 
 // Runs the command once: it renders the rounds for every number of lights and collects the results.
@@ -120,12 +111,22 @@ class Run {
         render::SessionInput input = session_input(render_, passes_);
         input.timestamps = true;
         Diagnostics warnings;
+        if (draws_scene && options_.probes != "none") {
+            Result<FoundProbes> found = find_probes(
+                scene, {options_.scene, options_.probes, glm::vec3(camera->transform[3])}, options_.limits);
+            if (!found) return found.take_errors();
+            input.probes = std::move(found->probes);
+        }
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings);
         if (draws_scene && !awake && lights == options_.lights.front()) report(warnings);
         if (!session) return session.take_errors();
-        Contestant contestant{std::move(*session), frame_input(render_, scene, *camera), {}, awake};
+        Contestant contestant{std::move(*session), frame_input(render_, scene, *camera), {}, awake, {}};
         contestant.passes = pass_results(contestant.session->plan());
+        const Result<std::vector<vk::FrameTiming>> warm =
+            contestant.session->warm_up_probes(contestant.frame);
+        if (!warm) return warm.errors();
+        contestant.warm_up = round_costs(contestant.session->plan(), *warm);
         for (uint32_t frame = 0; frame < kWarmFrames; ++frame)
             if (Status s = contestant.session->render_frame(contestant.frame); !s) return s.take_errors();
         if (Status s = contestant.session->finish(); !s) return s.take_errors();
@@ -187,8 +188,12 @@ class Run {
             if (contestant.awake)
                 add_awake(contestant, bench_.results.back());
             else
-                bench_.results.push_back(
-                    {bench_.graphs[graph++], lights, std::move(contestant.passes), trivial_ms, {}});
+                bench_.results.push_back({bench_.graphs[graph++],
+                                          lights,
+                                          std::move(contestant.passes),
+                                          trivial_ms,
+                                          {},
+                                          std::move(contestant.warm_up)});
         }
     }
 

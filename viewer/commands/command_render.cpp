@@ -26,6 +26,7 @@ namespace {
 // The results of a run: the picture, the times of the frames, and the last resource that was read back.
 struct RunOutcome {
     vk::ReadbackData output;
+    std::vector<vk::FrameTiming> warm_up;  // The frames that lit the probes before the first frame.
     std::vector<vk::FrameTiming> timings;
     std::optional<vk::ReadbackData> last_readback;
 };
@@ -62,12 +63,31 @@ void collect(render::Session& session, const RenderOptions& options, RunOutcome&
         if (data.pass.starts_with("observe:")) outcome.last_readback = std::move(data);
 }
 
+// Lights the probes before the first frame. If this takes longer than a second, the progress is printed to
+// stderr.
+Result<std::vector<vk::FrameTiming>> warm_up(render::Session& session, const render::FrameInput& first,
+                                             const RenderOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    ProgressText text("lighting probes", isatty(STDERR_FILENO) == 1);
+    render::ProbeWarmUp settings{.rounds = options.probe_rounds};
+    settings.progress = [&](uint32_t done, uint32_t all) {
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+        if (!options.quiet) std::fputs(text.at(elapsed.count(), "turns", done, all).c_str(), stderr);
+    };
+    Result<std::vector<vk::FrameTiming>> timings = session.warm_up_probes(first, settings);
+    std::fputs(text.finish().c_str(), stderr);
+    return timings;
+}
+
 Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, uint32_t frames) {
     render::Session& session = *open.session;
     render::FrameInput frame = open.frame;
     frame.delta_time_s = options.fixed_dt_s;
-    RenderProgress progress(options, frames);
     RunOutcome outcome;
+    Result<std::vector<vk::FrameTiming>> warm = warm_up(session, frame, options);
+    if (!warm) return warm.take_errors();
+    outcome.warm_up = std::move(*warm);
+    RenderProgress progress(options, frames);
     for (uint32_t i = 0; i < frames; ++i) {
         frame.time_s = i * options.fixed_dt_s;
         if (Status s = session.render_frame(frame); !s) return s.take_errors();
@@ -178,9 +198,9 @@ ExitCode run_render(const RenderOptions& options) {
     }
     if (Status s = write_picture(options, session, *outcome); !s) return fail_on_device(s.errors());
     if (!options.stats.empty()) {
-        const std::string json =
-            stats_json({*open->device, session.plan(), outcome->output, outcome->timings, frames,
-                        options.request.tier, session.pipelines_made_between_frames()});
+        const std::string json = stats_json(
+            {*open->device, session.plan(), outcome->output, outcome->timings, frames, options.request.tier,
+             session.pipelines_made_between_frames(), session.probe_count(), outcome->warm_up});
         if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
     }
     const std::string& name = options.named_output.empty() ? options.output : options.named_output;

@@ -8,6 +8,7 @@
 #include "graph/diagnostics/quoted_list.h"
 #include "graph/parse/debug_view.h"
 #include "viewer/commands/load_settings.h"
+#include "viewer/commands/probe_source.h"
 #include "viewer/commands/scene_source.h"
 #include "viewer/files/files.h"
 #include "viewer/output/report.h"
@@ -123,10 +124,9 @@ Result<ParsedGraph> SessionOpener::parse_checked() {
 
 Status SessionOpener::load_scene(bool automatic_exposure) {
     Diagnostics warnings;
-    Result<scene::Scene> scene =
-        open_scene({options_.scene, options_.env, options_.hour, options_.lights, options_.seed,
-                    options_.env_gain},
-                   options_.limits.scene, warnings);
+    Result<scene::Scene> scene = open_scene(
+        {options_.scene, options_.env, options_.hour, options_.lights, options_.seed, options_.env_gain},
+        options_.limits.scene, warnings);
     if (!options_.quiet) report(warnings);
     if (!scene) return scene.take_errors();
     warn_of_exposure(*scene, options_.exposure_ev.value_or(scene->exposure_ev), automatic_exposure);
@@ -138,10 +138,26 @@ Status SessionOpener::load_scene(bool automatic_exposure) {
     return Unit{};
 }
 
+Status SessionOpener::load_probes(const GraphDesc& graph) {
+    // With several attempts, a later version of the graph may use the probes.
+    const bool may_use =
+        attempts_ == Attempts::many || std::ranges::any_of(graph.imports, [](const auto& import) {
+            return render::is_probe_import(import.first);
+        });
+    if (options_.probes == "none" || !may_use) return Unit{};
+    Result<FoundProbes> found = find_probes(
+        *scene_, {options_.scene, options_.probes, glm::vec3(frame_.camera.transform[3])}, options_.limits);
+    if (!found) return found.take_errors();
+    probes_ = std::move(found->probes);
+    return Unit{};
+}
+
 Result<OpenSession> SessionOpener::open_parsed(const ParsedGraph& parsed) {
     const std::vector<std::string> automatic = auto_exposure_params(parsed.desc);
     if (!scene_)
         if (Status s = load_scene(!automatic.empty() && !options_.exposure_ev); !s) return s.take_errors();
+    if (!probes_)
+        if (Status s = load_probes(parsed.desc); !s) return s.take_errors();
     if (!device_) {
         Result<std::unique_ptr<vk::Device>> device = open_device(options_);
         if (!device) return device.take_errors();
@@ -150,6 +166,7 @@ Result<OpenSession> SessionOpener::open_parsed(const ParsedGraph& parsed) {
     Diagnostics warnings;
     render::SessionInput input = input_;
     input.parsed = &parsed;
+    if (probes_) input.probes = *probes_;
     // --exposure fixes the exposure, unless --param says otherwise.
     if (options_.exposure_ev)
         for (const std::string& name : automatic) input.request.params.emplace(name, 0);

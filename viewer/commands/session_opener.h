@@ -36,6 +36,8 @@ class SessionOpener {
  private:
     [[nodiscard]] Result<ParsedGraph> parse_checked();
     [[nodiscard]] Status load_scene(bool automatic_exposure);
+    // Finds the probes of the scene, if the graph can use them.
+    [[nodiscard]] Status load_probes(const GraphDesc& graph);
     [[nodiscard]] Result<OpenSession> open_parsed(const ParsedGraph& parsed);
 
     const RenderOptions& options_;
@@ -43,6 +45,7 @@ class SessionOpener {
     const PassCatalog passes_;
     const render::SessionInput input_;
     std::optional<scene::Scene> scene_;
+    std::optional<scene::Probes> probes_;
     render::FrameInput frame_;
     std::unique_ptr<vk::Device> device_;
     std::set<std::filesystem::path> files_;

@@ -59,6 +59,8 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
                      "a factor on the light of the environment picture, including its suns")
         ->transform(number_in({1e-6, 1e9, ""}))
         ->capture_default_str();
+    command->add_option("--probes", o.probes, "the light probes of the scene, as in `weft render`")
+        ->capture_default_str();
     command->add_option("--seed", o.seed, "seed of the random lights")
         ->transform(whole_number_in(0, kMostSeed))
         ->capture_default_str();

@@ -111,6 +111,15 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                     "if the graph has "
                     "no automatic exposure]")
         ->transform(number_in({-40, 40, "EV"}));
+    command
+        .add_option("--probes", o.probes,
+                    "the light probes of the scene: none, auto, or a file (.json), as in `weft scene`")
+        ->capture_default_str();
+    command
+        .add_option("--probe-rounds", o.probe_rounds,
+                    "how often each light probe is lit before the first frame; 0: not before it")
+        ->transform(whole_number_in(0, kMostProbeRounds))
+        ->capture_default_str();
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
     command
@@ -146,7 +155,7 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
     for (const char* flag : {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames",
-                             "--stats", "--sandbox", "--verify-rest"})
+                             "--stats", "--sandbox", "--verify-rest", "--probe-rounds"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "run without a window");
     command.add_option("-o,--output", o.render.output,

@@ -30,6 +30,8 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     // The resource that is written instead of the output, such as "normal" or "hdr@sky".
     std::string resource;
+    std::string probes = "none";  // "auto", "none", a file, or empty: see ProbeChoice::probes.
+    uint32_t probe_rounds = 4;    // Number of turns of each irradiance probe before the first frame.
     // For imports of kind "turns": the rounds of the group that run in each frame.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns;
     bool validate = false;
@@ -53,7 +55,7 @@ struct RenderOptions {
 // Returns the files that the command reads. A word such as "sky" is included, too, because a file may have
 // that name.
 [[nodiscard]] inline std::vector<std::string> inputs_of(const RenderOptions& options) {
-    return {options.scene, options.request.path, options.env};
+    return {options.scene, options.request.path, options.env, options.probes};
 }
 
 struct ViewOptions {
@@ -143,6 +145,7 @@ struct FrameBenchOptions {
     std::string camera;
     std::string env = "sky";
     float env_gain = 1;
+    std::string probes = "none";  // "auto", "none", a file, or empty: see ProbeChoice::probes.
     uint32_t seed = 1;
     uint32_t rounds = 7;
     std::string device;

@@ -17,6 +17,8 @@ namespace weft::viewer {
 
 inline constexpr uint64_t kMostSeed = 0xFFFFFFFF;
 inline constexpr uint64_t kMostLights = 65'536;
+// The most turns that --probe-rounds gives to each probe.
+inline constexpr uint64_t kMostProbeRounds = 64;
 inline constexpr uint64_t kMostQueues = 4;
 inline constexpr NumberRange kTimeout{0.001, 3600, "s"};
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "check/needed_barriers.h"
+#include "viewer/output/group_times.h"
 #include "viewer/output/port_bytes.h"
 #include "weft/compile.h"
 
@@ -47,16 +48,17 @@ Json passes_json(const StatsInput& input) {
         std::vector<std::vector<double>> view_left_out;
         uint32_t rested = 0, switched_off = 0;
         Json woken = Json::object();
-        for (const vk::FrameTiming& frame : input.timings)
-            for (const vk::PassTiming& timing : frame.passes) {
-                if (timing.pass != pass.name) continue;
-                switched_off += timing.switched_off ? 1 : 0;
-                if (timing.switched_off) continue;
-                if (!timing.rested) times.push_back(timing.gpu_ms);
-                if (!timing.rested) add_draws_left_out(timing, left_out, view_left_out);
-                rested += timing.rested ? 1 : 0;
-                if (!timing.woken_by.empty()) woken[timing.woken_by] = woken.value(timing.woken_by, 0u) + 1;
-            }
+        for (const vk::FrameTiming& frame : input.timings) {
+            // The times of a frame are in the order of the plan.
+            if (p >= frame.passes.size()) continue;
+            const vk::PassTiming& timing = frame.passes[p];
+            switched_off += timing.switched_off ? 1 : 0;
+            if (timing.switched_off) continue;
+            if (!timing.rested) times.push_back(timing.gpu_ms);
+            if (!timing.rested) add_draws_left_out(timing, left_out, view_left_out);
+            rested += timing.rested ? 1 : 0;
+            if (!timing.woken_by.empty()) woken[timing.woken_by] = woken.value(timing.woken_by, 0u) + 1;
+        }
         passes.push_back({{"name", pass.name},
                           {"queue", uint32_t{input.plan.schedule.queue[p]}},
                           {"gpu_ms", distribution(std::move(times))},
@@ -73,6 +75,33 @@ Json passes_json(const StatsInput& input) {
         passes.back()["woken_by"] = std::move(woken);
     }
     return passes;
+}
+
+Json groups_json(const StatsInput& input) {
+    Json groups = Json::array();
+    for (GroupTimes& group : group_times(input.plan, input.timings))
+        groups.push_back({{"name", group.name},
+                          {"rounds", group.rounds},
+                          {"rounds_run", distribution({group.ran.begin(), group.ran.end()})},
+                          {"gpu_ms", distribution(std::move(group.gpu_ms))}});
+    return groups;
+}
+
+// Returns the number of probes and the cost of lighting them before the first frame; null without probes.
+Json probes_json(const StatsInput& input) {
+    if (input.probes == 0) return nullptr;
+    Json groups = Json::array();
+    for (const GroupTimes& group : group_times(input.plan, input.warm_up)) {
+        const double ms = group.all_gpu_ms();
+        groups.push_back({{"name", group.name},
+                          {"rounds_run", group.all_ran()},
+                          {"gpu_ms", ms < 0 ? Json(nullptr) : Json(ms)}});
+    }
+    double frame_ms = 0;
+    for (const vk::FrameTiming& t : input.warm_up) frame_ms += t.record_ms + t.submit_ms + t.wait_ms;
+    return {
+        {"irradiance", input.probes},
+        {"warm_up", {{"frames", input.warm_up.size()}, {"cpu_ms", frame_ms}, {"groups", std::move(groups)}}}};
 }
 
 Json cpu_json(const std::vector<vk::FrameTiming>& timings) {
@@ -121,6 +150,8 @@ std::string stats_json(const StatsInput& input) {
         {"output_sha256", sha256(input.output.bytes)},
         {"validation", validation_json(input.device)},
         {"passes", passes_json(input)},
+        {"groups", groups_json(input)},
+        {"probes", probes_json(input)},
         {"cpu_ms", cpu_json(input.timings)},
         {"memory",
          {{"sum_bytes", plan.memory.sum_bytes},

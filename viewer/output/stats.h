@@ -20,6 +20,9 @@ struct StatsInput {
     // Number of pipelines that the thread that renders the frames has created since the session was created.
     // Each of these pipelines delayed a frame.
     uint64_t pipelines_built_on_frame_thread = 0;
+    // Number of irradiance probes, and the times of the frames that lit them before the first frame.
+    uint32_t probes = 0;
+    const std::vector<vk::FrameTiming>& warm_up;
 };
 
 [[nodiscard]] std::string stats_json(const StatsInput& input);

@@ -92,8 +92,9 @@ Wake RestState::own_wake(const Unit& unit, const UnitInput& input) const {
     return {unit.settles > 0 ? WakeReason::settles : WakeReason::rests};
 }
 
-// A unit that runs also wakes the units that read its results in the same frame. `decided`: for each group, 1
-// if it is known which of its rounds run.
+// A unit that runs also wakes the units that read its results in the same frame. A round that would only
+// settle sees a change, so it begins to settle again. `decided`: for each group, 1 if it is known which of
+// its rounds run.
 void RestState::wake_readers(std::vector<Wake>& wakes, const std::vector<uint8_t>& decided) const {
     const auto runs = [&](const Source& source) {
         const uint32_t group = units_[source.unit].group;
@@ -103,7 +104,8 @@ void RestState::wake_readers(std::vector<Wake>& wakes, const std::vector<uint8_t
         changed = false;
         for (size_t id = 0; id < units_.size(); ++id) {
             const Unit& unit = units_[id];
-            if (wakes[id].reason != WakeReason::rests || !unit.exists) continue;
+            const WakeReason reason = wakes[id].reason;
+            if ((reason != WakeReason::rests && reason != WakeReason::settles) || !unit.exists) continue;
             if (unit.group != kNoId && decided[unit.group] != 0) continue;
             const auto awake = std::ranges::find_if(unit.sources, runs);
             if (awake == unit.sources.end()) continue;

@@ -30,7 +30,7 @@ Diagnostic taken(const std::string& name, const char* member) {
 
 Diagnostics program_import_faults(const vk::Device& device, const SessionInput& input,
                                   const scene::Scene& scene) {
-    const ImportCatalog offered = scene_imports(input.request.size, &scene);
+    const ImportCatalog offered = scene_imports(input.request.size, &scene, &input.probes);
     const auto is_taken = [&](const std::string& name) {
         return offered.imports.contains(name) || input.views.contains(name) || input.textures.contains(name);
     };

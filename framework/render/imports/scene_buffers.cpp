@@ -12,24 +12,6 @@ namespace {
 
 static_assert(sizeof(shared::Bounds) == 32 && sizeof(shared::Mesh) == 48);
 
-// The program writes the buffers before the first frame, and passes only read them. So no access is pending
-// before or after a frame.
-ImportDecl scene_buffer(const std::string& name, size_t elements, size_t stride_bytes) {
-    ImportDecl import;
-    import.name = name;
-    import.kind = ImportKind::buffer;
-    import.read_only = true;
-    ResourceDecl& buffer = import.resource;
-    buffer.name = name;
-    buffer.kind = ResourceKind::buffer;
-    buffer.lifetime = ResourceLifetime::imported;
-    buffer.stride_bytes = static_cast<uint32_t>(stride_bytes);
-    buffer.size_bytes = std::max<uint64_t>(1, elements) * stride_bytes;
-    buffer.usage = usage::kStorage | usage::kTransferSrc;
-    buffer.import = ImportState{};
-    return import;
-}
-
 shared::Bounds gpu_bounds(const scene::Bounds& mesh, const glm::mat4& to_world) {
     const scene::Bounds box = box_in_world(mesh, to_world);
     return {box.min, 0, box.max, 0};
@@ -42,12 +24,7 @@ template <class T>
 Result<vk::Buffer> uploaded(vk::Device& device, std::vector<T> items, const std::string& name) {
     // Vulkan has no empty buffers, so an empty list gives one element with the value 0.
     if (items.empty()) items.emplace_back();
-    const std::span<const std::byte> bytes = std::as_bytes(std::span<const T>(items));
-    Result<vk::Buffer> buffer =
-        vk::Buffer::create(device, bytes.size(), kBufferUsage, vk::Buffer::Memory::device, "scene " + name);
-    if (!buffer) return buffer;
-    if (Status copied = vk::upload_buffer(device, *buffer, bytes); !copied) return copied.take_errors();
-    return buffer;
+    return make_scene_buffer(device, std::as_bytes(std::span<const T>(items)), name);
 }
 
 Result<std::vector<vk::Buffer>> bounds_buffers(vk::Device& device, const scene::Scene& scene,
@@ -70,6 +47,33 @@ Result<std::vector<vk::Buffer>> bounds_buffers(vk::Device& device, const scene::
 }
 
 }  // namespace
+
+// The program writes the buffers before the first frame, and passes only read them. So no access is pending
+// before or after a frame.
+ImportDecl scene_buffer(const std::string& name, size_t elements, size_t stride_bytes) {
+    ImportDecl import;
+    import.name = name;
+    import.kind = ImportKind::buffer;
+    import.read_only = true;
+    ResourceDecl& buffer = import.resource;
+    buffer.name = name;
+    buffer.kind = ResourceKind::buffer;
+    buffer.lifetime = ResourceLifetime::imported;
+    buffer.stride_bytes = static_cast<uint32_t>(stride_bytes);
+    buffer.size_bytes = std::max<uint64_t>(1, elements) * stride_bytes;
+    buffer.usage = usage::kStorage | usage::kTransferSrc;
+    buffer.import = ImportState{};
+    return import;
+}
+
+Result<vk::Buffer> make_scene_buffer(vk::Device& device, std::span<const std::byte> bytes,
+                                     const std::string& name) {
+    Result<vk::Buffer> buffer =
+        vk::Buffer::create(device, bytes.size(), kBufferUsage, vk::Buffer::Memory::device, "scene " + name);
+    if (!buffer) return buffer;
+    if (Status copied = vk::upload_buffer(device, *buffer, bytes); !copied) return copied.take_errors();
+    return buffer;
+}
 
 void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene) {
     const size_t instances = scene != nullptr ? scene->instances.size() : 1;

@@ -24,6 +24,12 @@ namespace weft::render {
 
 inline constexpr std::array kSceneBuffers{"instances", "bounds", "meshes", "materials"};
 
+// Returns an import with a buffer that the program writes before the first frame and that passes only read.
+[[nodiscard]] ImportDecl scene_buffer(const std::string& name, size_t elements, size_t stride_bytes);
+// Makes a buffer of the scene with these bytes.
+[[nodiscard]] Result<vk::Buffer> make_scene_buffer(vk::Device& device, std::span<const std::byte> bytes,
+                                                   const std::string& name);
+
 // Adds the imports of kSceneBuffers, the strides of their structs, and the numbers "instanceCount",
 // "meshCount" and "materialCount". If `scene` is null, each buffer has one element.
 void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene);

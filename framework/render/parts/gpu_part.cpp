@@ -29,6 +29,7 @@ Result<std::unique_ptr<GpuPart>> GpuPart::create(const PartInput& input) {
     part->moving_ = MovingObjects(scene, input.moves_instances);
     part->sort_draws(scene);
     part->find_moving_draws();
+    part->find_still_bounds();
     if (!scene.instances.empty()) part->bounds_ = scene::world_bounds(scene);
     if (!input.moves_instances) part->fixed_bounds_ = scene::fixed_bounds(scene);
     part->still_surfaces_ = SurfaceTree(render::still_surfaces(scene, input.moves_instances));
@@ -60,7 +61,7 @@ void GpuPart::sort_draws(const scene::Scene& scene) {
         const glm::vec3 center =
             instance.transform * glm::vec4((mesh.bounds.min + mesh.bounds.max) * 0.5f, 1);
         for (const char* list : kDrawLists)
-            if (is_in_draw_list(material, list))
+            if (is_in_draw_list(instance, material, list))
                 lists_[list].draws.push_back({geometry_.meshes[instance.mesh], i, instance.material,
                                               draw_variant(material, list), material.double_sided, mirrored,
                                               center, box_in_world(mesh.bounds, instance.transform)});
@@ -76,7 +77,10 @@ void GpuPart::find_moving_draws() {
     std::map<uint32_t, uint32_t> objects;  // From the index of an instance to its moving object.
     for (uint32_t i = 0; i < moving_.all().size(); ++i) objects[moving_.all()[i].instance] = i;
     draws_of_object_.resize(moving_.all().size());
+    for (const MovingObject& object : moving_.all()) is_still_.push_back(object.node == scene::kNone);
     for (auto& [name, list] : lists_) {
+        // An object that moves leaves these lists.
+        if (is_still_list(name)) continue;
         for (uint32_t i = 0; i < list.draws.size(); ++i) {
             const auto object = objects.find(list.draws[i].instance);
             if (object != objects.end()) draws_of_object_[object->second].push_back({&list, i});
@@ -93,6 +97,7 @@ void GpuPart::begin_frame(uint32_t slot, double time_s) {
         const MovingObject& object = moving_.all()[index];
         write_object(slot, object);
         if (!object.changed) continue;
+        if (is_still_[index]) drop_from_still_lists(index);
         for (const DrawRef& ref : draws_of_object_[index]) {
             PartDraw& draw = ref.list->draws[ref.draw];
             draw.mirrored = glm::determinant(glm::mat3(object.transform)) < 0;
@@ -103,6 +108,19 @@ void GpuPart::begin_frame(uint32_t slot, double time_s) {
         }
     }
     update_bounds();
+}
+
+// Removes the draws of an object from the lists of objects that do not move.
+void GpuPart::drop_from_still_lists(uint32_t object) {
+    is_still_[object] = false;
+    const uint32_t instance = moving_.all()[object].instance;
+    for (auto& [name, list] : lists_) {
+        if (!is_still_list(name)) continue;
+        const size_t removed =
+            std::erase_if(list.draws, [&](const PartDraw& draw) { return draw.instance == instance; });
+        list.changed = list.changed || removed > 0;
+    }
+    find_still_bounds();
 }
 
 void GpuPart::write_object(uint32_t slot, const MovingObject& object) {
@@ -117,6 +135,13 @@ void GpuPart::update_bounds() {
     const bool first = std::exchange(has_begun_, true) == false;
     if (!moving_.any_changed() && (!first || nodes_.empty())) return;
     if (const auto all = united(fixed_bounds_, moving_.bounds())) bounds_ = all;
+}
+
+void GpuPart::find_still_bounds() {
+    still_bounds_.reset();
+    for (const auto& [name, list] : lists_)
+        if (is_still_list(name))
+            for (const PartDraw& draw : list.draws) still_bounds_ = united(still_bounds_, draw.box);
 }
 
 const PartDrawList* GpuPart::list(std::string_view name) const {

@@ -60,6 +60,8 @@ class GpuPart {
     [[nodiscard]] const MovingObjects& moving() const { return moving_; }
     // Returns the box around all objects; nullopt if the part has none.
     [[nodiscard]] const std::optional<scene::Bounds>& bounds() const { return bounds_; }
+    // Returns the box around the draws in the lists of objects that do not move; nullopt if there are none.
+    [[nodiscard]] const std::optional<scene::Bounds>& still_bounds() const { return still_bounds_; }
     // Returns the surfaces of the objects that do not move.
     [[nodiscard]] const SurfaceTree& still_surfaces() const { return still_surfaces_; }
     // Returns null if the part has no draw in this list.
@@ -86,8 +88,10 @@ class GpuPart {
     [[nodiscard]] Status make_draw_sets(vk::Device& device);
     void sort_draws(const scene::Scene& scene);
     void find_moving_draws();
+    void drop_from_still_lists(uint32_t object);
     void write_object(uint32_t slot, const MovingObject& object);
     void update_bounds();
+    void find_still_bounds();
 
     GpuGeometry geometry_;
     GpuMaterials materials_;
@@ -100,8 +104,11 @@ class GpuPart {
     std::map<std::string, PartDrawList, std::less<>> lists_;
     // The draws of each object in MovingObjects::all().
     std::vector<std::vector<DrawRef>> draws_of_object_;
+    // For each object in MovingObjects::all(): true if it is in the lists of objects that do not move.
+    std::vector<bool> is_still_;
     std::optional<scene::Bounds> fixed_bounds_;  // Of the objects that do not move.
     std::optional<scene::Bounds> bounds_;
+    std::optional<scene::Bounds> still_bounds_;
     SurfaceTree still_surfaces_;
     bool has_begun_ = false;  // True after the first begin_frame() of a part that moves.
 };

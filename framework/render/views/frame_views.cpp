@@ -109,7 +109,8 @@ bool FrameViews::is_in_buffer(const std::string& view) const {
 Status FrameViews::check(const ViewLists& program) const {
     for (const ViewListDecl& list : lists_) {
         if (list.source != ViewSource::program || list.name == kSun || list.name == kLampViews ||
-            list.name == kFurtherSunViews)
+            list.name == kFurtherSunViews || list.name == kSceneSunViews || list.name == kProbeFaceViews ||
+            list.name == kReflectionFaceViews)
             continue;
         const auto given = program.find(list.name);
         const size_t count = given != program.end() ? given->second.size() : 0;
@@ -170,6 +171,10 @@ shared::ViewConstants FrameViews::make_given(const Frame& frame, const ViewListD
     if (list.name == kSun) return frame.sources.sun.views[std::min(index, shared::kMostSunCascades - 1u)];
     if (list.name == kFurtherSunViews)
         return frame.sources.further_suns.views[std::min(index, shared::kMostFurtherSuns - 1u)];
+    if (list.name == kProbeFaceViews) return frame.sources.probe_faces[index];
+    if (list.name == kReflectionFaceViews) return frame.sources.reflection_faces[index];
+    if (list.name == kSceneSunViews)
+        return frame.sources.further_suns.scene_views[std::min(index, shared::kMostSceneSuns - 1u)];
     if (list.name == kLampViews)
         // A lamp that has moved too far away gives no light and no views.
         return index < frame.lamps.size() ? constants_of(frame.lamps[index]) : shared::ViewConstants{};

@@ -18,6 +18,10 @@ namespace weft::render {
 
 // Name of the list with the views of the scene's lamps.
 inline constexpr const char* kLampViews = "lampFaces";
+// Name of the list with the views of the faces of the irradiance probes.
+inline constexpr const char* kProbeFaceViews = "probeFaces";
+// Name of the list with the views of the faces of the reflection probes.
+inline constexpr const char* kReflectionFaceViews = "reflectionFaces";
 
 // The names of the views that one pass with multiview draws, as in PassDecl::views.
 using ViewNames = std::vector<std::string>;
@@ -38,6 +42,8 @@ struct ViewSources {
     std::span<const shared::Light> lights;
     const ViewLists& program;
     const FurtherSunMaps& further_suns;
+    std::span<const shared::ViewConstants> probe_faces;       // The views of kProbeFaceViews.
+    std::span<const shared::ViewConstants> reflection_faces;  // The views of kReflectionFaceViews.
 };
 
 class FrameViews {

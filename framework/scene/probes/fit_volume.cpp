@@ -8,10 +8,12 @@
 // 5. Single cells of the groups that needed too many probes, those with the greatest need first.
 // 6. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <queue>
 
 #include "scene/probes/refine_grid.h"
+#include "scene/probes/share_open_probes.h"
 
 namespace weft::scene {
 namespace {
@@ -28,13 +30,14 @@ constexpr double kSmallestRoom = 4;
 constexpr double kObjectRoom = 8;
 // Cells that need too many probes are left out, until there are this many of them.
 constexpr uint32_t kMostFailures = 32;
+// Several open grid points can share a probe. So they first count as a part of a probe. If there are then too
+// many probes, the fit is repeated with the next value. With the last one, the probes cannot be too many.
+constexpr std::array<uint32_t, 3> kOpenQuarters{1, 2, 4};
 
 class Fit {
  public:
-    Fit(const TriangleTree& tree, const PlacementParams& params, int base, uint32_t threads)
-        : grid_(tree, glm::vec3(0.5f * params.min_spacing_m), params.min_spacing_m, base, threads),
-          params_(params),
-          base_(base) {}
+    Fit(ProbeGrid& grid, const PlacementParams& params, int base)
+        : grid_(grid), params_(params), base_(base) {}
 
     // Adds the cells of the base. Returns false if they are too many.
     [[nodiscard]] bool begin() {
@@ -157,7 +160,7 @@ class Fit {
         }
     }
 
-    ProbeGrid grid_;
+    ProbeGrid& grid_;
     const PlacementParams& params_;
     int base_;
     std::vector<GridCell> cells_;
@@ -172,10 +175,16 @@ std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementP
     int base = kObjectStride;
     while (base < kGroundStride && static_cast<float>(base) < half_size) base *= 2;
     for (; base <= kGroundStride; base *= 2) {
-        Fit fit(tree, params, base, threads);
-        if (!fit.begin()) continue;
-        fit.refine();
-        return fit.volume();
+        ProbeGrid grid(tree, glm::vec3(0.5f * params.min_spacing_m), params.min_spacing_m, base, threads);
+        for (const uint32_t open_quarters : kOpenQuarters) {
+            grid.clear(open_quarters);
+            Fit fit(grid, params, base);
+            if (!fit.begin()) break;
+            fit.refine();
+            ProbeVolume volume = fit.volume();
+            if (share_open_probes(tree, volume, params.most_probes, threads) <= params.most_probes)
+                return volume;
+        }
     }
     return std::nullopt;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <numeric>
 
 #include "scene/loading/worker_threads.h"
 #include "scene/probes/settle_probe.h"
@@ -12,7 +13,9 @@ namespace {
 using Seen = std::bitset<kMostIrradianceProbes>;
 
 // A reflection probe must be the first for at least this part of all irradiance probes.
-constexpr size_t kLeastPart = 16;
+constexpr double kLeastPart = 16;
+// Outside of rooms, reflection probes are less useful, because surfaces there mostly reflect the sky.
+constexpr double kOpenValue = 0.25;
 // Irradiance probes at this distance count half, and those farther than twice this distance do not count, in
 // finest spacings.
 constexpr double kHalfDistance = 16;
@@ -34,13 +37,17 @@ std::vector<ReflectionProbe> place_reflections(const TriangleTree& tree, const P
     });
     Seen open;
     for (size_t i = 0; i < places.size(); ++i) open.set(i);
+    std::vector<double> weights(places.size());
+    run_on_threads(places.size(), threads,
+                   [&](size_t i) { weights[i] = is_open(tree, places[i]) ? kOpenValue : 1; });
+    const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
     const auto value_of = [&](size_t i) {
         double value = 0;
         for (size_t k = 0; k < places.size(); ++k) {
             const double ratio = double{glm::distance(places[i], places[k])} / half_m;
-            if (seen[i][k] && open[k]) value += 1 / (1 + ratio * ratio);
+            if (seen[i][k] && open[k]) value += weights[k] / (1 + ratio * ratio);
         }
-        return value;
+        return value * weights[i];
     };
     std::vector<ReflectionProbe> chosen;
     while (chosen.size() < kMostReflectionProbes && open.any()) {
@@ -48,7 +55,9 @@ std::vector<ReflectionProbe> place_reflections(const TriangleTree& tree, const P
         run_on_threads(places.size(), threads, [&](size_t i) { values[i] = value_of(i); });
         const size_t best = static_cast<size_t>(std::ranges::max_element(values) - values.begin());
         const Seen first = seen[best] & open;
-        if (first.count() * kLeastPart < places.size()) break;
+        double part = 0;
+        for (size_t k = 0; k < places.size(); ++k) part += first[k] ? weights[k] : 0;
+        if (part * kLeastPart < all) break;
         chosen.push_back({"automatic " + std::to_string(chosen.size() + 1), places[best], std::nullopt});
         open &= ~first;
     }

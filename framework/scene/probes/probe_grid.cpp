@@ -10,12 +10,14 @@
 namespace weft::scene {
 namespace {
 
-// Corners that are settled together, in parallel, before the number of probes is compared with the limit.
-constexpr size_t kBatch = 256;
+// Cells that are examined together, in parallel, before the number of probes is compared with the limit.
+constexpr size_t kBatch = 32;
+// A probe counts as four quarters.
+constexpr uint32_t kQuarters = 4;
 // A surface counts for the cells that are at most this far away, in spacings of the cell.
 constexpr float kMargin = 0.25f;
-// Number of places along each axis of a cell at which it is checked that they see a probe.
-constexpr int kSamples = 4;
+// Places at this distance from their surface must see a probe, in finest spacings.
+constexpr float kClose = 0.2f;
 // A grid point has no probe if the nearest surface is farther than one spacing along each axis and farther
 // than this, in finest spacings.
 constexpr float kFar = 5;
@@ -52,7 +54,7 @@ Bounds ProbeGrid::box_of(const GridCell& cell, float margin_m) const {
 }
 
 bool ProbeGrid::is_near_surface(const GridCell& cell) const {
-    return tree_.touches(box_of(cell, kMargin * spacing_m_ * static_cast<float>(cell.stride)));
+    return tree_.touches_front(box_of(cell, 0), kMargin * spacing_m_ * static_cast<float>(cell.stride));
 }
 
 std::optional<std::vector<GridCell>> ProbeGrid::cells_near_surfaces(int stride, size_t most) const {
@@ -73,6 +75,7 @@ std::optional<std::vector<GridCell>> ProbeGrid::cells_near_surfaces(int stride, 
         open.pop_back();
         if (!tree_.touches(box_of(cell, margin_m))) continue;
         if (cell.stride == stride) {
+            if (!is_near_surface(cell)) continue;
             found.push_back(cell);
             if (found.size() > most) return std::nullopt;
             continue;
@@ -111,22 +114,7 @@ double ProbeGrid::room_size(const GridCell& cell, int pitch) const {
 }
 
 bool ProbeGrid::has_dark_place(const GridCell& cell) const {
-    const float size_m = spacing_m_ * static_cast<float>(cell.stride);
-    std::vector<glm::vec3> probes;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::ivec3 at = corner_of(cell, corner);
-        const Settled& settled = points_.at(at).settled;
-        if (settled.state != ProbeState::dropped && glm::length(settled.offset) <= kMostOffset * size_m)
-            probes.push_back(position(at) + settled.offset);
-    }
-    for (int i = 0; i < kSamples * kSamples * kSamples; ++i) {
-        const glm::vec3 at(i % kSamples, i / kSamples % kSamples, i / (kSamples * kSamples));
-        const glm::vec3 place = position(cell.at) + (at + 0.5f) / static_cast<float>(kSamples) * size_m;
-        const bool seen =
-            std::ranges::any_of(probes, [&](const glm::vec3& probe) { return sees(tree_, place, probe); });
-        if (!seen && can_stand(tree_, place, kClearance * spacing_m_)) return true;
-    }
-    return false;
+    return views_.at({cell.at.x, cell.at.y, cell.at.z, cell.stride}).has_dark_place;
 }
 
 int ProbeGrid::coarsest_stride(const glm::ivec3& at) const {
@@ -150,35 +138,70 @@ void ProbeGrid::settle(const std::vector<glm::ivec3>& points) {
     for (size_t i = 0; i < points.size(); ++i) points_[points[i]].settled = settled[i];
 }
 
-void ProbeGrid::count_use(const glm::ivec3& at, int change) {
-    Point& point = points_[at];
-    const bool counts = point.settled.state != ProbeState::dropped;
-    if (change > 0 && point.uses++ == 0 && counts) ++probes_;
-    if (change < 0 && --point.uses == 0 && counts) --probes_;
+CellView ProbeGrid::view_of(const GridCell& cell) const {
+    const float size_m = spacing_m_ * static_cast<float>(cell.stride);
+    std::array<std::optional<glm::vec3>, 8> probes;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 at = corner_of(cell, corner);
+        const Settled& settled = points_.at(at).settled;
+        if (settled.state != ProbeState::dropped && glm::length(settled.offset) <= kMostOffset * size_m)
+            probes[static_cast<size_t>(corner)] = position(at) + settled.offset;
+    }
+    return view_of_cell(tree_, box_of(cell, 0), probes,
+                        {kClose * spacing_m_, kMargin * size_m, kClearance * spacing_m_});
+}
+
+// Settles the corners of the cells and finds out what they see, unless this is known.
+void ProbeGrid::examine(std::span<const GridCell> cells) {
+    std::set<glm::ivec3, PointOrder> unknown;
+    for (const GridCell& cell : cells)
+        for (int corner = 0; corner < 8; ++corner)
+            if (const glm::ivec3 at = corner_of(cell, corner); !points_.contains(at)) unknown.insert(at);
+    settle({unknown.begin(), unknown.end()});
+    std::vector<GridCell> fresh;
+    for (const GridCell& cell : cells)
+        if (!views_.contains({cell.at.x, cell.at.y, cell.at.z, cell.stride})) fresh.push_back(cell);
+    std::vector<CellView> views(fresh.size());
+    run_on_threads(fresh.size(), threads_, [&](size_t i) { views[i] = view_of(fresh[i]); });
+    for (size_t i = 0; i < fresh.size(); ++i)
+        views_[{fresh[i].at.x, fresh[i].at.y, fresh[i].at.z, fresh[i].stride}] = views[i];
+}
+
+void ProbeGrid::count_cell(const GridCell& cell, int change) {
+    const CellView& view = views_.at({cell.at.x, cell.at.y, cell.at.z, cell.stride});
+    for (int corner = 0; corner < 8; ++corner) {
+        Point& point = points_.at(corner_of(cell, corner));
+        const bool useful = (view.useful >> corner & 1) != 0;
+        const uint32_t cost = point.settled.is_open ? open_quarters_ : kQuarters;
+        if (change > 0) {
+            ++point.uses;
+            if (useful && point.useful++ == 0) quarters_ += cost;
+        } else {
+            --point.uses;
+            if (useful && --point.useful == 0) quarters_ -= cost;
+        }
+    }
+}
+
+void ProbeGrid::clear(uint32_t open_quarters) {
+    for (auto& [at, point] : points_) point.uses = point.useful = 0;
+    quarters_ = 0;
+    open_quarters_ = open_quarters;
 }
 
 bool ProbeGrid::exchange(const std::vector<GridCell>& gone, const std::vector<GridCell>& fresh,
                          uint32_t most) {
-    std::vector<glm::ivec3> corners;
-    for (const GridCell& cell : fresh)
-        for (int corner = 0; corner < 8; ++corner) corners.push_back(corner_of(cell, corner));
-    const auto change_gone = [&](int change) {
-        for (const GridCell& cell : gone)
-            for (int corner = 0; corner < 8; ++corner) count_use(corner_of(cell, corner), change);
-    };
-    change_gone(-1);
+    const uint64_t limit = uint64_t{kQuarters} * most;
+    for (const GridCell& cell : gone) count_cell(cell, -1);
     size_t used = 0;
-    while (used < corners.size() && probes_ <= most) {
-        const size_t end = std::min(used + kBatch, corners.size());
-        std::set<glm::ivec3, PointOrder> unknown;
-        for (size_t i = used; i < end; ++i)
-            if (!points_.contains(corners[i])) unknown.insert(corners[i]);
-        settle({unknown.begin(), unknown.end()});
-        for (; used < end; ++used) count_use(corners[used], 1);
+    while (used < fresh.size() && quarters_ <= limit) {
+        const size_t end = std::min(used + kBatch, fresh.size());
+        examine(std::span(fresh).subspan(used, end - used));
+        for (; used < end; ++used) count_cell(fresh[used], 1);
     }
-    if (probes_ <= most) return true;
-    for (size_t i = 0; i < used; ++i) count_use(corners[i], -1);
-    change_gone(1);
+    if (quarters_ <= limit) return true;
+    for (size_t i = 0; i < used; ++i) count_cell(fresh[i], -1);
+    for (const GridCell& cell : gone) count_cell(cell, 1);
     return false;
 }
 
@@ -191,7 +214,12 @@ ProbeVolume ProbeGrid::volume(std::vector<uint32_t> strides, bool around_camera)
             const int stride = static_cast<int>(volume.strides[i]);
             if (at.x % stride == 0 && at.y % stride == 0 && at.z % stride == 0) level = i;
         }
-        volume.probes.push_back({at, level, point.settled.offset, point.settled.state});
+        Probe probe{at, level, glm::vec3(0), ProbeState::dropped, std::nullopt};
+        if (point.useful > 0) {
+            probe.state = point.settled.state;
+            probe.offset = point.settled.offset;
+        }
+        volume.probes.push_back(probe);
     }
     return volume;
 }
@@ -202,7 +230,7 @@ ProbeVolume settled_grid(const TriangleTree& tree, const ProbeVolume& volume, gl
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x)
-                out.probes.push_back({{x, y, z}, 0, glm::vec3(0), ProbeState::kept});
+                out.probes.push_back({{x, y, z}, 0, glm::vec3(0), ProbeState::kept, std::nullopt});
     const SettleLimits limits{kClearance * volume.spacing_m, kMostOffset * volume.spacing_m};
     run_on_threads(out.probes.size(), threads, [&](size_t i) {
         const Settled settled = settle_probe(tree, position_of(out, out.probes[i]), limits);

@@ -2,10 +2,13 @@
 // cells are near a surface.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "scene/probes/cell_view.h"
 #include "scene/probes/settle_probe.h"
 
 namespace weft::scene {
@@ -28,8 +31,11 @@ class ProbeGrid {
     // `top` is the largest stride that cells have.
     ProbeGrid(const TriangleTree& tree, glm::vec3 origin, float spacing_m, int top, uint32_t threads);
 
-    // Returns the cells of this stride near a surface, in the order of
-    // their points. Returns nullopt if there are more than `most`.
+    // Removes all cells. From now on, a probe that is open counts as this many quarters of a probe.
+    void clear(uint32_t open_quarters);
+
+    // Returns the cells of this stride near the front of a surface, in the order of their points. Returns
+    // nullopt if there are more than `most`.
     [[nodiscard]] std::optional<std::vector<GridCell>> cells_near_surfaces(int stride, size_t most) const;
     [[nodiscard]] bool is_near_surface(const GridCell& cell) const;
     // Returns the eight cells of half the stride that are near a surface.
@@ -38,8 +44,8 @@ class ProbeGrid {
     // Returns the size of the smallest room in which a part of the cell is, infinity if there is none. The
     // parts have the size `pitch`; only those near a surface count.
     [[nodiscard]] double room_size(const GridCell& cell, int pitch) const;
-    // True if the cell has a free place that sees none of the probes at the corners. The cell must have been
-    // added.
+    // True if there is a free place in front of a surface of the cell that sees none of the probes at the
+    // corners. The cell must have been added.
     [[nodiscard]] bool has_dark_place(const GridCell& cell) const;
 
     // Removes the cells `gone`, which were added before, and adds the cells `fresh`. If there were then more
@@ -57,13 +63,17 @@ class ProbeGrid {
  private:
     struct Point {
         Settled settled;
-        uint32_t uses = 0;  // Number of cells that have this corner.
+        uint32_t uses = 0;    // Number of cells that have this corner.
+        uint32_t useful = 0;  // Number of these cells in which the probe sees a surface.
     };
+    using CellKey = std::array<int, 4>;
 
     [[nodiscard]] Bounds box_of(const GridCell& cell, float margin_m) const;
     [[nodiscard]] int coarsest_stride(const glm::ivec3& at) const;
-    void count_use(const glm::ivec3& at, int change);
+    void count_cell(const GridCell& cell, int change);
+    void examine(std::span<const GridCell> cells);
     void settle(const std::vector<glm::ivec3>& points);
+    [[nodiscard]] CellView view_of(const GridCell& cell) const;
 
     const TriangleTree& tree_;
     glm::vec3 origin_;
@@ -71,7 +81,9 @@ class ProbeGrid {
     int top_;
     uint32_t threads_;
     std::map<glm::ivec3, Point, PointOrder> points_;
-    uint32_t probes_ = 0;
+    std::map<CellKey, CellView> views_;
+    uint32_t open_quarters_ = 4;
+    uint64_t quarters_ = 0;  // Number of probes at the corners of all cells, in quarters.
 };
 
 // Returns the volume with a probe at each point of a grid of this size. The probes are fitted to the

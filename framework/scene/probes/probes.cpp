@@ -15,10 +15,10 @@ constexpr uint64_t kLightTexelBytes = 8;
 constexpr uint64_t kFaces = 6;
 constexpr uint64_t kProbeSide_px = 32;
 constexpr uint64_t kReflectionSide_px = 128;
-// Two moments of the distance in float, on an octahedral map with a border of one texel.
-constexpr uint64_t kMomentBytes = 18ull * 18 * 8;
-// Nine coefficients of spherical harmonics with three colours, four floats each.
-constexpr uint64_t kHarmonicsBytes = 9ull * 16;
+// Two half floats for the distance, on an octahedral map with a border of one texel.
+constexpr uint64_t kMomentBytes = 18ull * 18 * 4;
+// Nine coefficients of spherical harmonics with three colours, four floats each; see kProbeShStride.
+constexpr uint64_t kHarmonicsBytes = 16ull * 16;
 
 }  // namespace
 
@@ -33,6 +33,16 @@ uint32_t count_of(const ProbeVolume& volume, ProbeState state) {
 std::vector<ProbeCell> cells_of(const ProbeVolume& volume) {
     std::map<glm::ivec3, uint32_t, PointOrder> indices;
     for (uint32_t i = 0; i < volume.probes.size(); ++i) indices[volume.probes[i].at] = i;
+    // Returns the index of the probe that gives the light of a grid point.
+    const auto probe_for = [&](uint32_t index, float reach_m) {
+        const Probe& probe = volume.probes[index];
+        if (probe.state != ProbeState::dropped)
+            return glm::length(probe.offset) <= reach_m ? index : ProbeCell::kNoProbe;
+        const auto found = probe.substitute ? indices.find(*probe.substitute) : indices.end();
+        if (found == indices.end() || volume.probes[found->second].state == ProbeState::dropped)
+            return ProbeCell::kNoProbe;
+        return found->second;
+    };
     std::vector<ProbeCell> cells;
     for (uint32_t level = 0; level < volume.strides.size(); ++level) {
         const int stride = static_cast<int>(volume.strides[level]);
@@ -45,10 +55,7 @@ std::vector<ProbeCell> cells_of(const ProbeVolume& volume) {
                 const auto found = indices.find(corner_of({at, stride}, corner));
                 complete = found != indices.end();
                 if (!complete) break;
-                const Probe& probe = volume.probes[found->second];
-                const bool counts =
-                    probe.state != ProbeState::dropped && glm::length(probe.offset) <= reach_m;
-                cell.corners[static_cast<size_t>(corner)] = counts ? found->second : ProbeCell::kNoProbe;
+                cell.corners[static_cast<size_t>(corner)] = probe_for(found->second, reach_m);
             }
             if (complete) cells.push_back(cell);
         }

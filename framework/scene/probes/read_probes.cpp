@@ -211,17 +211,26 @@ class ProbeReader {
             return;
         }
         std::map<glm::ivec3, Probe, PointOrder> points;
+        std::vector<std::pair<const JsonNode*, glm::ivec3>> substitutes;
         for (const JsonNode& item : node.items) {
             const std::optional<Probe> probe = read_point(item, volume);
             if (probe && !points.emplace(probe->at, *probe).second)
                 fault(item.loc, "S196", "the grid point is listed twice", "remove one of the two entries");
+            if (probe && probe->substitute)
+                substitutes.push_back({item.find("substitute"), *probe->substitute});
+        }
+        for (const auto& [item, at] : substitutes) {
+            const auto found = points.find(at);
+            if (found == points.end() || found->second.state == ProbeState::dropped)
+                fault(item->loc, "S196", "the volume has no probe at the grid point of the substitute",
+                      "name the grid point of a probe that is listed without \"dropped\"");
         }
         for (const auto& [at, probe] : points) volume.probes.push_back(probe);
     }
 
     std::optional<Probe> read_point(const JsonNode& node, const ProbeVolume& volume) {
         if (!expect(node, JsonKind::object)) return std::nullopt;
-        check_keys(node, {"at", "offset", "dropped"});
+        check_keys(node, {"at", "offset", "dropped", "substitute"});
         const JsonNode* at = required(node, "at");
         if (at == nullptr) return std::nullopt;
         const std::optional<glm::ivec3> point = whole_vector(*at, {-kMostCoordinate, kMostCoordinate});
@@ -250,6 +259,12 @@ class ProbeReader {
         if (const JsonNode* dropped = node.find("dropped");
             dropped != nullptr && expect(*dropped, JsonKind::boolean) && dropped->boolean)
             probe.state = ProbeState::dropped;
+        if (const JsonNode* substitute = node.find("substitute")) {
+            probe.substitute = whole_vector(*substitute, {-kMostCoordinate, kMostCoordinate});
+            if (probe.state != ProbeState::dropped)
+                fault(substitute->loc, "S196", "only a grid point without a probe can have a substitute",
+                      "write \"dropped\": true, or remove \"substitute\"");
+        }
         return probe;
     }
 

@@ -12,6 +12,8 @@ namespace {
 constexpr size_t kDirections = 64;
 // More rays than this that end at the inside of a surface mean that the point is inside of an object.
 constexpr size_t kMostInside = kDirections / 4;
+// As many rays without a surface mean that the point is open.
+constexpr size_t kLeastSky = kDirections * 7 / 16;
 // Rays along which all surfaces are counted, and the number of them that must agree.
 constexpr size_t kDepthRays = 8;
 constexpr size_t kLeastBuried = 6;
@@ -97,18 +99,30 @@ bool can_stand(const TriangleTree& tree, const glm::vec3& point, float clearance
 }
 
 Settled settle_probe(const TriangleTree& tree, const glm::vec3& point, const SettleLimits& limits) {
-    if (can_stand(tree, point, limits.clearance_m)) return {};
+    if (can_stand(tree, point, limits.clearance_m))
+        return {ProbeState::kept, glm::vec3(0), is_open(tree, point)};
     std::vector<Move> moves = exits_from(tree, point, limits);
     if (tree.is_near(point, limits.clearance_m)) {
         const std::vector<Move> steps = steps_aside(limits);
         moves.insert(moves.end(), steps.begin(), steps.end());
         std::ranges::stable_sort(moves, {}, &Move::length_m);
     }
+    Settled best{ProbeState::dropped, glm::vec3(0)};
     for (const Move& move : moves) {
         const glm::vec3 offset(move.offset);
-        if (can_stand(tree, point + offset, limits.clearance_m)) return {ProbeState::moved, offset};
+        if (!can_stand(tree, point + offset, limits.clearance_m)) continue;
+        const bool open = is_open(tree, point + offset);
+        if (best.state == ProbeState::dropped || !open) best = {ProbeState::moved, offset, open};
+        if (!open) break;
     }
-    return {ProbeState::dropped, glm::vec3(0)};
+    return best;
+}
+
+bool is_open(const TriangleTree& tree, const glm::vec3& point) {
+    const auto sky = std::ranges::count_if(directions(), [&](const glm::dvec3& direction) {
+        return !tree.is_blocked({glm::dvec3(point), direction});
+    });
+    return static_cast<size_t>(sky) >= kLeastSky;
 }
 
 double room_size_at(const TriangleTree& tree, const glm::vec3& point) {
@@ -131,7 +145,7 @@ double room_size_at(const TriangleTree& tree, const glm::vec3& point) {
 bool sees(const TriangleTree& tree, const glm::vec3& from, const glm::vec3& to) {
     const glm::dvec3 way = glm::dvec3(to) - glm::dvec3(from);
     const double length_m = glm::length(way);
-    return length_m == 0 || !tree.nearest({glm::dvec3(from), way / length_m, length_m});
+    return length_m == 0 || !tree.is_blocked({glm::dvec3(from), way / length_m, length_m});
 }
 
 }  // namespace weft::scene

@@ -12,6 +12,7 @@ namespace weft::scene {
 struct Settled {
     ProbeState state = ProbeState::kept;
     glm::vec3 offset{0};
+    bool is_open = false;  // The probe sees the sky in many directions.
 };
 
 struct SettleLimits {
@@ -20,12 +21,16 @@ struct SettleLimits {
 };
 
 // Moves the probe as little as possible. From the inside of an object, it leaves along a ray to the inside of
-// a surface, the nearest one first. From a surface, it moves away.
+// a surface, the nearest one first. From a surface, it moves away. It prefers places that are not open.
 [[nodiscard]] Settled settle_probe(const TriangleTree& tree, const glm::vec3& point,
                                    const SettleLimits& limits);
 
 // True if the point is outside of all objects and at least this far from each surface that blocks light.
 [[nodiscard]] bool can_stand(const TriangleTree& tree, const glm::vec3& point, float clearance_m);
+
+// True if nothing blocks the view from the point in at least 7/16 of all directions. Around an open point,
+// the light varies slowly.
+[[nodiscard]] bool is_open(const TriangleTree& tree, const glm::vec3& point);
 
 // Returns the smallest dimension of the room that contains the point: the distance between two surfaces on
 // opposite sides, along x, y or z. Returns infinity if fewer than two axes have surfaces on both sides, or if

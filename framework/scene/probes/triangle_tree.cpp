@@ -243,6 +243,16 @@ std::optional<RayHit> TriangleTree::nearest(const Ray& ray) const {
     return best;
 }
 
+bool TriangleTree::is_blocked(const Ray& ray) const {
+    const Slabs slabs(ray);
+    bool found = false;
+    walk([&](const Bounds& node) { return slabs.enter(node) <= ray.reach_m; },
+         [&](const SolidTriangle& triangle) {
+             return found = triangle.blocks && hit_triangle(triangle, ray).has_value();
+         });
+    return found;
+}
+
 int TriangleTree::depth_along(const Ray& ray) const {
     const Slabs slabs(ray);
     int depth = 0;
@@ -261,6 +271,35 @@ bool TriangleTree::touches(const Bounds& box) const {
     walk([&](const Bounds& node) { return overlap(node, box); },
          [&](const SolidTriangle& triangle) { return found = found || touches_box(triangle, box); });
     return found;
+}
+
+bool TriangleTree::touches_front(const Bounds& box, float reach_m) const {
+    bool found = false;
+    // The box moves instead of the triangle.
+    const auto touches_moved = [&](const SolidTriangle& triangle, const glm::vec3& way) {
+        return touches_box(triangle, {box.min - way, box.max - way});
+    };
+    const auto touches_side = [&](const SolidTriangle& triangle, const glm::vec3& way) {
+        return touches_moved(triangle, way * 0.5f) || touches_moved(triangle, way);
+    };
+    walk(
+        [&](const Bounds& node) {
+            return overlap(node, {box.min - reach_m, box.max + reach_m});
+        },
+        [&](const SolidTriangle& triangle) {
+            const glm::vec3 way = glm::vec3(normal_of(triangle)) * reach_m;
+            return found = found || touches_box(triangle, box) || touches_side(triangle, way) ||
+                           (!triangle.has_inside && touches_side(triangle, -way));
+        });
+    return found;
+}
+
+void TriangleTree::visit(const Bounds& box, const std::function<void(const SolidTriangle&)>& visitor) const {
+    walk([&](const Bounds& node) { return overlap(node, box); },
+         [&](const SolidTriangle& triangle) {
+             visitor(triangle);
+             return false;
+         });
 }
 
 bool TriangleTree::is_uneven(const Bounds& box) const {

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -38,12 +39,20 @@ class TriangleTree {
     // Returns the nearest surface that blocks light. If surfaces coincide, the hit is inside only if it is
     // the inside of all of them.
     [[nodiscard]] std::optional<RayHit> nearest(const Ray& ray) const;
+    // True if a surface that blocks light is on the ray.
+    [[nodiscard]] bool is_blocked(const Ray& ray) const;
     // Returns the number of surfaces with an inside that the ray leaves, minus the number of those that it
     // enters. From the inside of closed objects this is the number of objects, also if they penetrate each
     // other.
     [[nodiscard]] int depth_along(const Ray& ray) const;
     // True if a surface of any kind touches the box.
     [[nodiscard]] bool touches(const Bounds& box) const;
+    // True if the front of a surface of any kind touches the box, or a place at most this far in front of it.
+    // Surfaces without an inside count on both sides.
+    [[nodiscard]] bool touches_front(const Bounds& box, float reach_m) const;
+    // Visits all triangles whose boxes touch this box, in an order that depends on the order of the
+    // triangles.
+    void visit(const Bounds& box, const std::function<void(const SolidTriangle&)>& visitor) const;
     // True if the surfaces in the box are not parallel, or if they have very many triangles.
     [[nodiscard]] bool is_uneven(const Bounds& box) const;
     // True if a surface that blocks light is nearer to the point than the radius.

@@ -18,11 +18,16 @@ std::string list(const glm::vec3& v) {
     return "[" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + "]";
 }
 
+std::string whole_list(const glm::ivec3& v) {
+    return "[" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + "]";
+}
+
 std::string point_text(const Probe& probe) {
-    std::string text = "{ \"at\": [" + std::to_string(probe.at.x) + ", " + std::to_string(probe.at.y) + ", " +
-                       std::to_string(probe.at.z) + "]";
+    std::string text = "{ \"at\": " + whole_list(probe.at);
     if (probe.state == ProbeState::moved) text += ", \"offset\": " + list(probe.offset);
     if (probe.state == ProbeState::dropped) text += ", \"dropped\": true";
+    if (const std::optional<glm::ivec3>& other = probe.substitute)
+        text += ", \"substitute\": " + whole_list(*other);
     return text + " }";
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <numeric>
 
+#include "graph/rest/needed_by_units.h"
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
 #include "vulkan/execute/program_submit.h"
@@ -246,7 +247,9 @@ void ReplayExecutor::record_step(const RecordContext& context, const FrameStep& 
     if (position != hooks_.drop_barriers_of_position)
         record_barriers(device_, context.commands, step.barriers, plan, context.resources, recorded, true);
     const PassDecl& pass = plan.graph.passes[step.pass];
-    if (recorded.runs && runs_in_frame(pass, frames_run_) && has_combination(pass.runs_in, context.switches))
+    const bool counts = !context.frame.prepares_units || needed_by_units_[position] != 0;
+    if (recorded.runs && counts && runs_in_frame(pass, frames_run_) &&
+        has_combination(pass.runs_in, context.switches))
         record_pass(context, position);
     record_barriers(device_, context.commands, step.after, plan, context.resources, recorded, false);
     if (context.labels) end_label(device_, context.commands);
@@ -264,6 +267,7 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     if (frames_run_ == 0) record_start(slots_->prologue(slot));
     const std::vector<uint8_t> running = running_units();
+    if (frame.prepares_units && needed_by_units_.empty()) needed_by_units_ = needed_by_units(plan);
     in_flight_[slot].draws_left_out.assign(first_view_.back(), 0);
     for (uint32_t i = 0; i < plan.submissions.batches.size(); ++i) {
         const Batch& batch = plan.submissions.batches[i];

@@ -86,6 +86,8 @@ class ReplayExecutor final : public Executor {
     ExecutorHooks hooks_;
     std::vector<uint32_t> first_view_;  // See RecordContext::first_view.
     RestState rest_;
+    // needed_by_units() of the plan; empty until a frame needs it.
+    std::vector<uint8_t> needed_by_units_;
     // The inputs of the units in the frame that is being recorded (index: unit), and the units that run in
     // it.
     std::vector<UnitInput> unit_inputs_;

@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace weft::shared {
+using glm::ivec3;
 using glm::mat4;
+using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;

@@ -1,9 +1,11 @@
-// Shadow maps of the directional lights 2 to 4, in descriptor set 0. Each light has one map. Units: metres.
+// Shadow maps of the directional lights 2 to 4, and those of the directional lights 1 to 4 over the whole scene, which
+// light probes use, in descriptor set 0. Each light has one map. Units: metres.
 #ifndef WEFT_SHARED_FURTHER_SUNS
 #define WEFT_SHARED_FURTHER_SUNS
 #include "begin.glsl"
 
 const int kMostFurtherSuns = 3;
+const int kMostSceneSuns = 4;
 
 struct FurtherSun {
     mat4 world_to_map;   // World to (u, v, depth). Depth is linear: 1 nearest to the light, 0 farthest from it.
@@ -15,6 +17,7 @@ struct FurtherSun {
 
 struct FurtherSuns {
     FurtherSun items[kMostFurtherSuns];
+    FurtherSun scene[kMostSceneSuns];  // Directional lights 1 to 4: maps of the objects that do not move.
 };
 
 #include "end.glsl"

@@ -36,7 +36,7 @@ struct Material {
     uint occlusion_texture;
     uint emissive_texture;
     uint anisotropy_texture;
-    uint reserved0;
+    uint two_sided;          // 1: both sides of the surface look the same (doubleSided in glTF).
 };
 
 #include "end.glsl"

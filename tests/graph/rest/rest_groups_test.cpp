@@ -1,7 +1,9 @@
 // Tests RestState and frame_steps() with groups: which rounds run in each frame, and what is recorded.
 #include <algorithm>
+#include <set>
 
 #include "graph/rest/frame_steps.h"
+#include "graph/rest/needed_by_units.h"
 #include "graph/rest/rest_state.h"
 #include "tests/graph/resolve/resolve_fixture.h"
 #include "weft/compile.h"
@@ -32,9 +34,9 @@ class RestGroups : public ResolveTest {
         state.emplace(plan);
         inputs.assign(plan.graph.rest_unit_count, UnitInput(std::in_place));
     }
-    FramePlan made(const std::string& groups, const std::string& more) {
+    FramePlan made(const std::string& groups, const std::string& more, const std::string& resources = "") {
         const ResolvedGraph graph = good(
-            R"j("imports": {"backbuffer": "output", "list": "turns"}, "resources": {
+            R"j("imports": {"backbuffer": "output", "list": "turns"}, "resources": {)j" + resources + R"j(
             "probes": {"format": "rgba16f", "layers": 3, "keep": true}, "k": {"format": "rgba16f", "keep": true}, "t": "rgba16f"},
             "groups": {)j" +
             groups + R"j(}, "passes": {)j" + more +
@@ -77,6 +79,19 @@ TEST_F(RestGroups, WithoutRestTheRoundsRunInTurn) {
     EXPECT_EQ(wake_text(plan, last.wakes[0]), "");
 }
 
+TEST_F(RestGroups, UnitsNeedThePassesWhoseResultsTheyRead) {
+    plan = made(R"j("g": {"repeat": {"i": "0..2"}, "passes": {
+        "store": {"type": "compute", "shader": "read.comp", "in": {"a": "u"}, "out": {"dst": "probes.layer(i)"}}}})j",
+                R"j("first": {"type": "compute", "shader": "make.comp", "out": {"dst": "s"}},
+        "second": {"type": "compute", "shader": "read.comp", "in": {"a": "s"}, "out": {"dst": "u"}},)j",
+                R"j("s": "rgba16f", "u": "rgba16f",)j");
+    std::set<std::string> needed;
+    const std::vector<uint8_t> by_position = needed_by_units(plan);
+    for (Position p(0); p < plan.schedule.order.size(); ++p)
+        if (by_position[p] != 0) needed.insert(plan.graph.passes[plan.schedule.order[p]].name);
+    EXPECT_EQ(needed, (std::set<std::string>{"first", "second", "g::store#0", "g::store#1", "g::store#2"}));
+}
+
 TEST_F(RestGroups, WithoutPerFrameAllRoundsRun) {
     make("");
     for (int i = 0; i < 3; ++i) EXPECT_EQ(frame(), "0 1 2");
@@ -116,6 +131,25 @@ TEST_F(RestGroups, SettleRunsARoundAgainAfterAChange) {
     change(1);
     EXPECT_EQ(frame(), "1") << "a change begins the count again";
     for (const char* rounds : {"1", "1", ""}) EXPECT_EQ(frame(), rounds);
+}
+
+TEST_F(RestGroups, APassThatRunsBeginsTheCountAgain) {
+    plan =
+        made(R"j("g": {"repeat": {"i": "0..2"}, "rest": true, "settle": 2, "passes": {
+        "store": {"type": "compute", "shader": "read.comp", "in": {"a": "k"}, "out": {"dst": "probes.layer(i)"}}}})j",
+             R"j("table": {"type": "compute", "shader": "make.comp", "out": {"dst": "k"}, "rest": true},)j");
+    state.emplace(plan);
+    inputs.assign(plan.graph.rest_unit_count, UnitInput(std::in_place));
+    ASSERT_EQ(plan.graph.groups[0].first_unit, 1u);
+    EXPECT_EQ(frame(), "0 1 2 3");
+    for (const char* rounds : {"1 2 3", "1 2 3", ""}) EXPECT_EQ(frame(), rounds);
+    change(0);
+    EXPECT_EQ(frame(), "0 1 2 3");
+    EXPECT_EQ(frame(), "1 2 3");
+    change(0);
+    EXPECT_EQ(frame(), "0 1 2 3");
+    EXPECT_EQ(reason(1), WakeReason::unit) << "the round also settles, but this is a change";
+    for (const char* rounds : {"1 2 3", "1 2 3", ""}) EXPECT_EQ(frame(), rounds);
 }
 
 TEST_F(RestGroups, RoundsSettleInTheirTurns) {

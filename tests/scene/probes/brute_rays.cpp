@@ -1,5 +1,6 @@
 #include "tests/scene/probes/brute_rays.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -76,6 +77,25 @@ std::vector<glm::vec3> BruteRays::points_before_surfaces(float distance_m, uint3
             const float u = std::sqrt(fraction()), v = fraction();
             points.push_back(t.a * (1 - u) + t.b * (u * (1 - v)) + t.c * (u * v) + t.normal * distance_m);
         }
+    return points;
+}
+
+std::vector<glm::vec3> BruteRays::random_points(uint32_t count, float distance_m, uint32_t seed) const {
+    std::vector<double> sums;
+    double area = 0;
+    for (const Triangle& t : triangles_) {
+        area += double{glm::length(glm::cross(t.b - t.a, t.c - t.a))};
+        sums.push_back(area);
+    }
+    std::mt19937 random(seed);
+    const auto fraction = [&] { return static_cast<float>(random() % 100'003) / 100'003.0f; };
+    std::vector<glm::vec3> points;
+    for (uint32_t i = 0; i < count; ++i) {
+        const auto found = std::ranges::upper_bound(sums, double{fraction()} * area);
+        const Triangle& t = triangles_[static_cast<size_t>(found - sums.begin())];
+        const float u = std::sqrt(fraction()), v = fraction();
+        points.push_back(t.a * (1 - u) + t.b * (u * (1 - v)) + t.c * (u * v) + t.normal * distance_m);
+    }
     return points;
 }
 

@@ -18,6 +18,9 @@ class BruteRays {
     // Returns points in front of the surfaces, at this distance.
     [[nodiscard]] std::vector<glm::vec3> points_before_surfaces(float distance_m,
                                                                 uint32_t per_triangle) const;
+    // Returns random points in front of the surfaces, at this distance. Each part of an area is equally
+    // likely.
+    [[nodiscard]] std::vector<glm::vec3> random_points(uint32_t count, float distance_m, uint32_t seed) const;
 
  private:
     struct Triangle {

@@ -64,8 +64,8 @@ void expect_no_probe_in_walls(const BoxScene& scene, const Probes& probes) {
         EXPECT_FALSE(scene.is_inside(probe.position)) << text_of(probe.position);
 }
 
-// Each free point near a surface is in a cell, and sees a probe at most kReach spacings of this cell away.
-// Nearly all points see a probe of this cell.
+// Each free point near a surface is in a cell, and sees a probe of this cell, or another one at most kReach
+// spacings away. Nearly all points see a probe of their cell.
 void expect_covered(const BoxScene& scene, const Probes& probes) {
     const BruteRays rays(scene.scene);
     const ProbeVolume& volume = probes.volume;
@@ -79,13 +79,13 @@ void expect_covered(const BoxScene& scene, const Probes& probes) {
         EXPECT_TRUE(cell) << text_of(point) << " is in no cell";
         if (!cell) continue;
         const float reach_m = kReach * spacing_of(volume, *cell);
-        const bool covered = std::ranges::any_of(places, [&](const glm::vec3& place) {
-            return glm::distance(place, point) <= reach_m && rays.sees(point, place);
-        });
         const bool lit = std::ranges::any_of(cell->corners, [&](uint32_t corner) {
             return corner != ProbeCell::kNoProbe &&
                    rays.sees(point, position_of(volume, volume.probes.at(corner)));
         });
+        const bool covered = lit || std::ranges::any_of(places, [&](const glm::vec3& place) {
+                                 return glm::distance(place, point) <= reach_m && rays.sees(point, place);
+                             });
         uncovered += covered ? 0 : 1;
         dark += lit ? 0 : 1;
     }

@@ -54,7 +54,24 @@ BoxScene open_court() {
 
 BoxScene corridor() {
     BoxScene scene;
-    scene.add_room({0, 0, 0}, {2, 2.5f, 20}, 0.3f);
+    constexpr float kWall = 0.3f, kHeight = 2.5f;
+    // Three passages of 2 m meet at right angles. Floors and ceilings:
+    for (const float y : {-kWall, kHeight}) {
+        scene.add({-kWall, y, -kWall}, {2 + kWall, y + kWall, 8 + kWall});
+        scene.add({2 + kWall, y, 6 - kWall}, {8 + kWall, y + kWall, 8 + kWall});
+        scene.add({6 - kWall, y, 8 + kWall}, {8 + kWall, y + kWall, 14 + kWall});
+    }
+    const auto add_wall = [&](float x0, float z0, float x1, float z1) {
+        scene.add({x0, 0, z0}, {x1, kHeight, z1});
+    };
+    add_wall(-kWall, -kWall, 0, 8 + kWall);
+    add_wall(0, -kWall, 2, 0);
+    add_wall(2, -kWall, 2 + kWall, 6);
+    add_wall(2 + kWall, 6 - kWall, 8 + kWall, 6);
+    add_wall(8, 6, 8 + kWall, 14 + kWall);
+    add_wall(6, 14, 8, 14 + kWall);
+    add_wall(6 - kWall, 8 + kWall, 6, 14 + kWall);
+    add_wall(0, 8, 6, 8 + kWall);
     return scene;
 }
 
@@ -70,6 +87,10 @@ BoxScene two_floors() {
     // The floor between the storeys has a hole for the stairs.
     scene.add({0, 2.6f, 0}, {4.5f, 2.9f, 5});
     scene.add({4.5f, 2.6f, 0}, {6, 2.9f, 3});
+    for (int step = 0; step < 11; ++step) {
+        const float z = 0.3f + 0.4f * static_cast<float>(step);
+        scene.add({4.9f, 0, z}, {6, 0.24f * static_cast<float>(step + 1), z + 0.4f});
+    }
     return scene;
 }
 

@@ -9,7 +9,7 @@
 namespace weft::scene::test {
 namespace {
 
-constexpr glm::vec3 kLow{-1.9f, -1.9f, -1.9f}, kHigh{1.9f, 1.9f, 1.9f};
+constexpr glm::vec3 kLow{-1.82f, -1.82f, -1.82f}, kHigh{1.82f, 1.82f, 1.82f};
 
 BoxScene one_box() {
     BoxScene scene;

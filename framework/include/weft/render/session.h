@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@
 #include "weft/render/pending_swap.h"
 #include "weft/render/scene_part.h"
 #include "weft/result.h"
+#include "weft/scene/probes.h"
 #include "weft/vulkan/frame_results.h"
 
 namespace weft::scene {
@@ -63,6 +65,8 @@ struct SessionInput {
     // instances and no parts (W246). DrawList::record() binds them. Error: W256 a shader reads a set that is
     // missing here.
     OwnDrawSets draw_sets = {};
+    // The light probes of the scene: scene::place_probes() or read_probes(). Empty: the scene has none.
+    scene::Probes probes = {};
     // True: FrameInput::transforms may move the instances of the scene. Their buffers are then in memory that
     // the CPU writes, one for each frame slot.
     bool moves_instances = false;
@@ -75,6 +79,16 @@ struct SessionInput {
     // The store of pipelines that sessions on this device share; null: the session has its own store.
     vk::SharedPipelines* pipelines = nullptr;
     std::string drop_barriers_before;  // Hook for tests: name of a pass whose barriers are not recorded.
+};
+
+// How Session::warm_up_probes() lights the light probes.
+struct ProbeWarmUp {
+    uint32_t rounds = 4;  // Number of turns of each irradiance probe. A reflection probe has one turn.
+    // Number of probes that have a turn in one frame, at least 1. With many, a frame takes long; with few,
+    // many frames are rendered.
+    uint32_t most_per_frame = 255;
+    // Called after each frame with the number of turns so far and of all turns. May be empty.
+    std::function<void(uint32_t done, uint32_t all)> progress = {};
 };
 
 struct SessionParts;
@@ -142,6 +156,18 @@ class Session {
     // create(). This thread renders the frames, so each of these pipelines delayed a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const;
 
+    // Returns the number of irradiance probes of the scene that exist.
+    [[nodiscard]] uint32_t probe_count() const;
+    // Returns the number of reflection probes of the scene.
+    [[nodiscard]] uint32_t reflection_probe_count() const;
+    // Lights all probes before the first frame. It runs frames with the input of the first frame in which all
+    // probes have turns, whatever rule holds for other frames. They have no picture: only passes with "rest"
+    // and groups run, and the passes whose results they read. Weft submits these frames itself, drops their
+    // readbacks and does not count them, and the first frame sees no history. Returns their times. Does
+    // nothing if the scene has no probes, or if no group of the graph takes its turns from the imports
+    // "probeTurns" and "reflectionTurns".
+    [[nodiscard]] Result<std::vector<vk::FrameTiming>> warm_up_probes(const FrameInput& first,
+                                                                      const ProbeWarmUp& settings = {});
     [[nodiscard]] Status render_frame(const FrameInput& input);
     [[nodiscard]] Status finish();
     // Returns true if the graph writes an output image. Some graphs write only other resources.
@@ -165,6 +191,7 @@ class Session {
     [[nodiscard]] static Result<std::unique_ptr<Session>> create(
         vk::Device& device, const scene::Scene& scene, scene::Scene* owned, const SessionInput& input,
         Diagnostics& warnings, std::set<std::filesystem::path>* files);
+    [[nodiscard]] Status render_frame(const FrameInput& input, bool warms_up);
     [[nodiscard]] Status change_selection(const Selection& selection, Diagnostics& warnings);
 
     std::unique_ptr<SessionParts> parts_;

@@ -31,6 +31,9 @@ struct Probe {
     uint32_t level = 0;  // The coarsest level that has this grid point.
     glm::vec3 offset{0};
     ProbeState state = ProbeState::kept;
+    // With `dropped`: the grid point whose probe gives the light here. cells_of() returns this probe for the
+    // corners of cells at this grid point.
+    std::optional<glm::ivec3> substitute = {};
 };
 
 // A cube of the grid whose eight corners are listed in ProbeVolume::probes.
@@ -40,7 +43,7 @@ struct ProbeCell {
     glm::ivec3 at{0};    // The corner with the smallest coordinates, in units of ProbeVolume::spacing_m.
     uint32_t level = 0;  // An index into ProbeVolume::strides.
     // Indices into ProbeVolume::probes. Bit 0 of the index of a corner: +x, bit 1: +y, bit 2: +z. kNoProbe:
-    // the probe was dropped, or is farther than kMostOffset from its grid point.
+    // the probe was dropped without a substitute, or is farther than kMostOffset from its grid point.
     std::array<uint32_t, 8> corners{};
 };
 

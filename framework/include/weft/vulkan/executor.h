@@ -59,6 +59,9 @@ struct FrameInput {
     float pre_exposure = 1;
     float prev_pre_exposure = 1;
     bool hides_history = false;  // True: the shader values `<port>Valid` of histories are 0.
+    // True: only the results of passes at rest and of groups count. Of all other passes, only those run whose
+    // results these read.
+    bool prepares_units = false;
     const HostInputs* host = nullptr;
     // Versions of the contents of imported buffers and images, by name. Give an import a new number whenever
     // its content changes. A rest unit that reads an import without a version runs in every frame.

@@ -1,4 +1,6 @@
-// Directions and solid angles of the texels of a cube map.
+// Directions and solid angles of the texels of a cube map. The faces are in the order +x −x +y −y +z −z.
+#ifndef WEFT_CUBE_TEXELS
+#define WEFT_CUBE_TEXELS
 
 // Returns the direction of a point of a face; `at` is from −1 to 1. The point lies on a cube with sides of length 2.
 vec3 face_direction(uint face, vec2 at) {
@@ -10,6 +12,21 @@ vec3 face_direction(uint face, vec2 at) {
         case 4u: return vec3(at.x, -at.y, 1.0);
         default: return vec3(-at.x, -at.y, -1.0);
     }
+}
+
+// Returns the face that a direction meets, and in `at` the point there, from −1 to 1.
+uint face_of_direction(vec3 d, out vec2 at) {
+    const vec3 size = abs(d);
+    if (size.x >= size.y && size.x >= size.z) {
+        at = vec2(d.x > 0.0 ? -d.z : d.z, -d.y) / size.x;
+        return d.x > 0.0 ? 0u : 1u;
+    }
+    if (size.y >= size.z) {
+        at = vec2(d.x, d.y > 0.0 ? d.z : -d.z) / size.y;
+        return d.y > 0.0 ? 2u : 3u;
+    }
+    at = vec2(d.z > 0.0 ? d.x : -d.x, -d.y) / size.z;
+    return d.z > 0.0 ? 4u : 5u;
 }
 
 // Returns the position of the middle of a texel on its face.
@@ -28,3 +45,4 @@ float texel_solid_angle(vec2 middle, float size) {
     }
     return sum / (size * size);
 }
+#endif

@@ -1,0 +1,173 @@
+#include "scene/probes/share_open_probes.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "scene/loading/worker_threads.h"
+#include "scene/probes/cell_view.h"
+#include "scene/probes/probe_grid.h"
+
+namespace weft::scene {
+namespace {
+
+// A probe can substitute probes that are at most this far away, in spacings of the finest cell of the other
+// probe. The first value that saves enough probes is used.
+constexpr std::array<float, 5> kReaches{1.1f, 1.5f, 2.1f, 3, 4.2f};
+// At most one of this many places that a probe sees may be hidden from its substitute.
+constexpr size_t kHiddenPart = 10;
+// Places at this distance in front of surfaces are compared, in finest spacings of the volume.
+constexpr float kBefore = 0.2f;
+
+struct OpenProbe {
+    uint32_t index = 0;             // An index into ProbeVolume::probes.
+    float spacing_m = 0;            // Of the finest cell at whose corner the probe is.
+    std::vector<glm::vec3> places;  // The places in its cells that the probe sees.
+};
+
+// Returns the largest power of two that divides all coordinates.
+uint32_t alignment_of(const glm::ivec3& at) {
+    const auto bits = static_cast<uint32_t>(at.x | at.y | at.z);
+    return bits == 0 ? UINT32_MAX : 1u << std::countr_zero(bits);
+}
+
+class Sharing {
+ public:
+    Sharing(const TriangleTree& tree, ProbeVolume& volume, uint32_t threads)
+        : tree_(tree), volume_(volume), threads_(threads), cells_(cells_of(volume)) {
+        for (const ProbeCell& cell : cells_)
+            found_[{cell.at.x, cell.at.y, cell.at.z, int(cell.level)}] = true;
+        find_open();
+        std::ranges::sort(open_, [&](const OpenProbe& a, const OpenProbe& b) {
+            const glm::ivec3 &p = volume_.probes[a.index].at, &q = volume_.probes[b.index].at;
+            const uint32_t i = alignment_of(p), k = alignment_of(q);
+            return i != k ? i > k : PointOrder{}(p, q);
+        });
+        find_places();
+    }
+
+    // Finds substitutes within this reach. Returns the number of probes that have one.
+    uint32_t share(float reach) {
+        uint32_t saved = 0;
+        std::vector<const OpenProbe*> kept;
+        for (const OpenProbe& probe : open_) {
+            std::optional<glm::ivec3>& substitute = volume_.probes[probe.index].substitute;
+            substitute = substitute_for(probe, reach, kept);
+            if (substitute)
+                ++saved;
+            else
+                kept.push_back(&probe);
+        }
+        return saved;
+    }
+
+    // Drops the probes that have a substitute.
+    void finish() {
+        for (const OpenProbe& open : open_) {
+            Probe& probe = volume_.probes[open.index];
+            if (!probe.substitute) continue;
+            probe.state = ProbeState::dropped;
+            probe.offset = glm::vec3(0);
+        }
+    }
+
+ private:
+    [[nodiscard]] glm::vec3 place_of(const OpenProbe& probe) const {
+        return position_of(volume_, volume_.probes[probe.index]);
+    }
+
+    [[nodiscard]] float spacing_of(uint32_t level) const {
+        return volume_.spacing_m * static_cast<float>(volume_.strides[level]);
+    }
+
+    void find_open() {
+        std::vector<uint8_t> open(volume_.probes.size());
+        run_on_threads(open.size(), threads_, [&](size_t i) {
+            const Probe& probe = volume_.probes[i];
+            open[i] =
+                probe.state != ProbeState::dropped && is_open(tree_, position_of(volume_, probe)) ? 1 : 0;
+        });
+        for (uint32_t i = 0; i < open.size(); ++i)
+            if (open[i] != 0) open_.push_back({i, 0, {}});
+    }
+
+    // True if a finer cell contains the place.
+    [[nodiscard]] bool is_in_finer_cell(const glm::vec3& place, uint32_t level) const {
+        for (uint32_t i = 0; i < level; ++i) {
+            const int stride = static_cast<int>(volume_.strides[i]);
+            const glm::ivec3 at(glm::floor((place - volume_.origin) / spacing_of(i)));
+            if (found_.contains({at.x * stride, at.y * stride, at.z * stride, int(i)})) return true;
+        }
+        return false;
+    }
+
+    void find_places() {
+        std::vector<std::vector<glm::vec3>> places(cells_.size());
+        run_on_threads(cells_.size(), threads_, [&](size_t i) {
+            const glm::vec3 low = volume_.origin + glm::vec3(cells_[i].at) * volume_.spacing_m;
+            places[i] = places_before_surfaces(tree_, {low, low + spacing_of(cells_[i].level)},
+                                               kBefore * volume_.spacing_m);
+            std::erase_if(places[i],
+                          [&](const glm::vec3& place) { return is_in_finer_cell(place, cells_[i].level); });
+        });
+        run_on_threads(open_.size(), threads_, [&](size_t k) {
+            OpenProbe& probe = open_[k];
+            for (size_t i = 0; i < cells_.size(); ++i) {
+                if (std::ranges::find(cells_[i].corners, probe.index) == cells_[i].corners.end()) continue;
+                if (probe.spacing_m == 0) probe.spacing_m = spacing_of(cells_[i].level);
+                for (const glm::vec3& place : places[i])
+                    if (sees(tree_, place, place_of(probe))) probe.places.push_back(place);
+            }
+        });
+    }
+
+    [[nodiscard]] bool can_substitute(const OpenProbe& substitute, const OpenProbe& probe) const {
+        const size_t most_hidden = probe.places.size() / kHiddenPart;
+        size_t hidden = 0;
+        return std::ranges::all_of(probe.places, [&](const glm::vec3& place) {
+            hidden += sees(tree_, place, place_of(substitute)) ? 0 : 1;
+            return hidden <= most_hidden;
+        });
+    }
+
+    [[nodiscard]] std::optional<glm::ivec3> substitute_for(const OpenProbe& probe, float reach,
+                                                           const std::vector<const OpenProbe*>& kept) const {
+        struct Near {
+            float distance_m;
+            const OpenProbe* probe;
+        };
+        std::vector<Near> near;
+        for (const OpenProbe* other : kept) {
+            const float distance_m = glm::distance(place_of(probe), place_of(*other));
+            if (distance_m <= reach * probe.spacing_m) near.push_back({distance_m, other});
+        }
+        std::ranges::stable_sort(near, {}, &Near::distance_m);
+        for (const Near& other : near)
+            if (can_substitute(*other.probe, probe)) return volume_.probes[other.probe->index].at;
+        return std::nullopt;
+    }
+
+    const TriangleTree& tree_;
+    ProbeVolume& volume_;
+    uint32_t threads_;
+    std::vector<ProbeCell> cells_;
+    std::map<std::array<int, 4>, bool> found_;  // The cells that exist.
+    std::vector<OpenProbe> open_;
+};
+
+}  // namespace
+
+uint32_t share_open_probes(const TriangleTree& tree, ProbeVolume& volume, uint32_t most, uint32_t threads) {
+    const auto count = static_cast<uint32_t>(volume.probes.size()) - count_of(volume, ProbeState::dropped);
+    if (count <= most) return count;
+    Sharing sharing(tree, volume, threads);
+    uint32_t saved = 0;
+    for (const float reach : kReaches) {
+        saved = sharing.share(reach);
+        if (count - saved <= most) break;
+    }
+    sharing.finish();
+    return count - saved;
+}
+
+}  // namespace weft::scene

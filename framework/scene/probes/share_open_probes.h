@@ -1,0 +1,14 @@
+// Purpose: saves probes where the light varies slowly. Outside of buildings and above grounds, probes see
+// much of the sky. There, one probe gives the light of several grid points.
+#pragma once
+
+#include "scene/probes/triangle_tree.h"
+#include "weft/scene/probes.h"
+
+namespace weft::scene {
+
+// Drops open probes that another probe can substitute, as few as possible and near ones first, until at most
+// `most` probes are left or no more can be dropped. Returns the number of probes that are left.
+uint32_t share_open_probes(const TriangleTree& tree, ProbeVolume& volume, uint32_t most, uint32_t threads);
+
+}  // namespace weft::scene

@@ -1,0 +1,16 @@
+// The buffer `probeMap` of graphs/modules/probe_map.json: where the irradiance probes stand, in one buffer, so that the
+// passes that light surfaces need only one port for it. Its items are: the grid (kProbeGridItems), one item for each
+// probe (ProbePoint), and kProbeCellItems for each slot of the table of cells (ProbeCell). There is room for at least
+// one probe.
+#ifndef WEFT_PROBE_MAP
+#define WEFT_PROBE_MAP
+#include "shared/probe_grid.glsl"
+
+const uint kProbeGridItems = 4u;
+const uint kProbeCellItems = 4u;
+// The octahedral maps in `probeMoments` have so many texels per side, without their border.
+const uint kProbeMomentSide = 16u;
+
+// Returns the first item of the table of cells.
+uint first_cell_item(uint probes) { return kProbeGridItems + max(probes, 1u); }
+#endif

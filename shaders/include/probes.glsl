@@ -1,0 +1,230 @@
+// The diffuse light of the irradiance probes around a point. Units: cd/m². Ports, all optional, but only together:
+// `probeSh` (light of the probes), `probeMoments` (what blocks the view of the probes) and `probeMap` (where they
+// stand). If HAS_probeSh is false, there are no probes, and the functions must not be called.
+//
+// A point gets the light of the eight probes at the corners of the finest cell around it. The weight of a probe is the
+// product of three factors: the place of the point in the cell (trilinear), the side of the surface on which the probe
+// is, and whether the probe sees the point. Sources: Majercik et al. 2019, "Dynamic Diffuse Global Illumination with
+// Ray-Traced Irradiance Fields", and 2021, "Scaling Probe-Based Real-Time Dynamic Global Illumination for Production".
+// Both test the view with two moments of the distance. Here the test uses the inverse distance, because this is a
+// linear function on a plane: it can be interpolated between texels, and planes do not blur it.
+#ifndef WEFT_PROBES
+#define WEFT_PROBES
+#include "environment_cube.glsl"
+#include "octahedral.glsl"
+#include "probe_map.glsl"
+#include "shared/probe_sh.glsl"
+
+layout(constant_id = 26) const bool HAS_probeSh = false;
+layout(constant_id = 27) const bool HAS_probeMoments = false;
+layout(constant_id = 28) const bool HAS_probeMap = false;
+layout(std430) readonly buffer ProbeSh { vec4 items[]; } probeSh;
+// One layer for each probe: an octahedral map with a border of one texel. r: inverse distance to what the probe sees in
+// 1/m, 0 for the sky; g: standard deviation of the inverse distance within the texel.
+uniform sampler2DArray probeMoments;
+layout(std430) readonly buffer ProbeMap { uvec4 items[]; } probeMap;
+
+const uint kNoItem = 0xffffffffu;
+
+// Light fades from a cell to the next coarser level over this part of the cell, next to places without a cell of the
+// same level.
+const float kProbeFade = 0.25;
+// Light of the coarsest cells reaches this far beyond them, in spacings, and fades.
+const float kProbeReach = 0.5;
+// The point moves by this many spacings along the normal, and as far towards the eye, before a probe looks at it. So a
+// surface does not hide itself. The offset ends at a spacing of kMostBiasSpacing_m.
+const float kProbeBias = 0.1, kMostBiasSpacing_m = 1.0;
+// The probes of a cell are trusted fully if they see the point with this share of their weights.
+const float kProbeTrust = 0.02;
+// Smallest trilinear factor along an axis. So even a point at a side of the cell gets light from the probes at the other
+// side if those at its side are missing or do not see it.
+const float kLeastCloseness = 0.01;
+// Smallest standard deviation of the inverse distance, as a share of it.
+const float kLeastDeviation = 0.03;
+
+// The light of the probes. facing, mirrored: irradiance / π for the normal and for a second direction. validity: 0 if no
+// probe gives light, 1 if the probes give all of it. outside: 1 if no cell is near the point, 0 in a cell.
+struct ProbeLight {
+    vec3 facing, mirrored;
+    float validity;
+    float outside;
+};
+
+// What a lookup needs to know about the point.
+struct ProbeQuery {
+    vec3 position, normal, to_eye;
+    float facing_basis[9], mirrored_basis[9];
+};
+
+vec3 probe_grid_origin() { return uintBitsToFloat(probeMap.items[0].xyz); }
+float probe_grid_spacing_m() { return uintBitsToFloat(probeMap.items[0].w); }
+uint probe_stride(uint level) { return probeMap.items[2u + level / 4u][level % 4u]; }
+
+// Returns the first item of a cell, or kNoItem. `at` is the corner of the cell with the smallest coordinates.
+uint find_probe_cell(ivec3 at, uint level) {
+    const uvec4 sizes = probeMap.items[1];  // Levels, slots, probes.
+    const uint begin = first_cell_item(sizes.z);
+    uint slot = probe_cell_slot(at, level, sizes.y);
+    for (uint tried = 0u; tried < sizes.y; ++tried) {
+        const uint item = begin + kProbeCellItems * slot;
+        const uvec4 key = probeMap.items[item];
+        if (key.w == kEmptyProbeSlot) return kNoItem;
+        if (key == uvec4(at, level)) return item;
+        slot = (slot + 1u) & (sizes.y - 1u);
+    }
+    return kNoItem;
+}
+
+// Returns 0 next to a place without a cell of the same level, and 1 at a distance of kProbeFade cells. `t`: place in the
+// cell, from 0 to 1. A bit of `neighbours` is set for each cell around it that exists. Only cells at the nearer sides
+// can be near enough.
+float probe_cell_share(uint neighbours, vec3 t) {
+    const ivec3 side = ivec3(greaterThanEqual(t, vec3(0.5))) * 2 - 1;
+    const vec3 away = min(t, 1.0 - t);
+    float nearest = kProbeFade;
+    for (int i = 1; i < 8; ++i) {
+        const ivec3 part = ivec3(i, i >> 1, i >> 2) & 1, at = part * side + 1;
+        const bool exists = (neighbours >> (at.x + 3 * at.y + 9 * at.z) & 1u) != 0u;
+        const vec3 apart = vec3(part) * away;
+        if (!exists) nearest = min(nearest, max(apart.x, max(apart.y, apart.z)));
+    }
+    return smoothstep(0.0, 1.0, nearest / kProbeFade);
+}
+
+// Returns how well a probe sees a point: 1 if nothing is between them, nearly 0 for a point behind a surface.
+float probe_visibility(uint probe, vec3 to_point) {
+    const vec2 uv = ((octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 1.0) /
+                    float(kProbeMomentSide + 2u);
+    const vec2 seen = textureLod(probeMoments, vec3(uv, float(probe)), 0.0).rg;
+    const float behind = seen.x - inversesqrt(max(dot(to_point, to_point), 1e-6));
+    if (behind <= 0.0) return 1.0;
+    const float deviation = max(seen.y, kLeastDeviation * seen.x), variance = deviation * deviation;
+    const float chebyshev = variance / (variance + behind * behind);
+    return chebyshev * chebyshev * chebyshev;
+}
+
+// A probe at a corner of a cell, as a point sees it.
+struct ProbeCorner {
+    uint probe;       // kNoProbe: there is no probe at the corner.
+    float weight;     // By the place of the point in the cell and the side of the surface.
+    float visible;    // How well the probe sees the point.
+    bool lit;         // False: the probe has no light yet.
+};
+
+ProbeCorner probe_corner(ProbeQuery q, uint cell, uint corner, vec3 t, float spacing_m) {
+    ProbeCorner found = ProbeCorner(probeMap.items[cell + 1u + corner / 4u][corner % 4u], 0.0, 1.0, false);
+    if (found.probe == kNoProbe) return found;
+    const vec3 place = uintBitsToFloat(probeMap.items[kProbeGridItems + found.probe].xyz);
+    const vec3 close = max(mix(1.0 - t, t, vec3(uvec3(corner, corner >> 1, corner >> 2) & 1u)), kLeastCloseness);
+    const vec3 to_probe = place - q.position;
+    const float cosine = dot(to_probe, q.normal) * inversesqrt(max(dot(to_probe, to_probe), 1e-12));
+    const float wrapped = 0.5 + 0.5 * cosine;
+    found.weight = close.x * close.y * close.z * (wrapped * wrapped + 0.2);
+    found.lit = probeSh.items[kProbeShStride * found.probe].w > 0.0;
+    if (!found.lit) return found;
+    const vec3 seen_at = q.position + (q.normal + q.to_eye) * (kProbeBias * min(spacing_m, kMostBiasSpacing_m));
+    // The least value is above 0. So if all probes are hidden, the ones that see the point best give the light.
+    found.visible = max(probe_visibility(found.probe, seen_at - place), 1e-12);
+    return found;
+}
+
+// Sums over cells: irradiance / π for both directions, the share of probes that have light, and the weights.
+struct ProbeSum {
+    vec3 facing, mirrored;
+    float lit, weight;
+};
+
+// Adds the light of the probes of a cell, with the weight `share`. Returns how well these probes see the point, from 0
+// to 1, or −1 if the cell has no probe. Hidden probes count little, so that a coarser cell with visible probes decides.
+// `t`: place of the point in the cell.
+float add_probe_cell(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float spacing_m, float share) {
+    vec3 facing = vec3(0.0), mirrored = vec3(0.0);
+    float lit = 0.0, all = 0.0, weights = 0.0;
+    [[dont_unroll]] for (uint corner = 0u; corner < 8u; ++corner) {
+        const ProbeCorner found = probe_corner(q, cell, corner, t, spacing_m);
+        const float visible = found.weight * found.visible;
+        all += visible;
+        weights += found.weight;
+        if (!found.lit) continue;
+        lit += visible;
+        const uint first = kProbeShStride * found.probe;
+        for (uint i = 0u; i < 9u; ++i) {
+            const vec3 coefficient = probeSh.items[first + i].rgb;
+            facing += visible * q.facing_basis[i] * coefficient;
+            mirrored += visible * q.mirrored_basis[i] * coefficient;
+        }
+    }
+    if (weights <= 0.0) return -1.0;
+    const float trust = clamp(all / (weights * kProbeTrust), 1e-4, 1.0);
+    const float scale = share * trust / all;
+    sum.facing += scale * max(facing, vec3(0.0));
+    sum.mirrored += scale * max(mirrored, vec3(0.0));
+    sum.lit += scale * lit;
+    sum.weight += share * trust;
+    return trust;
+}
+
+// Finds the cell of a level. Points that are at most kProbeReach spacings away from a cell of the coarsest level use
+// the nearest of these cells. `grid`: the point in spacings of the level. `t` becomes the place in the cell. `share`
+// becomes the weight of the cell.
+uint probe_cell_at(vec3 grid, uint level, bool coarsest, out vec3 t, out float share) {
+    const int stride = int(probe_stride(level));
+    const vec3 corner = floor(grid);
+    uint cell = find_probe_cell(ivec3(corner) * stride, level);
+    t = grid - corner;
+    share = 1.0;
+    if (cell != kNoItem) {
+        if (!coarsest) share = probe_cell_share(probeMap.items[cell + 3u].x, t);
+        return cell;
+    }
+    if (!coarsest) return kNoItem;
+    const ivec3 side = ivec3(greaterThanEqual(t, vec3(0.5))) * 2 - 1;
+    const vec3 away = min(t, 1.0 - t), at = t;
+    float nearest = kProbeReach;
+    [[dont_unroll]] for (int i = 1; i < 8; ++i) {
+        const ivec3 part = ivec3(i, i >> 1, i >> 2) & 1;
+        const vec3 apart = vec3(part) * away;
+        const float distance = max(apart.x, max(apart.y, apart.z));
+        if (distance >= nearest) continue;
+        const uint found = find_probe_cell((ivec3(corner) + part * side) * stride, level);
+        if (found == kNoItem) continue;
+        cell = found;
+        nearest = distance;
+        t = clamp(at - vec3(part * side), 0.0, 1.0);
+    }
+    share = 1.0 - nearest / kProbeReach;
+    return cell;
+}
+
+// Returns the light of the probes around a point. `to_eye`: unit vector to the eye. `mirrored`: a second direction for
+// which the irradiance is wanted.
+ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
+    const ProbeQuery q = ProbeQuery(position, n, to_eye, harmonic_basis(n), harmonic_basis(mirrored));
+    const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
+    const uint levels = probeMap.items[1].x;
+    ProbeSum sum = ProbeSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
+    float rest = 1.0;      // Weight that is left for coarser levels.
+    float outside = 1.0;   // 0 in a cell, 1 if no cell is near.
+    [[dont_unroll]] for (uint level = 0u; level < levels && rest > 1e-3; ++level) {
+        const float stride = float(probe_stride(level));
+        const bool coarsest = level + 1u == levels;
+        vec3 t;
+        float share;
+        const uint cell = probe_cell_at(grid / stride, level, coarsest, t, share);
+        if (cell == kNoItem || share <= 0.0) continue;
+        const float trust = add_probe_cell(sum, q, cell, t, stride * probe_grid_spacing_m(), rest * share);
+        if (trust < 0.0) continue;
+        rest *= 1.0 - share * trust;
+        outside = coarsest ? outside * (1.0 - share) : 0.0;
+    }
+    if (sum.lit <= 0.0) return ProbeLight(vec3(0.0), vec3(0.0), 0.0, outside);
+    return ProbeLight(sum.facing / sum.lit, sum.mirrored / sum.lit, sum.lit / sum.weight * (1.0 - outside), outside);
+}
+
+// Returns irradiance / π of the probes (rgb) and their validity (a), from 0 to 1. Where the validity is below 1, mix
+// with the light of the surroundings: mix(surroundings, result.rgb, result.a).
+vec4 probe_irradiance_over_pi(vec3 position, vec3 n, vec3 to_eye) {
+    const ProbeLight light = probe_light(position, n, to_eye, n);
+    return vec4(light.facing, light.validity);
+}
+#endif

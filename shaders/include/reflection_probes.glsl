@@ -1,0 +1,205 @@
+// The light that a surface mirrors, from the reflection probes around a point. Units: cd/m², metres. Ports, all optional,
+// but only together: `reflectionCubes`, `reflectionSh` and `reflectionMap` of graphs/modules/reflection_probes.json. If HAS_reflectionCubes is false, the functions must not be called.
+//
+// A cube shows what its probe sees. A point next to the probe sees the same surfaces in other directions. So a ray from
+// the point is followed to the surface that it meets, and the cube is read in the direction of this surface. Inside of a
+// box, the ray ends at the box: Lagarde and Zanuttini 2012, "Local Image-based Lighting With Parallax-corrected Cubemap".
+// Without a box, the ray ends at the surface that the distances in the cube describe: Szirmay-Kalos et al. 2005,
+// "Approximate Ray-Tracing on the GPU with Distance Impostors".
+#ifndef WEFT_REFLECTION_PROBES
+#define WEFT_REFLECTION_PROBES
+#include "environment_cube.glsl"
+#include "shared/probe_grid.glsl"
+#include "shared/probe_sh.glsl"
+#include "shared/reflection_box.glsl"
+
+layout(constant_id = 29) const bool HAS_reflectionCubes = false;
+layout(constant_id = 30) const bool HAS_reflectionSh = false;
+layout(constant_id = 31) const bool HAS_reflectionMap = false;
+// Radiance · kProbeRadianceScale; the mips are those of environment_cube.glsl. Alpha of mip 0: inverse distance from the
+// probe in 1/m, 0 for the sky. The inverse distance is a linear function on a plane, so it can be interpolated.
+uniform samplerCubeArray reflectionCubes;
+layout(std430) readonly buffer ReflectionSh { vec4 items[]; } reflectionSh;  // As probeSh.
+// For each probe: its position, and the rows of the matrix from world space to its box, which reaches from −1 to 1. A
+// probe without a box has rows of 0.
+layout(std430) readonly buffer ReflectionMap { vec4 items[]; } reflectionMap;
+
+// The probes that a point asks whether they see it: those that are best by their distance and their boxes.
+const int kReflectionCandidates = 4;
+// The weight of a probe with a box, relative to one without a box at a distance of 1 m.
+const float kBoxWeight = 1000.0;
+// Outside of its box, the weight of a probe falls to 0 over this part of half the size of the box. So the walls of a room
+// whose box ends at the walls are inside.
+const float kBoxFade = 0.1;
+// A ray that meets no surface is followed so far.
+const float kFarReflection_m = 10000.0;
+// Smallest standard deviation of the inverse distance, as a share of it.
+const float kReflectionDeviation = 0.03;
+
+// The light of the probes around a point. share: 0 if no probe sees what the point mirrors, 1 if the probes give all of
+// the light. irradiance_over_pi: that of the probes themselves, for the direction in the middle of the lobe.
+struct ReflectionLight {
+    vec3 radiance, irradiance_over_pi;
+    float share;
+};
+
+uint reflection_probe_count() { return uint(reflectionMap.items.length()) / kReflectionItems; }
+
+vec3 reflection_place(uint probe) { return reflectionMap.items[probe * kReflectionItems].xyz; }
+
+bool has_reflection_box(uint probe) { return reflectionMap.items[probe * kReflectionItems + 1u].xyz != vec3(0.0); }
+
+vec3 to_reflection_box(uint probe, vec4 point) {
+    const uint row = probe * kReflectionItems + 1u;
+    return vec3(dot(reflectionMap.items[row], point), dot(reflectionMap.items[row + 1u], point),
+                dot(reflectionMap.items[row + 2u], point));
+}
+
+// Returns the weight of a probe at a point before it is known whether it sees the point (x), and how far the point is
+// inside of its box (y): 1 in the box and without a box, 0 far enough outside.
+vec2 reflection_weight(uint probe, vec3 position) {
+    const vec3 way = position - reflection_place(probe);
+    const float near = 1.0 / (dot(way, way) + 0.25);
+    if (!has_reflection_box(probe)) return vec2(near * near, 1.0);
+    const vec3 at = abs(to_reflection_box(probe, vec4(position, 1.0)));
+    const float inside = smoothstep(0.0, kBoxFade, 1.0 + kBoxFade - max(at.x, max(at.y, at.z)));
+    return vec2(kBoxWeight * inside, inside);
+}
+
+float reflection_inverse_distance(uint probe, vec3 direction) {
+    return textureLod(reflectionCubes, vec4(direction, float(probe)), 0.0).a;
+}
+
+// Returns how well a probe sees a point at `way` from it: 1 if nothing is between them, nearly 0 behind a surface.
+float reflection_visibility(uint probe, vec3 way) {
+    const float seen = reflection_inverse_distance(probe, way);
+    const float behind = seen - inversesqrt(max(dot(way, way), 1e-6));
+    if (behind <= 0.0) return 1.0;
+    const float variance = kReflectionDeviation * kReflectionDeviation * seen * seen;
+    const float chebyshev = variance / (variance + behind * behind);
+    return chebyshev * chebyshev * chebyshev;
+}
+
+// Returns the distance along a ray to the sphere around the probe with this inverse radius. `from`: from the probe to
+// the origin of the ray.
+float distance_to_sphere(vec3 from, vec3 direction, float inverse_radius) {
+    const float radius = 1.0 / max(inverse_radius, 1.0 / kFarReflection_m);
+    const float b = dot(from, direction), c = dot(from, from) - radius * radius;
+    return max(sqrt(max(b * b - c, 0.0)) - b, 0.0);
+}
+
+// Follows a ray to the surface that it meets. Returns the way from the probe to this place. `agreement`: 1 if the probe
+// sees the place, 0 if another surface hides it. The function g = distance · inverse distance in the cube − 1 is below
+// 0 in front of the surface, 0 on it, and linear along the ray if the surface is a plane. So secants find its root.
+vec3 followed_reflection(uint probe, vec3 from, vec3 direction, out float agreement) {
+    agreement = 1.0;
+    float before = distance_to_sphere(from, direction, reflection_inverse_distance(probe, direction));
+    vec3 place = from + direction * before;
+    float inverse = reflection_inverse_distance(probe, place);
+    float g_before = length(place) * inverse - 1.0;
+    float at = distance_to_sphere(from, direction, inverse), g = 0.0;
+    for (int i = 0; i < 3; ++i) {
+        place = from + direction * at;
+        inverse = reflection_inverse_distance(probe, place);
+        if (inverse * kFarReflection_m < 1.0) return direction;
+        g = length(place) * inverse - 1.0;
+        const float rise = g - g_before;
+        if (i == 2 || abs(rise) < 1e-6) break;
+        const float next = clamp(at - g * (at - before) / rise, 0.0, kFarReflection_m);
+        before = at;
+        g_before = g;
+        at = next;
+    }
+    agreement = 1.0 - smoothstep(0.1, 0.3, abs(g));
+    return place;
+}
+
+// Returns the way from the probe to the place at which a ray from inside of the box of the probe ends.
+vec3 boxed_reflection(uint probe, vec3 position, vec3 direction) {
+    const vec3 from = to_reflection_box(probe, vec4(position, 1.0)), along = to_reflection_box(probe, vec4(direction, 0.0));
+    const vec3 ends = (mix(vec3(-1.0), vec3(1.0), greaterThanEqual(along, vec3(0.0))) - from) /
+                      mix(along, vec3(1e-9), equal(along, vec3(0.0)));
+    const float end = max(min(ends.x, min(ends.y, ends.z)), 0.0);
+    return position + direction * end - reflection_place(probe);
+}
+
+// Adds the light of one probe with a weight. `direction` is the middle of the lobe.
+void add_reflection(inout ReflectionLight sum, uint probe, vec3 position, vec3 direction, float roughness, float weight) {
+    const vec3 from = position - reflection_place(probe);
+    float agreement = 1.0;
+    const vec3 way = has_reflection_box(probe) ? boxed_reflection(probe, position, direction)
+                                               : followed_reflection(probe, from, direction, agreement);
+    // The lobe is narrower on a near surface than where the probe sees it from afar.
+    const float nearer = clamp(distance(way, from) / max(length(way), 1e-4), 0.0, 1.0);
+    const float blur = way == direction ? roughness : mix(roughness * nearer, roughness, roughness);
+    const float lod = min(lod_of_roughness(blur), kLastFiltered), w = weight * agreement;
+    sum.radiance += w / kProbeRadianceScale * textureLod(reflectionCubes, vec4(way, float(probe)), lod).rgb;
+    const float basis[9] = harmonic_basis(direction);
+    vec3 irradiance = vec3(0.0);
+    for (uint i = 0u; i < 9u; ++i) irradiance += reflectionSh.items[probe * kProbeShStride + i].rgb * basis[i];
+    sum.irradiance_over_pi += w * max(irradiance, vec3(0.0));
+    sum.share += w;
+}
+
+// The best probes by weight, from the largest to the smallest weight.
+struct ReflectionCandidates {
+    uint probes[kReflectionCandidates];
+    vec2 weights[kReflectionCandidates];
+};
+
+ReflectionCandidates reflection_candidates(vec3 position) {
+    ReflectionCandidates best;
+    for (int i = 0; i < kReflectionCandidates; ++i) {
+        best.probes[i] = 0u;
+        best.weights[i] = vec2(0.0);
+    }
+    const uint count = reflection_probe_count();
+    [[dont_unroll]] for (uint probe = 0u; probe < count; ++probe) {
+        uint moved = probe;
+        vec2 weight = reflection_weight(probe, position);
+        if (reflectionSh.items[probe * kProbeShStride].w == 0.0) weight.x = 0.0;  // Not lit yet.
+        for (int i = 0; i < kReflectionCandidates; ++i) {
+            if (weight.x <= best.weights[i].x) continue;
+            const uint probe_below = best.probes[i];
+            const vec2 weight_below = best.weights[i];
+            best.probes[i] = moved;
+            best.weights[i] = weight;
+            moved = probe_below;
+            weight = weight_below;
+        }
+    }
+    return best;
+}
+
+// Returns the light that a surface with this roughness mirrors. `direction` is the middle of its lobe. The light is that
+// of the two probes with the largest weights, from which the third weight is subtracted: so a probe fades before another
+// one takes its place.
+ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness) {
+    const ReflectionCandidates best = reflection_candidates(position);
+    ReflectionLight sum = ReflectionLight(vec3(0.0), vec3(0.0), 0.0);
+    float weights[kReflectionCandidates];
+    float all = 0.0, inside = 0.0, first = 0.0, second = 0.0, third = 0.0;
+    for (int i = 0; i < kReflectionCandidates; ++i) {
+        weights[i] = 0.0;
+        if (best.weights[i].x <= 0.0) continue;
+        const float visible = reflection_visibility(best.probes[i], position - reflection_place(best.probes[i]));
+        weights[i] = best.weights[i].x * visible;
+        all += weights[i];
+        inside = max(inside, best.weights[i].y * visible);
+        third = max(third, min(second, weights[i]));
+        second = max(second, min(first, weights[i]));
+        first = max(first, weights[i]);
+    }
+    if (all <= 0.0) return sum;
+    float used = 0.0;
+    for (int i = 0; i < kReflectionCandidates; ++i) {
+        const float weight = weights[i] - third;
+        if (weight <= 0.0) continue;
+        used += weight;
+        add_reflection(sum, best.probes[i], position, direction, roughness, weight);
+    }
+    if (sum.share <= 0.0) return sum;
+    const float scale = 1.0 / sum.share;
+    return ReflectionLight(sum.radiance * scale, sum.irradiance_over_pi * scale, inside * sum.share / used);
+}
+#endif

@@ -1,0 +1,56 @@
+// The irradiance probes of the scene as shaders see them: the imports `probePoints`, `probeCells` and `probeGrid`. The
+// probes have numbers from 0; dropped probes have none. The structs are for storage buffers. Units: metres.
+#ifndef WEFT_SHARED_PROBE_GRID
+#define WEFT_SHARED_PROBE_GRID
+#include "begin.glsl"
+
+// ProbeCell::corners: there is no probe at this corner. ProbeCell::level: the slot is empty.
+const uint kNoProbe = 0xffffffffu;
+const uint kEmptyProbeSlot = 0xffffffffu;
+const uint kMostProbeLevels = 8u;
+// Radiance is stored multiplied by this number, so that the sun on white (25,000 cd/m²) and lamps fit into half floats.
+// A power of two changes no digits.
+const float kProbeRadianceScale = 0.0625;
+
+// One probe, an element of `probePoints`.
+struct ProbePoint {
+    vec3 position;    // In world space.
+    float spacing_m;  // Spacing of the finest level of which the probe is a corner.
+};
+
+// One slot of the hash table `probeCells`. To find a cell, begin with the slot probe_cell_slot() and go on to the next
+// slots, after the last one to the first one, until a slot has the same `at` and `level`, or is empty.
+struct ProbeCell {
+    ivec3 at;          // The corner with the smallest coordinates: grid point `at` is at origin + at · spacing_m.
+    uint level;        // The side of the cell is the stride of this level times spacing_m.
+    uint corners[8];   // Numbers of the probes. Bit 0 of the index: +x, bit 1: +y, bit 2: +z.
+    // Bit i: the neighbour i of the same level exists, where i = (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
+    uint neighbours;
+    uint reserved[3];
+};
+
+// The only element of `probeGrid`.
+struct ProbeGrid {
+    vec3 origin;      // Place of the grid point (0, 0, 0).
+    float spacing_m;  // Distance between two neighbouring points of the finest grid.
+    uint levels;      // 0: there are no cells. Level 0 is the finest.
+    uint slots;       // Number of slots in `probeCells`, a power of two. At least half of them are empty.
+    uint probes;
+    uint reserved;
+    uvec4 strides[kMostProbeLevels / 4u];  // The stride of level i, in units of the grid, is strides[i / 4][i % 4].
+};
+
+// Returns the slot at which the search for a cell begins.
+#ifdef __cplusplus
+inline
+#endif
+uint probe_cell_slot(ivec3 at, uint level, uint slots) {
+    uint mixed = uint(at.x) * 0x9e3779b1u + uint(at.y);
+    mixed = (mixed ^ (mixed >> 15u)) * 0x85ebca77u + uint(at.z);
+    mixed = (mixed ^ (mixed >> 13u)) * 0xc2b2ae3du + level;
+    mixed = (mixed ^ (mixed >> 16u)) * 0x9e3779b1u;
+    return (mixed ^ (mixed >> 15u)) & (slots - 1u);
+}
+
+#include "end.glsl"
+#endif

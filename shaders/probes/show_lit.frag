@@ -1,0 +1,21 @@
+// Debug view of the light that the probe sees which was lit last: its faces +x −x +y −y +z −z, two rows of three.
+#version 460
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 color;
+
+uniform sampler2DArray shown;
+
+layout(push_constant) uniform Params { vec2 colorSize; } params;
+
+void main() {
+    const float side = min(params.colorSize.x / 3.0, params.colorSize.y / 2.0);
+    const vec2 at = uv * params.colorSize / side;
+    color = vec4(0.0, 0.0, 0.0, 1.0);
+    if (at.x >= 3.0 || at.y >= 2.0) return;
+    vec3 mean = vec3(0.0);
+    for (int i = 0; i < 384; ++i)
+        mean += textureLod(shown, vec3((vec2(i % 8, i / 8 % 8) + 0.5) / 8.0, float(i / 64)), 0.0).rgb / 384.0;
+    const float middle = max(dot(mean, vec3(0.2126, 0.7152, 0.0722)), 1e-6);
+    const vec3 light = textureLod(shown, vec3(fract(at), floor(at.x) + 3.0 * floor(at.y)), 0.0).rgb / middle;
+    color.rgb = pow(light / (1.0 + light), vec3(1.0 / 2.2));
+}
