@@ -115,7 +115,7 @@ bool add_round(const vk::FrameTiming& timing, std::vector<PassResult>& passes) {
     std::map<std::string, double, std::less<>> times, of_groups;
     for (const vk::PassTiming& pass : timing.passes) {
         if (pass.gpu_ms < 0) return false;
-        times.emplace(pass.pass, pass.gpu_ms);
+        times.emplace(pass.pass, pass.rested ? 0 : pass.gpu_ms);
         if (!pass.rested) of_groups[name_without_round(pass.pass)] += pass.gpu_ms;
     }
     for (PassResult& pass : passes) {
