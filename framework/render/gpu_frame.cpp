@@ -1,5 +1,6 @@
 #include "render/gpu_frame.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -154,16 +155,30 @@ Status GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame, const
     std::memcpy(memory, &frame, sizeof frame);
     std::memcpy(memory + kSunOffsetBytes, &sun, sizeof sun);
     std::memcpy(memory + kFurtherSunsOffsetBytes, &further_suns, sizeof further_suns);
-    index_of_view_.clear();
+    write_views(slot, views);
+    for (const ViewNames& names : united_views)
+        if (Status written = write_array(slot, names, views); !written) return written;
+    return Unit{};
+}
+
+// Writes the constants of the views, except those that the memory of the slot already has.
+void GpuFrame::write_views(uint32_t slot, std::span<const FrameView> views) {
+    if (!std::ranges::equal(names_, views, {}, {}, &FrameView::name)) {
+        names_.clear();
+        index_of_view_.clear();
+        for (const FrameView& view : views) {
+            index_of_view_.emplace(view.name, static_cast<uint32_t>(names_.size()));
+            names_.push_back(view.name);
+        }
+    }
+    fixed_.resize(std::max(fixed_.size(), views.size()));
     for (uint32_t i = 0; i < views.size(); ++i) {
-        index_of_view_.emplace(views[i].name, i);
+        const uint64_t was_fixed = std::exchange(fixed_[i][slot], views[i].fixed);
+        if (views[i].fixed != 0 && was_fixed == views[i].fixed) continue;
         std::byte* to = blocks_[i / kBlockViews].constants.mapped().data();
         std::memcpy(to + (slot * kBlockViews + i % kBlockViews) * kViewBytes, &views[i].constants,
                     sizeof views[i].constants);
     }
-    for (const ViewNames& names : united_views)
-        if (Status written = write_array(slot, names, views); !written) return written;
-    return Unit{};
 }
 
 Result<GpuFrame::ViewArray> GpuFrame::make_array(size_t views) const {

@@ -4,6 +4,7 @@
 // All sets also refer to the same environment and light functions.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <span>
@@ -61,6 +62,7 @@ class GpuFrame {
     };
 
     [[nodiscard]] Status add_block();
+    void write_views(uint32_t slot, std::span<const FrameView> views);
     // Writes all bindings of a descriptor set 0. `views` has the constants of the view or views.
     void write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& views) const;
     [[nodiscard]] Status write_array(uint32_t slot, const ViewNames& names, std::span<const FrameView> views);
@@ -72,6 +74,9 @@ class GpuFrame {
     vk::Buffer constants_;   // The constants of the frame, the sun and the further suns.
     std::vector<ViewBlock> blocks_;
     std::map<std::string, uint32_t, std::less<>> index_of_view_;
+    std::vector<std::string> names_;  // The names of the views of the last write().
+    // For each view and frame slot: FrameView::fixed of the constants in the memory of the slot.
+    std::vector<std::array<uint64_t, vk::kFramesInFlight>> fixed_;
     std::map<ViewNames, ViewArray> arrays_;
     GpuEnvironment environment_;
     GpuLightFunctions light_functions_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 #include "render/imports/material_textures.h"
 #include "render/scene_bindings.h"
@@ -91,10 +92,14 @@ Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
                            std::span<const FrameView> views, std::span<const ViewNames> united_views) {
     if (Status written = frame_.write(slot, frame, sun, further_suns, views, united_views); !written)
         return written;
-    views_.clear();
+    const auto fixed = std::ranges::find_if(views, [](const FrameView& view) { return view.fixed != 0; });
+    const uint64_t fixed_now = fixed != views.end() ? fixed->fixed : 0;
+    const bool keeps_fixed = std::exchange(fixed_views_, fixed_now) == fixed_now && fixed_now != 0;
+    if (!keeps_fixed) views_.clear();
     for (const FrameView& view : views)
-        views_.emplace(view.name,
-                       ViewShape{view.mirrored, view.constants.view_projection, frustum_of(view.constants)});
+        if (view.fixed == 0 || !keeps_fixed)
+            views_.insert_or_assign(view.name, ViewShape{view.mirrored, view.constants.view_projection,
+                                                         frustum_of(view.constants)});
     sort_transparent(views.front().constants.eye);
     return Unit{};
 }

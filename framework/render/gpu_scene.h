@@ -131,6 +131,7 @@ class GpuScene final : public vk::DrawSource {
     std::vector<SortedRun> sorted_runs_;
     // The views of the frame, by name.
     std::map<std::string, ViewShape, std::less<>> views_;
+    uint64_t fixed_views_ = 0;  // FrameView::fixed of the fixed views in views_; 0: there are none.
     bool culls_ = true;
     // The buffer of draw commands of each draw list, by the name of the list.
     std::map<std::string, vk::Buffer, std::less<>> commands_;

@@ -135,11 +135,24 @@ void RestState::choose_rounds(const GroupDecl& group, const TurnLists& turns, Un
         if (runs[round.round] == 0) choice.wakes[group.first_unit + round.round] = {WakeReason::waits};
 }
 
+std::vector<uint8_t> RestState::needs_input(const TurnLists& turns) const {
+    std::vector<uint8_t> needs(units_.size(), 1);
+    for (const GroupDecl& group : groups_) {
+        const auto list = turns.find(group.turns);
+        if (group.turns.empty() || list == turns.end() || group.warm_up > 0) continue;
+        std::fill_n(needs.begin() + group.first_unit, group.rounds, uint8_t{0});
+        for (const uint32_t round : list->second)
+            if (round < group.rounds) needs[group.first_unit + round] = 1;
+    }
+    return needs;
+}
+
 UnitChoice RestState::choose(const std::vector<UnitInput>& inputs, const TurnLists& turns) const {
     UnitChoice choice;
     choice.wakes.resize(units_.size());
+    const std::vector<uint8_t> needs = needs_input(turns);
     for (size_t unit = 0; unit < units_.size(); ++unit)
-        choice.wakes[unit] = own_wake(units_[unit], inputs[unit]);
+        if (needs[unit] != 0) choice.wakes[unit] = own_wake(units_[unit], inputs[unit]);
     std::vector<uint8_t> decided(groups_.size(), 0);
     wake_readers(choice.wakes, decided);
     for (size_t group = 0; group < groups_.size(); ++group) {

@@ -62,6 +62,9 @@ class RestState {
     explicit RestState(const FramePlan& plan);
 
     [[nodiscard]] uint32_t unit_count() const { return static_cast<uint32_t>(units_.size()); }
+    // Returns for each unit 1 if choose() looks at its input. It does not for the rounds of a group that are
+    // not in the list of turns of the frame, if no others may run.
+    [[nodiscard]] std::vector<uint8_t> needs_input(const TurnLists& turns) const;
     // Chooses the units that run in the next frame. Index of `inputs`: unit.
     [[nodiscard]] UnitChoice choose(const std::vector<UnitInput>& inputs, const TurnLists& turns = {}) const;
     // Remembers the runs of the chosen frame. Call this after the frame was submitted, with the arguments and

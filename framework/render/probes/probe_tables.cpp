@@ -56,6 +56,12 @@ std::vector<shared::ProbeCell> hash_cells(const std::vector<scene::ProbeCell>& c
     return slots;
 }
 
+// Returns the grid point of a corner of the cell.
+glm::ivec3 corner_at(const scene::ProbeCell& cell, uint32_t corner, const scene::ProbeVolume& volume) {
+    const glm::ivec3 side(corner & 1u, corner >> 1u & 1u, corner >> 2u);
+    return cell.at + side * static_cast<int>(volume.strides[cell.level]);
+}
+
 float level_spacing_m(const scene::ProbeVolume& volume, uint32_t level) {
     return volume.spacing_m * static_cast<float>(volume.strides[level]);
 }
@@ -74,8 +80,12 @@ ProbeTables probe_tables(const scene::ProbeVolume& volume) {
         tables.points.push_back({scene::position_of(volume, probe), level_spacing_m(volume, probe.level)});
     }
     for (const scene::ProbeCell& cell : cells)
-        for (const uint32_t corner : cell.corners) {
-            if (corner == scene::ProbeCell::kNoProbe) continue;
+        for (uint32_t i = 0; i < cell.corners.size(); ++i) {
+            const uint32_t corner = cell.corners[i];
+            // A probe that only stands in for another grid point keeps its own spacing.
+            if (corner == scene::ProbeCell::kNoProbe ||
+                volume.probes[corner].at != corner_at(cell, i, volume))
+                continue;
             float& spacing_m = tables.points[numbers[corner]].spacing_m;
             spacing_m = std::min(spacing_m, level_spacing_m(volume, cell.level));
         }

@@ -67,6 +67,9 @@ void FrameViews::set_plan(const FramePlan& plan) {
         views_.push_back({name});
         sizes_px_.push_back(size);
     }
+    ++plans_;
+    has_fixed_ = false;
+    for (FrameView& view : views_) view.fixed = is_fixed(view.name) ? plans_ : 0;
     add_area_views(plan);
 }
 
@@ -101,6 +104,14 @@ glm::uvec2 FrameViews::camera_px(const ResolvedGraph& graph, glm::uvec2 output_p
     return {area.width, area.height};
 }
 
+bool FrameViews::is_fixed(const std::string& view) const {
+    const auto list = std::ranges::find(lists_, parts_of(view).list, &ViewListDecl::name);
+    if (list == lists_.end()) return false;
+    return list->source == ViewSource::cube ||
+           (list->source == ViewSource::program &&
+            (list->name == kProbeFaceViews || list->name == kReflectionFaceViews));
+}
+
 bool FrameViews::is_in_buffer(const std::string& view) const {
     const auto list = std::ranges::find(lists_, parts_of(view).list, &ViewListDecl::name);
     return list != lists_.end() && list->source == ViewSource::buffer;
@@ -125,6 +136,7 @@ void FrameViews::update(const ViewSources& sources, const ResolvedGraph& graph) 
     const size_t plain_views = views_.size() - area_views_.size();
     for (size_t i = 0; i < plain_views; ++i) {
         FrameView& view = views_[i];
+        if (view.fixed != 0 && has_fixed_) continue;
         const ViewName name = parts_of(view.name);
         view.constants = make(frame, name.list, name.index);
         view.mirrored = is_mirrored(view.constants.view_projection);
@@ -135,11 +147,16 @@ void FrameViews::update(const ViewSources& sources, const ResolvedGraph& graph) 
             view.constants.inverse_viewport = 1.0f / view.constants.viewport_px;
         }
         const glm::mat4& steady = view.constants.steady_view_projection;
+        if (view.fixed != 0) {
+            view.constants.prev_view_projection = steady;
+            continue;
+        }
         const auto before = before_.find(view.name);
         view.constants.prev_view_projection = before != before_.end() ? before->second : steady;
         now.emplace(view.name, steady);
     }
     before_ = std::move(now);
+    has_fixed_ = true;
     for (size_t i = 0; i < area_views_.size(); ++i) {
         FrameView& view = views_[plain_views + i];
         const FrameView& plain = views_[area_views_[i].view];

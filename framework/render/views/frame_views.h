@@ -30,6 +30,8 @@ struct FrameView {
     std::string name;  // "camera", "sun(1)" and so on.
     shared::ViewConstants constants{};
     bool mirrored = false;  // True if the picture is a mirror image.
+    // Not 0: the constants do not change as long as this number stays, and neither do the names of the views.
+    uint64_t fixed = 0;
 };
 
 // Returns the name of a view for passes with this area; see DrawSource::frame_set_of_area().
@@ -71,6 +73,8 @@ class FrameViews {
         const ViewSources& sources;
         std::vector<ViewInput> lamps;
     };
+    // Returns true if the constants of the view do not change while the plan runs.
+    [[nodiscard]] bool is_fixed(const std::string& view) const;
     // Returns true if the GPU reads the view from a buffer.
     [[nodiscard]] bool is_in_buffer(const std::string& view) const;
     void add_area_views(const FramePlan& plan);
@@ -81,6 +85,8 @@ class FrameViews {
                                                    uint32_t index) const;
 
     std::vector<ViewListDecl> lists_;
+    uint64_t plans_ = 0;      // Number of calls of set_plan().
+    bool has_fixed_ = false;  // True if the constants of the fixed views have been computed.
     std::vector<FrameView> views_;
     std::vector<ViewNames> united_views_;
     // The size of each view in pixels; 0 if no raster or fullscreen pass draws it.

@@ -187,9 +187,10 @@ Status ReplayExecutor::finish() {
 void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turns, uint32_t slot) {
     if (rest_.unit_count() == 0) return;
     unit_inputs_.assign(rest_.unit_count(), UnitInput(std::in_place));
+    const std::vector<uint8_t> needed = rest_.needs_input(turns);
     for (Position position(0); position < objects_->passes.size(); ++position) {
         const PassDecl& pass = objects_->plan.graph.passes[objects_->plan.schedule.order[position]];
-        if (pass.rest_unit == kNoId) continue;
+        if (pass.rest_unit == kNoId || needed[pass.rest_unit] == 0) continue;
         add_unit_input({*objects_, frame, {objects_->resources, frames_run_, slot}, slot}, position,
                        unit_inputs_[pass.rest_unit]);
     }

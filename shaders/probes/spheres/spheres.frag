@@ -1,11 +1,16 @@
-// Draws a sphere at a probe. The colour tells the level of the grid, as in the picture of `weft scene`: blue, green,
-// yellow, red from fine to coarse. A black ring: the probe was moved. Grey: the probe was not baked yet. Dark below: it
-// has no light yet. Magenta: in this direction the probe sees the inside of an object.
+// Draws a sphere at a probe. With LIGHT, it looks like a white matt ball in the light of the probe. Otherwise its colour
+// tells the level of the grid, as in the picture of `weft scene`: blue, green, yellow, red from fine to coarse. A black
+// ring: the probe was moved. Grey: the probe was not baked yet. Dark below: it has no light yet. Magenta: in this
+// direction the probe sees the inside of an object.
 #version 460
 #include "cube_texels.glsl"
+#include "environment_cube.glsl"
 #include "frame_set.glsl"
 #include "shared/probe_grid.glsl"
 #include "shared/probe_sh.glsl"
+#include "srgb.glsl"
+
+layout(constant_id = 0) const bool LIGHT = false;
 
 layout(location = 0) in vec3 on_square;
 layout(location = 1) flat in vec4 sphere;
@@ -42,11 +47,18 @@ bool sees_inside(vec3 direction) {
 vec3 state_color(vec3 n) {
     const ProbePoint point = probePoints.items[probe];
     const ProbeGrid grid = probeGrid.items[0];
-    if (texelFetch(probeMoments, ivec3(0, 0, probe), 0).r < 0.0) return vec3(0.45);
+    if (texelFetch(probeMoments, ivec3(0, 0, probe), 0).a < 0.0) return vec3(0.45);
     if (sees_inside(n)) return vec3(1.0, 0.1, 0.9);
     if (is_moved(point.position, grid) && abs(n.y) < 0.2) return vec3(0.0);
     const bool lit = probeSh.items[kProbeShStride * probe].w > 0.0;
     return level_tint(point.spacing_m, grid) * (lit || n.y > 0.0 ? 1.0 : 0.2);
+}
+
+vec3 light_color(vec3 n) {
+    const float basis[9] = harmonic_basis(n);
+    vec3 light = vec3(0.0);
+    for (uint i = 0u; i < 9u; ++i) light += basis[i] * probeSh.items[kProbeShStride * probe + i].rgb;
+    return srgb_encode(filmic(max(light, vec3(0.0)) * frame.pre_exposure));
 }
 
 void main() {
@@ -58,5 +70,5 @@ void main() {
     const vec3 hit = view.eye + (middle_m - sqrt(half_m2)) * ray, n = (hit - sphere.xyz) / sphere.w;
     const vec4 clip = view.view_projection * vec4(hit, 1.0);
     gl_FragDepth = clip.z / clip.w;
-    color = vec4(state_color(n) * (0.45 + 0.55 * dot(n, -ray)), 1.0);
+    color = vec4(LIGHT ? light_color(n) : state_color(n) * (0.45 + 0.55 * dot(n, -ray)), 1.0);
 }

@@ -139,22 +139,52 @@ TEST_F(Relight, AProbeInABoxThatLightsItselfHasTheLightOfTheReference) {
     }
 }
 
-// A grid of probes in the box, 2 m apart. Probes in the walls move into the box, those behind them do not
-// exist.
-scene::Probes box_volume(const scene::Scene& box) {
-    const std::string text =
-        R"({ "version": 1, "volume": { "origin": [-6, 0, -5], "spacing": 2, "size": [7, 4, 6] } })";
+// Returns a regular grid of probes. Probes that are inside of walls or behind them move or do not exist.
+scene::Probes regular_volume(const scene::Scene& scene, const std::string& grid) {
+    const std::string text = R"({ "version": 1, "volume": { )" + grid + " } }";
     const Result<scene::Probes> probes = scene::read_probes(
-        "box.probes.json", [&](const std::string&) { return std::optional(text); }, box);
+        "grid.probes.json", [&](const std::string&) { return std::optional(text); }, scene);
     EXPECT_TRUE(probes) << to_text(probes.errors());
     return probes ? *probes : scene::Probes{};
+}
+
+// All probes of a volume in a closed room see the same radiance. The cells reach beyond the walls, and the
+// probes there do not exist. The bright sky outside is no part of it, not even while the probes around a
+// point have no light yet.
+TEST_F(Relight, AVolumeInAClosedRoomGivesTheGeometricSeries) {
+    const scene::Scene room = closed_room({-2, 0, -1}, {2, 3, 4}, matt(glm::vec3(kAlbedo05), glm::vec3(1)));
+    scene::Probes probes;
+    probes.volume.origin = {-2.5f, -0.5f, -1.5f};
+    for (int z = 0; z < 7; ++z)
+        for (int y = 0; y < 5; ++y)
+            for (int x = 0; x < 6; ++x) {
+                const bool inside = x > 0 && x < 5 && y > 0 && y < 4 && z > 0 && z < 6;
+                const scene::ProbeState state = inside ? scene::ProbeState::kept : scene::ProbeState::dropped;
+                probes.volume.probes.push_back({{x, y, z}, 0, glm::vec3(0), state});
+            }
+    const auto session = begin(room, probes, {.feedback = Feedback::volume, .face_px = 16, .sky = 1000});
+    ASSERT_TRUE(session);
+    EXPECT_EQ(count_, 60u);
+    // A round sees the light of the rounds before it in the same frame, so the light is at least that of the
+    // series.
+    const double limit = 1 / (1 - double{kAlbedo05});
+    double least = 0;
+    for (int k = 0; k < 6; ++k) {
+        least = least * double{kAlbedo05} + 1;
+        for (const ProbeLight& light : round(*session)) {
+            const double radiance = light.irradiance({0, 1, 0}).g / std::numbers::pi;
+            EXPECT_GT(radiance, least - 1e-3) << k << " bounces";
+            EXPECT_LT(radiance, limit + 1e-3) << k << " bounces";
+        }
+    }
 }
 
 // The volume of probes gives the light of all reflections, which the published values of radiosity and path
 // tracing have, and which one probe that lights itself misses by up to 65 %.
 TEST_F(Relight, AVolumeOfProbesInABoxHasTheLightOfAllReflections) {
     const scene::Scene box = open_box(kAlbedo05);
-    const scene::Probes probes = box_volume(box);
+    const scene::Probes probes =
+        regular_volume(box, R"("origin": [-6, 0, -5], "spacing": 2, "size": [7, 4, 6])");
     const auto session = begin(box, probes, {.feedback = Feedback::volume, .face_px = 16, .sky = 1});
     ASSERT_TRUE(session);
     uint32_t number = 0;

@@ -86,7 +86,7 @@ struct ProbeWarmUp {
     uint32_t rounds = 4;  // Number of turns of each irradiance probe. A reflection probe has one turn.
     // Number of probes that have a turn in one frame, at least 1. With many, a frame takes long; with few,
     // many frames are rendered.
-    uint32_t most_per_frame = 255;
+    uint32_t most_per_frame = 64;
     // Called after each frame with the number of turns so far and of all turns. May be empty.
     std::function<void(uint32_t done, uint32_t all)> progress = {};
 };
