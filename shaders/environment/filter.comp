@@ -14,7 +14,10 @@ uniform samplerCube raw;
 layout(rgba16f) writeonly uniform image2DArray dst;
 layout(push_constant) uniform Params { int i; int environmentSamples; float environmentLodBias; } params;
 
-const int kMostSamples = 512;
+// A picture can have small bright sources, so it needs more samples than the gradient sky.
+layout(constant_id = 21) const uint environmentPictures = 1u;
+
+const int kMostSamples = 1024;
 const float kPi = 3.14159265;
 
 shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the normal; w: level of detail.
@@ -24,14 +27,16 @@ shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the 
 // bias −0.5. The effect is inversely proportional to the number of samples.
 const float kNarrower[6] = float[6](0.0, 0.0, 0.012, 0.007, 0.0045, 0.010);
 
+int basic_count() { return params.environmentSamples * (environmentPictures > 0u ? 4 : 1); }
+
 float sampled_roughness() {
-    return roughness_of_mip(params.i) - kNarrower[params.i] * min(32.0 / float(params.environmentSamples), 1.0);
+    return roughness_of_mip(params.i) - kNarrower[params.i] * min(32.0 / float(basic_count()), 1.0);
 }
 
 // The narrow lobe of mip 1 needs fewer samples than wide lobes, and the small mips of the widest lobes cost little.
 int sample_count() {
     const int quarters = params.i == 1 ? 1 : (params.i < 4 ? 8 : 16);
-    return clamp(params.environmentSamples * quarters / 4, 1, kMostSamples);
+    return clamp(basic_count() * quarters / 4, 1, kMostSamples);
 }
 
 void make_sample(int k, int count) {

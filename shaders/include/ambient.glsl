@@ -1,21 +1,25 @@
 // The light of the surroundings that a surface reflects (ambient light). Units: cd/m². Ports, all optional:
-// `environmentCube` and `environmentSh` of graphs/modules/environment.json, `dfg` of graphs/modules/dfg.json, and
-// `probeSh`, `probeMoments` and `probeMap` of graphs/modules/probe_apply.json, and those of reflection_probes.glsl. Without the first two, diffuse light
-// comes from the harmonics in `frame`, and mirrored light from the blurred picture or the gradient sky. With probes,
-// diffuse light comes from the probes around the point.
+// `environmentCube`, `environmentIrradiance` and `environmentSh` of graphs/modules/environment.json, `dfg` of
+// graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. Without `environmentCube`, mirrored light
+// comes from the blurred picture or the gradient sky. Without `environmentIrradiance`, diffuse light comes from the
+// harmonics in `environmentSh` or, without this port, from those in `frame`. With probes, the light comes from the probes
+// around the point.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
 #include "brdf.glsl"
 #include "dfg.glsl"
 #include "environment_cube.glsl"
 #include "frame_set.glsl"
+#include "mirror_lobe.glsl"
 #include "probes.glsl"
 #include "reflection_probes.glsl"
 #include "sky.glsl"
 
 layout(constant_id = 23) const bool HAS_environmentCube = false;
 layout(constant_id = 24) const bool HAS_environmentSh = false;
+layout(constant_id = 32) const bool HAS_environmentIrradiance = false;
 uniform samplerCube environmentCube;  // Radiance / frame.environment_unit; each mip is filtered for a roughness.
+uniform samplerCube environmentIrradiance;  // Irradiance / π / frame.environment_unit for each normal.
 layout(std430) readonly buffer EnvironmentSh { vec4 items[]; } environmentSh;  // 4 or 9 coefficients, in cd/m².
 
 // Returns irradiance / π of the environment picture, from its first three orders of spherical harmonics. The sum can be
@@ -37,6 +41,7 @@ vec3 gradient_irradiance_over_pi(vec3 n) {
 
 // Returns irradiance / π of the surroundings on a surface with the normal `n`.
 vec3 sky_irradiance_over_pi(vec3 n) {
+    if (HAS_environmentIrradiance) return textureLod(environmentIrradiance, n, 0.0).rgb * frame.environment_unit;
     if (HAS_environmentSh) {
         const float basis[9] = harmonic_basis(n);
         const int terms = min(environmentSh.items.length(), 9);
@@ -64,15 +69,28 @@ vec3 middle_of_lobe(vec3 mirrored, vec3 n, float roughness) {
     return normalize(mix(n, mirrored, (1.0 - alpha) * (sqrt(1.0 - alpha) + alpha)));
 }
 
+// Returns the light that the filtered cube has in a direction for a roughness. Surfaces with the roughness 1 mirror
+// irradiance / π.
+vec3 filtered_radiance(vec3 direction, float roughness) {
+    const float lod = lod_of_roughness(roughness);
+    const vec3 filtered = textureLod(environmentCube, direction, min(lod, kLastFiltered)).rgb * frame.environment_unit;
+    if (lod <= kLastFiltered) return filtered;
+    return mix(filtered, sky_irradiance_over_pi(direction), min(lod - kLastFiltered, 1.0));
+}
+
 // Returns the mean radiance that a surface with this roughness mirrors. `mirrored` is the direction in which a smooth
-// surface mirrors the sky. Surfaces with the roughness 1 mirror irradiance / π.
+// surface mirrors the sky. mirror_parts() in mirror_lobe.glsl describes the three parts of the sum.
 vec3 mirrored_radiance(vec3 mirrored, vec3 n, float roughness) {
     if (!HAS_environmentCube) return blurred_radiance(mirrored, n, roughness);
-    const vec3 middle = middle_of_lobe(mirrored, n, roughness);
-    const float lod = lod_of_roughness(roughness);
-    const vec3 filtered = textureLod(environmentCube, middle, min(lod, kLastFiltered)).rgb * frame.environment_unit;
-    if (lod <= kLastFiltered) return filtered;
-    return mix(filtered, sky_irradiance_over_pi(middle), min(lod - kLastFiltered, 1.0));
+    const float nv = clamp(dot(n, mirrored), 0.0, 1.0);
+    const MirrorParts parts = mirror_parts(roughness, nv);
+    const vec3 down = mirrored * dot(n, mirrored) - n;
+    vec3 sum = vec3(0.0);
+    const int count = roughness > kLeastParted ? 3 : 1;
+    for (int i = 0; i < count; ++i)
+        sum += (count == 1 ? 1.0 : kPartShares[i]) *
+               filtered_radiance(normalize(mirrored + down * parts.tilts[i]), parts.roughnesses[i]);
+    return sum;
 }
 
 // The light of the surroundings on a surface: irradiance / π, and the mean radiance that it mirrors.
@@ -110,12 +128,11 @@ AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3
 // reflects the sky like an isotropic surface whose highlight has the same peak.
 vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position) {
     const vec3 specular = (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy;
-    const vec3 base = s.diffuse * (1.0 - max(specular.r, max(specular.g, specular.b)));
     const vec3 across = s.anisotropic ? bent_normal(s, v, roughness) : s.normal;
     const float blur = s.anisotropic ? sqrt(sqrt(s.alphas.x * s.alphas.y)) : roughness;
     const vec3 mirrored = reflect(-v, across);
     AmbientLight light = AmbientLight(sky_irradiance_over_pi(s.normal), mirrored_radiance(mirrored, s.normal, blur));
     if (HAS_probeSh) light = with_probes(light, position, s.normal, v, mirrored, blur);
-    return base * light.diffuse + specular * light.mirrored;
+    return base_under_coat(s, specular) * light.diffuse + specular * light.mirrored;
 }
 #endif

@@ -302,7 +302,7 @@ vec3 reflect_area(Surface s, vec3 v, vec3 position, Light light) {
     }
     if (incident.irradiance <= 0.0 || incident.window <= 0.0) return vec3(0.0);
     const vec3 f = schlick(s.f0, s.f90, dot(v, normalize(v + incident.center)));
-    const vec3 matt = s.diffuse * ((1.0 - max(f.r, max(f.g, f.b))) * incident.irradiance / kPi);
+    const vec3 matt = base_under_coat(s, f) * (incident.irradiance / kPi);
     return (matt + area_highlight(s, v, incident)) * incident.window;
 }
 #endif

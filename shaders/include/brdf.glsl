@@ -1,7 +1,6 @@
 // Reflection of light by surfaces with metalness and roughness. Units: 1/sr. Microfacets: Trowbridge–Reitz (GGX) with
 // height-correlated Smith masking-shadowing, Heitz 2014, "Understanding the Masking-Shadowing Function in
-// Microfacet-Based BRDFs". Fresnel: Schlick 1994. The dielectric coat lies over a diffuse base, as in glTF 2.0,
-// Appendix B, and KHR_materials_specular.
+// Microfacet-Based BRDFs". Fresnel: Schlick 1994. A dielectric coat lies over a diffuse base; see base_under_coat().
 #ifndef WEFT_BRDF
 #define WEFT_BRDF
 
@@ -103,6 +102,15 @@ vec3 schlick(vec3 f0, float f90, float vh) {
     return f0 + (vec3(f90) - f0) * (m2 * m2 * m);
 }
 
+// Returns the share of light that the diffuse base sends back through the coat. `coat` is the share that the coat itself
+// reflects. The base colour of a material is this share, because a base colour is measured or painted as it looks through
+// the coat. So the coat takes nothing from a dark base. But a surface cannot reflect more light than it receives, so the
+// share is at most what the coat lets through. glTF 2.0 (Appendix B) multiplies by 1 − F instead, and dark bases become
+// darker than their base colour; for white bases both are the same.
+vec3 base_under_coat(Surface s, vec3 coat) {
+    return min(s.diffuse, vec3(max(1.0 - max(coat.r, max(coat.g, coat.b)), 0.0)));
+}
+
 // Returns the BRDF times n·l: the reflected radiance for unit irradiance on a plane that faces the light.
 vec3 reflect_light(Surface s, vec3 v, vec3 l) {
     const float nl = dot(s.normal, l);
@@ -113,7 +121,6 @@ vec3 reflect_light(Surface s, vec3 v, vec3 l) {
     const float specular = s.anisotropic
                                ? stretched_specular(s, v, l, h, nl, nv)
                                : ggx_distribution(s.alpha, s.normal, h) * smith_visibility(s.alpha, nl, nv);
-    const float base = 1.0 - max(f.r, max(f.g, f.b));
-    return (s.diffuse * (base / kPi) + f * s.energy * specular) * nl;
+    return (base_under_coat(s, f) / kPi + f * s.energy * specular) * nl;
 }
 #endif

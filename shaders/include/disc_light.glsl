@@ -92,7 +92,6 @@ vec3 reflect_disc(Surface s, vec3 v, vec3 l, float radius) {
     if (nl <= 0.0) return vec3(0.0);
     const float nv = max(dot(s.normal, v), 1e-4);
     const vec3 f = schlick(s.f0, s.f90, dot(v, normalize(v + l)));
-    const float base = 1.0 - max(f.r, max(f.g, f.b));
-    return s.diffuse * (base * nl / kPi) + disc_specular(s, v, l, radius, nl, nv);
+    return base_under_coat(s, f) * (nl / kPi) + disc_specular(s, v, l, radius, nl, nv);
 }
 #endif

@@ -21,6 +21,9 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 GRAPHS = FOLDER.parent.parent / "graphs"
 # Limits of |sum| and L1 for pictures of a sphere under an environment.
 MOST_SUM, MOST_L1 = 0.03, 0.10
+# Weft renders spheres with this number of samples for each pixel along each axis, because it takes one sample for each
+# pixel of its picture, and the path tracer takes the mean over a pixel.
+SAMPLES = 4
 # Exit codes: of `weft` without a Vulkan device, and of a test that is skipped.
 NO_DEVICE, SKIPPED = 4, 77
 
@@ -64,7 +67,7 @@ def render(weft, reference, graph, folder):
     command = [weft, "render", FOLDER / "scenes" / (reference["scene"] + ".gltf"),
                "--graph", GRAPHS / (graph + ".json"),
                "--env", FOLDER / "environments" / (reference["environment"] + ".hdr"),
-               "--exposure", "0", "--size", "%dx%d" % reference["size"], "--camera", reference["camera"],
+               "--exposure", "0", "--size", "%dx%d" % tuple(n * reference["samples"] for n in reference["size"]), "--camera", reference["camera"],
                "--resource", "hdr", "--timeout", "1200", "-o", out, *reference["options"]]
     run = subprocess.run([str(c) for c in command], capture_output=True, text=True)
     if run.returncode == NO_DEVICE:
@@ -72,7 +75,18 @@ def render(weft, reference, graph, folder):
         sys.exit(SKIPPED)
     if run.returncode != 0:
         sys.exit("%s\n%s%s" % (" ".join(str(c) for c in command), run.stdout, run.stderr))
-    return read_pfm(out)
+    return averaged(*read_pfm(out), reference["samples"])
+
+
+def averaged(width, height, rows, samples):
+    """Returns the picture with each block of samples × samples pixels as one pixel: the mean."""
+    if samples == 1:
+        return width, height, rows
+    result = []
+    for y in range(0, height, samples):
+        block = [[p for row in rows[y:y + samples] for p in row[x:x + samples]] for x in range(0, width, samples)]
+        result.append([tuple(sum(channel) / samples ** 2 for channel in zip(*pixels)) for pixels in block])
+    return width // samples, height // samples, result
 
 
 def sphere_pixels(width, height, camera):
@@ -109,7 +123,8 @@ def references():
         name, scene, environment, width, height, _, bounces, scattering, camera, state = words
         options = ["--param", "multipleScattering=0"] if scattering == "single" else []
         yield {"name": name, "scene": scene, "environment": environment, "size": (int(width), int(height)),
-               "camera": camera, "options": options, "is_sphere": bounces == "0", "is_held": state == "held"}
+               "camera": camera, "options": options, "is_sphere": bounces == "0",
+               "samples": SAMPLES if bounces == "0" else 1, "is_held": state == "held"}
 
 
 def compared(weft, reference, graph, folder):

@@ -176,6 +176,17 @@ def studio(d):
     return tuple(0.12 + 0.06 * d[1] for _ in range(3))
 
 
+def window(d):
+    """A dark room with a large window behind the camera, which is much brighter than 30 times the median."""
+    at = unit((0.5, -0.1, 1))
+    right = unit((1, 0, -0.5))
+    up = (at[1] * right[2] - at[2] * right[1], at[2] * right[0] - at[0] * right[2], at[0] * right[1] - at[1] * right[0])
+    depth = dot(d, at)
+    if depth > 0 and abs(dot(d, right)) < 0.35 * depth and abs(dot(d, up)) < 0.8 * depth:
+        return (4, 4.5, 5)
+    return (0.02, 0.018, 0.016)
+
+
 def rgbe(colour):
     largest = max(colour)
     if largest < 1e-32:
@@ -223,5 +234,5 @@ if __name__ == "__main__":
     (FOLDER / "scenes").mkdir(exist_ok=True)
     (FOLDER / "environments").mkdir(exist_ok=True)
     write_scenes()
-    for light in (day, overcast, studio):
+    for light in (day, overcast, studio, window):
         write_environment(light.__name__, light)

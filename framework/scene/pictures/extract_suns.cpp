@@ -12,6 +12,11 @@ namespace {
 constexpr double kMedians = 30;       // A region's texels are brighter than this number of medians.
 constexpr double kLeastShare = 0.02;  // Share of the picture's light that a sun has at least.
 constexpr double kMostRadius_rad = 10 * std::numbers::pi / 180;
+// A region with at most this radius can have any shape that is not elongated, because its highlights are as
+// small. Larger regions must look like a uniform disc.
+constexpr double kSmallRadius_rad = 2 * std::numbers::pi / 180;
+constexpr double kMostTexels = 2.5;      // The same radius in texels: the shape of fewer texels is not known.
+constexpr double kMostMisplaced = 0.08;  // Share of the light that a uniform disc has at another place.
 // Largest (radius of the light's spread)² / (radius of a disc with the region's solid angle)². It is 1 for a
 // disc and 0.52 · (k + 1 / k) for a rectangle with the sides' ratio k.
 constexpr double kMostElongation = 2;
@@ -51,7 +56,13 @@ struct RegionLight {
     }
 };
 
-enum Mark : uint8_t { kUnseen, kCounted, kInside, kRing };
+// Marks of the texels. A texel with a number from 1 was found in a region of this level; see
+// find_candidates().
+constexpr uint16_t kUnseen = 0, kInside = 0xFFFE, kRing = 0xFFFF;
+// The threshold of a level is at least this multiple of the threshold of the level before, and at least this
+// share of the mean luminance of the region.
+constexpr double kLevelStep = 2, kLevelMean = 0.25;
+constexpr uint16_t kMostLevels = 32;
 
 class SunFinder {
  public:
@@ -79,19 +90,20 @@ class SunFinder {
         std::ranges::stable_sort(candidates, std::greater{}, &Candidate::flux);
         std::vector<PictureSun> suns;
         for (const Candidate& candidate : candidates)
-            if (suns.size() < kMostSuns) take_out(candidate.seed, suns);
+            if (suns.size() < kMostSuns) take_out(candidate, suns);
         std::ranges::stable_sort(suns, std::greater{},
                                  [](const PictureSun& sun) { return luminance_of(sun.illuminance_lx); });
         return suns;
     }
 
  private:
+    // A region that may be a sun: all texels around `seed` that are brighter than `threshold`.
     struct Candidate {
         uint32_t seed = 0;
+        uint16_t level = 1;
+        double threshold = 0;
         double flux = 0;
     };
-
-    [[nodiscard]] bool is_bright(size_t i) const { return luminance_of(radiance_[i]) > threshold_; }
 
     // Clears bad channels, adds up the light of the picture, and finds the median. The histogram has one bin
     // for each value of the upper 16 bits of a float, so the median is exact to 0.8 %.
@@ -135,15 +147,15 @@ class SunFinder {
         }
     }
 
-    // Puts the region of bright texels around `seed` into region_. Its texels change from one mark to
-    // another.
-    void fill(uint32_t seed, Mark from, Mark to) {
+    // Puts the region around `seed` into region_: texels with the mark `from` that are brighter than
+    // `threshold`. They get the mark `to`.
+    void fill(uint32_t seed, double threshold, uint16_t from, uint16_t to) {
         region_.assign(1, seed);
         marks_[seed] = to;
         std::array<bool, 2> poles{};
         for (size_t next = 0; next < region_.size(); ++next) {
             visit_neighbours(region_[next], poles, [&](uint32_t i) {
-                if (marks_[i] != from || !is_bright(i)) return;
+                if (marks_[i] != from || luminance_of(radiance_[i]) <= threshold) return;
                 marks_[i] = to;
                 region_.push_back(i);
             });
@@ -168,24 +180,81 @@ class SunFinder {
         return light;
     }
 
-    [[nodiscard]] bool is_sun(const RegionLight& light) const {
+    [[nodiscard]] bool is_sun(const RegionLight& light, const glm::vec3& ground) const {
         if (light.flux <= kLeastShare * flux_) return false;
         const double spread = light.spread_rad();
-        const double half_sine = std::sin(spread / 2);
-        // A disc with the radius a has the solid angle 4π sin²(a / 2).
-        return spread <= kMostRadius_rad &&
-               4 * std::numbers::pi * half_sine * half_sine <= kMostElongation * light.solid_angle;
+        if (spread > kMostRadius_rad || disc_angle(spread) > kMostElongation * light.solid_angle)
+            return false;
+        const double texel = std::numbers::pi / height_;
+        return spread <= std::max(kSmallRadius_rad, kMostTexels * texel) ||
+               misplaced_share(light, ground) <= kMostMisplaced;
     }
 
+    // Returns the solid angle of a disc with the angular radius `radius_rad`.
+    static double disc_angle(double radius_rad) {
+        const double half_sine = std::sin(radius_rad / 2);
+        return 4 * std::numbers::pi * half_sine * half_sine;
+    }
+
+    // Compares region_ with a uniform disc of the same light and the same spread. Returns the share of the
+    // light that the region has outside of the disc, or in excess of the disc's luminance.
+    [[nodiscard]] double misplaced_share(const RegionLight& light, const glm::vec3& ground) const {
+        const double radius = light.spread_rad(), luminance = light.flux / disc_angle(radius);
+        const double texel = std::numbers::pi / height_;
+        const glm::dvec3 middle = glm::normalize(light.flow);
+        double misplaced = 0;
+        for (const uint32_t i : region_) {
+            const double polar = std::numbers::pi * (i / width_ + 0.5) / height_;
+            const glm::dvec2& azimuth = columns_[i % width_];
+            const glm::dvec3 direction(std::sin(polar) * azimuth.x, std::cos(polar),
+                                       std::sin(polar) * azimuth.y);
+            const double off = std::acos(std::clamp(glm::dot(direction, middle), -1.0, 1.0));
+            const double covered = std::clamp((radius - off) / texel + 0.5, 0.0, 1.0);
+            const double excess = luminance_of(radiance_[i]) - luminance_of(ground) - covered * luminance;
+            misplaced += std::max(excess, 0.0) * rows_[i / width_].solid_angle;
+        }
+        return misplaced / light.flux;
+    }
+
+    // Finds the regions that are brighter than the threshold, and that are suns. A region that has enough
+    // light but is too large, or has the wrong shape, may have a sun inside of it, such as the sun in a
+    // bright haze. So its texels are searched again with a higher threshold, as regions of the next level.
     std::vector<Candidate> find_candidates() {
         std::vector<Candidate> candidates;
+        std::vector<Search> searches;
         for (uint32_t i = 0; i < radiance_.size(); ++i) {
-            if (marks_[i] != kUnseen || !is_bright(i)) continue;
-            fill(i, kUnseen, kCounted);
-            const RegionLight light = light_of_region(glm::vec3(0));
-            if (is_sun(light)) candidates.push_back({i, light.flux});
+            find_region({i, 1, threshold_}, candidates, searches);
+            while (!searches.empty()) {
+                const Search search = std::move(searches.back());
+                searches.pop_back();
+                for (const uint32_t texel : search.texels)
+                    find_region({texel, search.level, search.threshold}, candidates, searches);
+            }
         }
         return candidates;
+    }
+
+    struct Search {
+        std::vector<uint32_t> texels;
+        uint16_t level = 1;
+        double threshold = 0;
+    };
+
+    // Fills the region of `start`, if there is one that is not found yet. Adds it to the candidates, or to
+    // the regions that are searched again.
+    void find_region(Candidate start, std::vector<Candidate>& candidates, std::vector<Search>& searches) {
+        const auto from = static_cast<uint16_t>(start.level - 1);
+        if (marks_[start.seed] != from || luminance_of(radiance_[start.seed]) <= start.threshold) return;
+        fill(start.seed, start.threshold, from, start.level);
+        const RegionLight light = light_of_region(glm::vec3(0));
+        start.flux = light.flux;
+        if (light.flux <= kLeastShare * flux_) return;
+        if (is_sun(light, glm::vec3(0)))
+            candidates.push_back(start);
+        else if (start.level < kMostLevels)
+            searches.push_back(
+                {region_, static_cast<uint16_t>(start.level + 1),
+                 std::max(start.threshold * kLevelStep, light.flux / light.solid_angle * kLevelMean)});
     }
 
     // Returns the median of the texels that touch region_, separately for each channel.
@@ -211,11 +280,11 @@ class SunFinder {
         return median;
     }
 
-    void take_out(uint32_t seed, std::vector<PictureSun>& suns) {
-        fill(seed, kCounted, kInside);
+    void take_out(const Candidate& candidate, std::vector<PictureSun>& suns) {
+        fill(candidate.seed, candidate.threshold, candidate.level, kInside);
         const glm::vec3 ground = ring_median();
         const RegionLight light = light_of_region(ground);
-        if (!is_sun(light)) return;
+        if (!is_sun(light, ground)) return;
         const glm::dvec3 to_sun = glm::normalize(light.flow);
         PictureSun sun;
         sun.to_sun = glm::vec3(to_sun);
@@ -230,7 +299,7 @@ class SunFinder {
 
     uint32_t width_, height_;
     std::span<glm::vec3> radiance_;
-    std::vector<uint8_t> marks_;
+    std::vector<uint16_t> marks_;
     std::vector<uint32_t> region_;
     std::vector<RowShape> rows_;
     std::vector<glm::dvec2>

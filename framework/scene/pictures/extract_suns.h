@@ -8,8 +8,12 @@
 //   - its light is more than 2 % of the light of the picture. Light: luminance, integrated over the sphere,
 //     less the luminance of the region's surroundings;
 //   - its light comes from a spot of at most 10° radius; larger sources cast shadows too soft for a light;
-//   - it is not elongated: a rectangle of up to about 3.5 : 1 is a sun, a line or a bright horizon is not.
-// At most 16 suns are taken out, those with the most light. All other regions stay in the picture.
+//   - it is not elongated: a rectangle of up to about 3.5 : 1 is a sun, a line or a bright horizon is not;
+//   - it looks like a uniform disc, or its radius is at most 2° or 2.5 texels. A light has the highlight of a
+//     disc, so the highlights of other large shapes would be wrong.
+// A region that has enough light but is not a sun may have a sun inside of it. So the regions inside of it
+// are tried that are brighter than higher thresholds. At most 16 suns are taken out, those with the most
+// light. All other regions stay in the picture.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +29,8 @@ inline constexpr size_t kMostSuns = 16;
 
 // Returns the suns, the one with the largest illuminance first. Replaces the texels of each sun by the median
 // of the texels around it, separately for each channel. Channels that are negative or not finite become 0.
-// The time is proportional to the number of texels.
+// The time is proportional to the number of texels, at most 32 times that of a picture without bright
+// regions.
 [[nodiscard]] std::vector<PictureSun> extract_suns(uint32_t width_px, uint32_t height_px,
                                                    std::span<glm::vec3> radiance);
 

@@ -54,7 +54,7 @@ inline double spot_sky(const glm::dvec3& d) {
 
 class AmbientLight : public SessionTest {
  protected:
-    // Runs the graph once. Keys of the result: "mirrored", "diffuse", "albedo", "fitted" and "sh".
+    // Runs the graph once. Keys of the result: the observed resources, and "sh".
     std::map<std::string, std::vector<glm::vec4>> run(const scene::Scene& scene,
                                                       std::vector<std::string> observed = {"mirrored",
                                                                                            "diffuse"}) {

@@ -1,6 +1,6 @@
 // Purpose: reference for the reflection of surfaces in double precision, written only from the papers: GGX
 // (Trowbridge and Reitz 1975, Walter et al. 2007), height-correlated Smith masking (Heitz 2014), Schlick's
-// Fresnel term, layers as in glTF 2.0.
+// Fresnel term. The base reflects its colour, but at most the light that the coat does not reflect.
 #pragma once
 
 #include <algorithm>
@@ -48,8 +48,9 @@ inline glm::dvec3 reflected(const ReferenceSurface& s, const glm::dvec3& v, cons
     const glm::dvec3 f = f0 + (glm::dvec3(f90) - f0) * std::pow(1 - glm::dot(v, h), 5);
     const double g2 = smith_g2_correlated(alpha, n_l, n_v);
     const double d = ggx(alpha, std::min(1.0, glm::dot(s.normal, h)));
-    const glm::dvec3 diffuse = s.base_color * (1 - s.metallic) * (1 - std::max({f.x, f.y, f.z})) / kPi;
-    return (diffuse + f * s.energy * (d * g2 / (4 * n_l * n_v))) * n_l;
+    const glm::dvec3 diffuse =
+        glm::min(s.base_color * (1 - s.metallic), glm::dvec3(1 - std::max({f.x, f.y, f.z})));
+    return (diffuse / kPi + f * s.energy * (d * g2 / (4 * n_l * n_v))) * n_l;
 }
 
 }  // namespace weft::test

@@ -122,8 +122,7 @@ class SteadyGraph : public Steady, public testing::WithParamInterface<std::strin
 // Returns the passes that rest in a steady frame of a shipped graph, while the camera stands still.
 std::set<std::string> wanted_sleepers(const std::string& graph, bool has_sun) {
     if (graph == "fjord" || graph == "reaction_diffusion") return {};
-    std::set<std::string> passes{"dfg", "environmentSource", "environmentParts", "environmentSh",
-                                 "noFurtherSuns"};
+    std::set<std::string> passes{"dfg", "environmentSource", "environmentIrradiance", "noFurtherSuns"};
     for (int mip = 1; mip <= 8; ++mip) passes.insert("environmentMips#" + std::to_string(mip));
     for (int mip = 1; mip <= 5; ++mip) passes.insert("environmentFilter#" + std::to_string(mip));
     if (has_sun)

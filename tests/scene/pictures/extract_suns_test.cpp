@@ -138,11 +138,11 @@ TEST(ExtractSuns, KeepTheIlluminance) {
 
 TEST(ExtractSuns, SortsTwoSunsAndFindsAWindow) {
     const glm::dvec3 small = toward(-60, 30), large = toward(80, 45);
-    // A window of 12° × 6°, seen straight on.
+    // A window of 4.2° × 2.1°, seen straight on.
     const Radiance window = [&](const glm::dvec3& d) {
         const double azimuth = std::atan2(d.x, -d.z), height = std::asin(d.y);
-        const bool inside = std::abs(azimuth) < glm::radians(6.0) && std::abs(height) < glm::radians(3.0);
-        return inside ? glm::dvec3(1e4) : kSky(d);
+        const bool inside = std::abs(azimuth) < glm::radians(2.1) && std::abs(height) < glm::radians(1.05);
+        return inside ? glm::dvec3(4e4) : kSky(d);
     };
     Picture picture = picture_of(512, 256, disc(large, 0.05, 9e4, disc(small, 0.04, 9e4, window)));
     const std::vector<PictureSun> suns = extract(picture);
@@ -150,7 +150,7 @@ TEST(ExtractSuns, SortsTwoSunsAndFindsAWindow) {
     EXPECT_GT(glm::dot(glm::dvec3(suns[0].to_sun), large), 0.9999);
     EXPECT_GT(glm::dot(glm::dvec3(suns[1].to_sun), small), 0.9999);
     EXPECT_GT(glm::dot(glm::dvec3(suns[2].to_sun), glm::dvec3(0, 0, -1)), 0.9999);
-    EXPECT_NEAR(suns[2].illuminance_lx.r, 1e4 * 4 * glm::radians(6.0) * glm::radians(3.0), 40);
+    EXPECT_NEAR(suns[2].illuminance_lx.r, 4e4 * 4 * glm::radians(2.1) * glm::radians(1.05), 40);
 }
 
 TEST(ExtractSuns, LeaveSourcesThatAreNotSmallDiscs) {
@@ -160,15 +160,39 @@ TEST(ExtractSuns, LeaveSourcesThatAreNotSmallDiscs) {
     const auto tube = [](const glm::dvec3& d) {
         return std::abs(d.y) < 0.02 && std::abs(d.x) < 0.17 && d.z < 0 ? glm::dvec3(1000) : glm::dvec3(1);
     };
+    const auto window = [](const glm::dvec3& d) {  // 16° × 10°.
+        return std::abs(d.y) < 0.09 && std::abs(d.x) < 0.14 && d.z < 0 ? glm::dvec3(1000) : glm::dvec3(1);
+    };
     const auto half = [](const glm::dvec3& d) { return d.x > 0.3 ? glm::dvec3(1000) : glm::dvec3(1); };
     const auto clouds = [](const glm::dvec3& d) { return glm::dvec3(d.x > 0.9 ? 25 : 1); };
     const auto faint = disc(toward(10, 40), 0.02, 40, kSky);  // Bright, but hardly any light.
-    for (const Radiance& radiance : std::vector<Radiance>{band, tube, half, clouds, faint, kSky}) {
+    for (const Radiance& radiance : std::vector<Radiance>{band, tube, window, half, clouds, faint, kSky}) {
         const Picture before = picture_of(256, 128, radiance);
         Picture picture = before;
         EXPECT_TRUE(extract(picture).empty());
         EXPECT_EQ(picture.texels, before.texels);
     }
+}
+
+// The haze and the sun are one region, which is too large for a sun. The haze stays in the picture.
+TEST(ExtractSuns, FindTheSunInABrightHaze) {
+    const glm::dvec3 to_sun = toward(-70, 8);
+    const Radiance haze = [&](const glm::dvec3& d) {
+        const double off = std::acos(std::clamp(glm::dot(d, to_sun), -1.0, 1.0));
+        return glm::dvec3(1, 0.8, 0.5) * (1 + 300 * std::exp(-off / 0.15));
+    };
+    const double radius = 0.03, inside = 8e4;
+    const Radiance sky = disc(to_sun, radius, inside, haze);
+    Picture picture = picture_of(512, 256, sky);
+    const std::vector<PictureSun> suns = extract(picture);
+    ASSERT_EQ(suns.size(), 1u);
+    EXPECT_GT(glm::dot(glm::dvec3(suns[0].to_sun), to_sun), 0.9999);
+    EXPECT_NEAR(suns[0].angular_radius_rad, radius, 0.1 * radius);
+    EXPECT_NEAR(suns[0].illuminance_lx.r / (inside * kPi_rad * radius * radius), 1, 0.01);
+    float most = 0;
+    for (const glm::vec3& texel : picture.texels) most = std::max(most, texel.r);
+    EXPECT_GT(most, 150);
+    EXPECT_LT(most, 302);
 }
 
 TEST(ExtractSuns, TakeTheBrightestSixteenOfManyRegions) {
