@@ -7,13 +7,15 @@
 // 4. All cells in rooms, until the spacing is the finest.
 // 5. Single cells of the groups that needed too many probes, those with the greatest need first.
 // 6. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
+// 7. Single cells with objects whose spacing is more than a quarter of the distance of the surfaces around
+// them.
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <queue>
 
 #include "scene/probes/refine_grid.h"
-#include "scene/probes/share_open_probes.h"
+#include "scene/probes/share_minor_probes.h"
 
 namespace weft::scene {
 namespace {
@@ -30,9 +32,10 @@ constexpr double kSmallestRoom = 4;
 constexpr double kObjectRoom = 8;
 // Cells that need too many probes are left out, until there are this many of them.
 constexpr uint32_t kMostFailures = 32;
-// Several open grid points can share a probe. So they first count as a part of a probe. If there are then too
-// many probes, the fit is repeated with the next value. With the last one, the probes cannot be too many.
-constexpr std::array<uint32_t, 3> kOpenQuarters{1, 2, 4};
+// Several minor grid points can share a probe. So each counts as a part of a probe at first, in eighths. If
+// there are then too many probes, the fit is repeated with the next value. With the last one, the probes
+// cannot be too many.
+constexpr std::array<uint32_t, 5> kMinorEighths{2, 3, 4, 6, 8};
 
 class Fit {
  public:
@@ -56,6 +59,9 @@ class Fit {
         split_worst([&](const GridCell& cell) { return std::max(room_need(cell), object_need(cell)); });
         for (int stride = base_; stride > 1; stride /= 2)
             if (!split_all(uneven_cells(stride)) || !split_all(cells_of_stride(stride))) break;
+        split_worst([&](const GridCell& cell) {
+            return has_objects(cell) ? need_in(cell, 1 / grid_.nearness_per_m(cell)) : 0;
+        });
     }
 
     [[nodiscard]] ProbeVolume volume() const {
@@ -79,9 +85,14 @@ class Fit {
         return found;
     }
 
+    // True if the surfaces are not parallel. Edges that only see the sky do not count.
+    [[nodiscard]] bool has_objects(const GridCell& cell) const {
+        return grid_.nearness_per_m(cell) > 0 && grid_.is_uneven(cell);
+    }
+
     [[nodiscard]] std::vector<GridCell> uneven_cells(int stride) const {
         std::vector<GridCell> found = cells_of_stride(stride);
-        std::erase_if(found, [&](const GridCell& cell) { return !grid_.is_uneven(cell); });
+        std::erase_if(found, [&](const GridCell& cell) { return !has_objects(cell); });
         return found;
     }
 
@@ -130,7 +141,7 @@ class Fit {
     }
 
     [[nodiscard]] double object_need(const GridCell& cell) const {
-        if (cell.stride <= kObjectStride || !grid_.is_uneven(cell)) return 0;
+        if (cell.stride <= kObjectStride || !has_objects(cell)) return 0;
         return need_in(cell, kObjectRoom * double{params_.min_spacing_m});
     }
 
@@ -176,13 +187,13 @@ std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementP
     while (base < kGroundStride && static_cast<float>(base) < half_size) base *= 2;
     for (; base <= kGroundStride; base *= 2) {
         ProbeGrid grid(tree, glm::vec3(0.5f * params.min_spacing_m), params.min_spacing_m, base, threads);
-        for (const uint32_t open_quarters : kOpenQuarters) {
-            grid.clear(open_quarters);
+        for (const uint32_t minor_eighths : kMinorEighths) {
+            grid.clear(minor_eighths);
             Fit fit(grid, params, base);
             if (!fit.begin()) break;
             fit.refine();
             ProbeVolume volume = fit.volume();
-            if (share_open_probes(tree, volume, params.most_probes, threads) <= params.most_probes)
+            if (share_minor_probes(tree, volume, params.most_probes, threads) <= params.most_probes)
                 return volume;
         }
     }

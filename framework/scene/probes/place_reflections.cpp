@@ -14,8 +14,8 @@ using Seen = std::bitset<kMostIrradianceProbes>;
 
 // A reflection probe must be the first for at least this part of all irradiance probes.
 constexpr double kLeastPart = 16;
-// Outside of rooms, reflection probes are less useful, because surfaces there mostly reflect the sky.
-constexpr double kOpenValue = 0.25;
+// The value of minor probes. Surfaces near them mostly reflect the sky.
+constexpr double kMinorValue = 0.05;
 // Irradiance probes at this distance count half, and those farther than twice this distance do not count, in
 // finest spacings.
 constexpr double kHalfDistance = 16;
@@ -39,7 +39,7 @@ std::vector<ReflectionProbe> place_reflections(const TriangleTree& tree, const P
     for (size_t i = 0; i < places.size(); ++i) open.set(i);
     std::vector<double> weights(places.size());
     run_on_threads(places.size(), threads,
-                   [&](size_t i) { weights[i] = is_open(tree, places[i]) ? kOpenValue : 1; });
+                   [&](size_t i) { weights[i] = look_around(tree, places[i]).is_minor ? kMinorValue : 1; });
     const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
     const auto value_of = [&](size_t i) {
         double value = 0;

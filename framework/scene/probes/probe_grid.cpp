@@ -12,8 +12,8 @@ namespace {
 
 // Cells that are examined together, in parallel, before the number of probes is compared with the limit.
 constexpr size_t kBatch = 32;
-// A probe counts as four quarters.
-constexpr uint32_t kQuarters = 4;
+// A probe counts as eight eighths.
+constexpr uint32_t kEighths = 8;
 // A surface counts for the cells that are at most this far away, in spacings of the cell.
 constexpr float kMargin = 0.25f;
 // Places at this distance from their surface must see a probe, in finest spacings.
@@ -117,6 +117,21 @@ bool ProbeGrid::has_dark_place(const GridCell& cell) const {
     return views_.at({cell.at.x, cell.at.y, cell.at.z, cell.stride}).has_dark_place;
 }
 
+double ProbeGrid::nearness_per_m(const GridCell& cell) const {
+    const CellView& view = views_.at({cell.at.x, cell.at.y, cell.at.z, cell.stride});
+    double sum = 0;
+    int probes = 0;
+    bool all_minor = true;
+    for (int corner = 0; corner < 8; ++corner) {
+        if ((view.useful >> corner & 1) == 0) continue;
+        const Surroundings& around = points_.at(corner_of(cell, corner)).settled.around;
+        sum += around.nearness_per_m;
+        ++probes;
+        all_minor = all_minor && around.is_minor;
+    }
+    return all_minor ? 0 : sum / probes;
+}
+
 int ProbeGrid::coarsest_stride(const glm::ivec3& at) const {
     int stride = top_;
     while (stride > 1 && ((at.x | at.y | at.z) & (stride - 1)) != 0) stride /= 2;
@@ -172,34 +187,34 @@ void ProbeGrid::count_cell(const GridCell& cell, int change) {
     for (int corner = 0; corner < 8; ++corner) {
         Point& point = points_.at(corner_of(cell, corner));
         const bool useful = (view.useful >> corner & 1) != 0;
-        const uint32_t cost = point.settled.is_open ? open_quarters_ : kQuarters;
+        const uint32_t cost = point.settled.around.is_minor ? minor_eighths_ : kEighths;
         if (change > 0) {
             ++point.uses;
-            if (useful && point.useful++ == 0) quarters_ += cost;
+            if (useful && point.useful++ == 0) eighths_ += cost;
         } else {
             --point.uses;
-            if (useful && --point.useful == 0) quarters_ -= cost;
+            if (useful && --point.useful == 0) eighths_ -= cost;
         }
     }
 }
 
-void ProbeGrid::clear(uint32_t open_quarters) {
+void ProbeGrid::clear(uint32_t minor_eighths) {
     for (auto& [at, point] : points_) point.uses = point.useful = 0;
-    quarters_ = 0;
-    open_quarters_ = open_quarters;
+    eighths_ = 0;
+    minor_eighths_ = minor_eighths;
 }
 
 bool ProbeGrid::exchange(const std::vector<GridCell>& gone, const std::vector<GridCell>& fresh,
                          uint32_t most) {
-    const uint64_t limit = uint64_t{kQuarters} * most;
+    const uint64_t limit = uint64_t{kEighths} * most;
     for (const GridCell& cell : gone) count_cell(cell, -1);
     size_t used = 0;
-    while (used < fresh.size() && quarters_ <= limit) {
+    while (used < fresh.size() && eighths_ <= limit) {
         const size_t end = std::min(used + kBatch, fresh.size());
         examine(std::span(fresh).subspan(used, end - used));
         for (; used < end; ++used) count_cell(fresh[used], 1);
     }
-    if (quarters_ <= limit) return true;
+    if (eighths_ <= limit) return true;
     for (size_t i = 0; i < used; ++i) count_cell(fresh[i], -1);
     for (const GridCell& cell : gone) count_cell(cell, 1);
     return false;

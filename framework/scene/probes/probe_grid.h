@@ -31,8 +31,8 @@ class ProbeGrid {
     // `top` is the largest stride that cells have.
     ProbeGrid(const TriangleTree& tree, glm::vec3 origin, float spacing_m, int top, uint32_t threads);
 
-    // Removes all cells. From now on, a probe that is open counts as this many quarters of a probe.
-    void clear(uint32_t open_quarters);
+    // Removes all cells. From now on, a minor probe counts as this many eighths of a probe.
+    void clear(uint32_t minor_eighths);
 
     // Returns the cells of this stride near the front of a surface, in the order of their points. Returns
     // nullopt if there are more than `most`.
@@ -47,6 +47,10 @@ class ProbeGrid {
     // True if there is a free place in front of a surface of the cell that sees none of the probes at the
     // corners. The cell must have been added.
     [[nodiscard]] bool has_dark_place(const GridCell& cell) const;
+
+    // Returns the mean of Surroundings::nearness_per_m of the probes that see a surface of the cell; 0 if all
+    // of them are minor. The cell must have been added.
+    [[nodiscard]] double nearness_per_m(const GridCell& cell) const;
 
     // Removes the cells `gone`, which were added before, and adds the cells `fresh`. If there were then more
     // than `most` probes at the corners of all cells, changes nothing and returns false.
@@ -82,8 +86,8 @@ class ProbeGrid {
     uint32_t threads_;
     std::map<glm::ivec3, Point, PointOrder> points_;
     std::map<CellKey, CellView> views_;
-    uint32_t open_quarters_ = 4;
-    uint64_t quarters_ = 0;  // Number of probes at the corners of all cells, in quarters.
+    uint32_t minor_eighths_ = 8;
+    uint64_t eighths_ = 0;  // Number of probes at the corners of all cells, in eighths.
 };
 
 // Returns the volume with a probe at each point of a grid of this size. The probes are fitted to the

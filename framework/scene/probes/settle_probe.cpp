@@ -12,11 +12,13 @@ namespace {
 constexpr size_t kDirections = 64;
 // More rays than this that end at the inside of a surface mean that the point is inside of an object.
 constexpr size_t kMostInside = kDirections / 4;
-// As many rays without a surface mean that the point is open.
+// As many rays without a surface mean that the point sees much of the sky.
 constexpr size_t kLeastSky = kDirections * 7 / 16;
 // Rays along which all surfaces are counted, and the number of them that must agree.
 constexpr size_t kDepthRays = 8;
 constexpr size_t kLeastBuried = 6;
+// Nearer surfaces count as if they had this distance, so that a wall beside a probe does not count too much.
+constexpr double kLeastDistance_m = 1;
 // Number of ways out of an object that are tried.
 constexpr size_t kMostExits = 12;
 
@@ -100,35 +102,41 @@ bool can_stand(const TriangleTree& tree, const glm::vec3& point, float clearance
 
 Settled settle_probe(const TriangleTree& tree, const glm::vec3& point, const SettleLimits& limits) {
     if (can_stand(tree, point, limits.clearance_m))
-        return {ProbeState::kept, glm::vec3(0), is_open(tree, point)};
+        return {ProbeState::kept, glm::vec3(0), look_around(tree, point)};
     std::vector<Move> moves = exits_from(tree, point, limits);
     if (tree.is_near(point, limits.clearance_m)) {
         const std::vector<Move> steps = steps_aside(limits);
         moves.insert(moves.end(), steps.begin(), steps.end());
         std::ranges::stable_sort(moves, {}, &Move::length_m);
     }
-    Settled best{ProbeState::dropped, glm::vec3(0)};
+    Settled best{ProbeState::dropped, glm::vec3(0), {}};
     for (const Move& move : moves) {
         const glm::vec3 offset(move.offset);
         if (!can_stand(tree, point + offset, limits.clearance_m)) continue;
-        const bool open = is_open(tree, point + offset);
-        if (best.state == ProbeState::dropped || !open) best = {ProbeState::moved, offset, open};
-        if (!open) break;
+        const Surroundings around = look_around(tree, point + offset);
+        if (best.state == ProbeState::dropped || !around.is_minor) best = {ProbeState::moved, offset, around};
+        if (!around.is_minor) break;
     }
     return best;
 }
 
-bool is_open(const TriangleTree& tree, const glm::vec3& point) {
-    const auto sky = std::ranges::count_if(directions(), [&](const glm::dvec3& direction) {
-        return !tree.is_blocked({glm::dvec3(point), direction});
-    });
-    return static_cast<size_t>(sky) >= kLeastSky;
+Surroundings look_around(const TriangleTree& tree, const glm::vec3& point) {
+    size_t sky = 0, backs = 0;
+    double nearness = 0;
+    for (const glm::dvec3& direction : directions()) {
+        const std::optional<RayHit> hit = tree.nearest({glm::dvec3(point), direction});
+        sky += hit ? 0 : 1;
+        backs += hit && hit->is_back ? 1 : 0;
+        if (hit) nearness += 1 / std::max(hit->distance_m, kLeastDistance_m);
+    }
+    return {sky >= kLeastSky || backs == kDirections, nearness / kDirections};
 }
 
 double room_size_at(const TriangleTree& tree, const glm::vec3& point) {
     constexpr double kNoRoom = std::numeric_limits<double>::infinity();
     double least = kNoRoom;
     int closed = 0;
+    bool only_backs = true;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 direction(0);
         direction[axis] = 1;
@@ -137,9 +145,10 @@ double room_size_at(const TriangleTree& tree, const glm::vec3& point) {
         if ((ahead && ahead->is_inside) || (behind && behind->is_inside)) return kNoRoom;
         if (!ahead || !behind) continue;
         ++closed;
+        only_backs = only_backs && ahead->is_back && behind->is_back;
         least = std::min(least, ahead->distance_m + behind->distance_m);
     }
-    return closed >= 2 ? least : kNoRoom;
+    return closed >= 2 && !only_backs ? least : kNoRoom;
 }
 
 bool sees(const TriangleTree& tree, const glm::vec3& from, const glm::vec3& to) {

@@ -52,8 +52,9 @@ int finest_stride(const ProbeGrid& grid, const PlacementParams& params) {
 ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& params, uint32_t threads) {
     PlacementParams around = params;
     const Bounds& bounds = tree.bounds();
-    around.camera = glm::clamp(params.camera.value_or((bounds.min + bounds.max) * 0.5f),
-                               glm::vec3(-kFarthest_m), glm::vec3(kFarthest_m));
+    // From far away, the camera sees the nearest part of the scene best.
+    around.camera =
+        glm::clamp(params.camera.value_or((bounds.min + bounds.max) * 0.5f), bounds.min, bounds.max);
     const uint32_t share = params.most_probes / kLevels;
     const glm::vec3 origin(0.5f * params.min_spacing_m);
     // The levels differ by a factor of two if the coarsest one then holds the whole scene.

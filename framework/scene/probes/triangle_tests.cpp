@@ -37,7 +37,7 @@ std::optional<RayHit> hit_triangle(const SolidTriangle& triangle, const Ray& ray
     if (v < 0 || u + v > 1) return std::nullopt;
     const double distance = glm::dot(ac, q) * inverse;
     if (distance < 0 || distance > ray.reach_m) return std::nullopt;
-    return RayHit{distance, determinant < 0 && triangle.has_inside};
+    return RayHit{distance, determinant < 0 && triangle.has_inside, determinant < 0};
 }
 
 bool touches_box(const SolidTriangle& triangle, const Bounds& box) {

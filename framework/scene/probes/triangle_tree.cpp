@@ -233,10 +233,12 @@ std::optional<RayHit> TriangleTree::nearest(const Ray& ray) const {
             if (!triangles_[i].blocks) continue;
             const std::optional<RayHit> hit = hit_triangle(triangles_[i], ray);
             if (!hit || hit->distance_m > reach_m) continue;
-            if (!best || hit->distance_m < best->distance_m)
+            if (!best || hit->distance_m < best->distance_m) {
                 best = hit;
-            else
+            } else {
                 best->is_inside = best->is_inside && hit->is_inside;
+                best->is_back = best->is_back && hit->is_back;
+            }
             reach_m = best->distance_m;
         }
     }

@@ -28,6 +28,7 @@ struct Ray {
 struct RayHit {
     double distance_m = 0;
     bool is_inside = false;  // The ray hits the back of a surface that has an inside.
+    bool is_back = false;    // The ray hits the back of a surface of any kind.
 };
 
 class TriangleTree {
@@ -36,8 +37,8 @@ class TriangleTree {
 
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
-    // Returns the nearest surface that blocks light. If surfaces coincide, the hit is inside only if it is
-    // the inside of all of them.
+    // Returns the nearest surface that blocks light. If surfaces coincide, the hit is inside, or at the
+    // back, only if it is so for all of them.
     [[nodiscard]] std::optional<RayHit> nearest(const Ray& ray) const;
     // True if a surface that blocks light is on the ray.
     [[nodiscard]] bool is_blocked(const Ray& ray) const;

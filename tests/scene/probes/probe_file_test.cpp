@@ -47,8 +47,32 @@ TEST(ProbeFile, WhatIsWrittenCanBeRead) {
     for (size_t i = 0; i < placed.volume.probes.size(); ++i) {
         EXPECT_EQ(again->volume.probes[i].level, placed.volume.probes[i].level);
         EXPECT_EQ(again->volume.probes[i].state, placed.volume.probes[i].state);
+        EXPECT_EQ(again->volume.probes[i].substitute, placed.volume.probes[i].substitute);
     }
     EXPECT_EQ(cells_of(again->volume).size(), cells_of(placed.volume).size());
+}
+
+// Cells use the substitute at a corner without a probe.
+TEST(ProbeFile, ADroppedPointCanHaveASubstitute) {
+    std::string points;
+    for (int i = 0; i < 8; ++i)
+        points += std::string(i == 0 ? "" : ",") + "\n{ \"at\": [" + std::to_string(i & 1) + ", " +
+                  std::to_string(i >> 1 & 1) + ", " + std::to_string(i >> 2) + "]" +
+                  (i == 3 ? ", \"dropped\": true, \"substitute\": [0, 0, 1]" : "") +
+                  (i == 5 ? ", \"dropped\": true" : "") + " }";
+    const Result<Probes> probes = read(with_volume("\"probes\": [" + points + "]"));
+    ASSERT_TRUE(probes) << to_text(probes.errors());
+    const std::vector<ProbeCell> cells = cells_of(probes->volume);
+    ASSERT_EQ(cells.size(), 1u);
+    EXPECT_EQ(cells[0].corners[3], 4u);
+    EXPECT_EQ(cells[0].corners[4], 4u);
+    EXPECT_EQ(cells[0].corners[5], ProbeCell::kNoProbe);
+    const auto one = [](const std::string& text) { return with_volume("\"probes\": [" + text + "]"); };
+    expect_fault(one("{ \"at\": [0, 0, 0] },\n{ \"at\": [1, 0, 0], \"substitute\": [0, 0, 0] }"), "S196", 4,
+                 "only a grid point without a probe");
+    expect_fault(
+        one("{ \"at\": [0, 0, 0] },\n{ \"at\": [1, 0, 0], \"dropped\": true, \"substitute\": [2, 0, 0] }"),
+        "S196", 4, "no probe at the grid point of the substitute");
 }
 
 TEST(ProbeFile, ARegularGridIsFittedToTheGeometry) {

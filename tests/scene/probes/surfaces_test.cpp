@@ -38,11 +38,17 @@ TEST(ProbeSurfaces, NoProbeIsInsideOfASolidBox) {
     EXPECT_GT(count_of(volume, ProbeState::moved), 0u);
 }
 
+// The mirrored box consists of other triangles, so its places before surfaces and its substitutes can differ.
 TEST(ProbeSurfaces, MirroredInstancesAreTheSame) {
     BoxScene scene = one_box();
-    const std::string straight = probes_to_json({volume_of(scene.scene), {}});
+    const auto probes_without_substitutes = [&] {
+        ProbeVolume volume = volume_of(scene.scene);
+        for (Probe& probe : volume.probes) probe.substitute.reset();
+        return probes_to_json({volume, {}});
+    };
+    const std::string straight = probes_without_substitutes();
     scene.scene.instances[0].transform[0] *= -1.0f;
-    EXPECT_EQ(probes_to_json({volume_of(scene.scene), {}}), straight);
+    EXPECT_EQ(probes_without_substitutes(), straight);
 }
 
 TEST(ProbeSurfaces, TransformsOfInstancesCount) {

@@ -7,8 +7,8 @@
 
 namespace weft::scene {
 
-// Drops open probes that another probe can substitute, as few as possible and near ones first, until at most
+// Drops minor probes that another probe can substitute, as few as possible and near ones first, until at most
 // `most` probes are left or no more can be dropped. Returns the number of probes that are left.
-uint32_t share_open_probes(const TriangleTree& tree, ProbeVolume& volume, uint32_t most, uint32_t threads);
+uint32_t share_minor_probes(const TriangleTree& tree, ProbeVolume& volume, uint32_t most, uint32_t threads);
 
 }  // namespace weft::scene
