@@ -22,7 +22,8 @@ class ReferenceSky {
 
     // Share of the light that is left on the way from the sun to the observer.
     [[nodiscard]] glm::dvec3 sun_transmittance() const;
-    // Radiance of the sky without the sun's disc. `orders`: first counts only light that was scattered once.
+    // Radiance of the sky without the sun's disc. `orders`: `first` counts only light that was
+    // scattered once.
     enum class Orders { first, all };
     [[nodiscard]] glm::dvec3 radiance(double elevation_rad, double azimuth_from_sun_rad, Orders orders) const;
     // Irradiance of a horizontal plane, without the light that comes directly from the sun.
@@ -41,8 +42,9 @@ class ReferenceSky {
     void make_higher_orders();
 
     glm::dvec3 to_sun_;
-    std::vector<glm::dvec3> depths_;         // Optical depth to the upper end of the air.
-    std::vector<glm::dvec3> higher_orders_;  // Light of all orders from the second on, by direction's mean.
+    std::vector<glm::dvec3> depths_;  // Optical depth to the upper end of the air.
+    // Radiance of the light of all orders from the second on, as a mean over all directions.
+    std::vector<glm::dvec3> higher_orders_;
 };
 
 // The luminance of the sky with the sun at an elevation of 30°, over ground of constant luminance, read from
