@@ -80,36 +80,77 @@ TEST_F(RelightRest, ProbesRestWhileAnObjectMoves) {
     }
 }
 
-// A lamp in a room lights it; a lamp behind the wall does not.
-TEST_F(RelightRest, ALampShinesOnlyWhereTheProbeSeesIt) {
-    const dvec3 least(-2, 0, -1), most(2, 3, 4), place(0.5, 1, 1), lamp(-1, 2.2, 2);
-    scene::Scene room = closed_room(least, most, matt(glm::vec3(kAlbedo08)));
-    room.lights = {lamp_at(lamp, 100)};
-    const auto session = begin(room, probe_at(place), {});
-    ASSERT_TRUE(session);
-    const std::vector<ProbeLight> light = round(*session);
-    ASSERT_EQ(light.size(), 1u);
-    const Harmonics wanted = project(32, [&](const dvec3& d) {
+// A room with a lamp, and the light that a probe in it sees.
+const dvec3 kRoomLeast(-2, 0, -1), kRoomMost(2, 3, 4), kRoomProbe(0.5, 1, 1), kRoomLamp(-1, 2.2, 2);
+constexpr double kRoomCandela = 100;
+
+scene::Scene lit_room(const scene::Light& lamp) {
+    scene::Scene room = closed_room(kRoomLeast, kRoomMost, matt(glm::vec3(kAlbedo08)));
+    room.lights = {lamp};
+    return room;
+}
+
+// `facing`: the lamp is a small area that faces this way; nullopt: it shines evenly in all directions.
+Harmonics light_of_lamp(const std::optional<dvec3>& facing) {
+    return project(32, [&](const dvec3& d) {
         dvec3 normal(0), at(0);
         double nearest_m = 1e30;
         for (int axis = 0; axis < 3; ++axis) {
-            const double distance_m = ((d[axis] > 0 ? most : least)[axis] - place[axis]) / d[axis];
+            const double distance_m =
+                ((d[axis] > 0 ? kRoomMost : kRoomLeast)[axis] - kRoomProbe[axis]) / d[axis];
             if (distance_m >= nearest_m) continue;
             nearest_m = distance_m;
-            at = place + d * distance_m;
+            at = kRoomProbe + d * distance_m;
             normal = dvec3(0);
             normal[axis] = d[axis] > 0 ? -1 : 1;
         }
-        const dvec3 way = lamp - at;
-        const double away2 = glm::dot(way, way);
-        return double{kAlbedo08} / std::numbers::pi * 100 * glm::dot(way, normal) /
-               (away2 * std::sqrt(away2));
+        const dvec3 to_lamp = glm::normalize(kRoomLamp - at);
+        const double candela = kRoomCandela * (facing ? std::max(0.0, -glm::dot(*facing, to_lamp)) : 1);
+        const double away_m = glm::distance(kRoomLamp, at);
+        return double{kAlbedo08} / std::numbers::pi * candela * glm::dot(to_lamp, normal) / (away_m * away_m);
     });
-    for (const dvec3& n : {dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0, 0, 1)})
+}
+
+const std::array<dvec3, 5> kRoomNormals{dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), dvec3(0, -1, 0),
+                                        dvec3(0, 0, 1)};
+
+// A lamp in a room lights it; a lamp behind the wall does not.
+TEST_F(RelightRest, ALampShinesOnlyWhereTheProbeSeesIt) {
+    const auto session = begin(lit_room(lamp_at(kRoomLamp, kRoomCandela)), probe_at(kRoomProbe), {});
+    ASSERT_TRUE(session);
+    const std::vector<ProbeLight> light = round(*session);
+    ASSERT_EQ(light.size(), 1u);
+    const Harmonics wanted = light_of_lamp({});
+    for (const dvec3& n : kRoomNormals)
         EXPECT_NEAR(light[0].irradiance(n).g / irradiance_of(wanted, n), 1, 1e-3);
 
-    frame_of(*session).lights = {lamp_at({-2.4f, 2.2f, 2}, 100)};
+    frame_of(*session).lights = {lamp_at({-2.4f, 2.2f, 2}, kRoomCandela)};
     EXPECT_EQ(round(*session)[0].irradiance({0, 1, 0}), dvec3(0)) << "the lamp is behind the wall";
+}
+
+// Small lamps with an area give the light of a point.
+TEST_F(RelightRest, LampsWithAnAreaLightTheRoom) {
+    constexpr float kSide_m = 0.02f;
+    scene::Light capsule = lamp_at(kRoomLamp, 0), rectangle = capsule;
+    capsule.type = scene::LightType::capsule;
+    capsule.half_size_m = {1e-5f, kSide_m};
+    capsule.intensity = static_cast<float>(kRoomCandela / (std::numbers::pi * kSide_m * kSide_m));
+    rectangle.type = scene::LightType::rectangle;
+    rectangle.direction = {0, -1, 0};
+    rectangle.half_size_m = {kSide_m, kSide_m};
+    rectangle.intensity = static_cast<float>(kRoomCandela / (4 * kSide_m * kSide_m));
+    const auto session = begin(lit_room(capsule), probe_at(kRoomProbe), {});
+    ASSERT_TRUE(session);
+    for (const bool is_rectangle : {false, true}) {
+        if (is_rectangle) frame_of(*session).lights = {rectangle};
+        const Harmonics wanted = light_of_lamp(is_rectangle ? std::optional(dvec3(0, -1, 0)) : std::nullopt);
+        const std::vector<ProbeLight> light = round(*session);
+        ASSERT_EQ(light.size(), 1u);
+        for (const dvec3& n : kRoomNormals)
+            EXPECT_NEAR(light[0].irradiance(n).g, irradiance_of(wanted, n),
+                        0.04 * irradiance_of(wanted, {0, -1, 0}))
+                << (is_rectangle ? "rectangle" : "capsule");
+    }
 }
 
 // The lamp is a small glowing box, and a light at its middle. The probe sees the box, but only the light
