@@ -6,8 +6,8 @@
 // product of three factors: the place of the point in the cell (trilinear), the side of the surface on which the probe
 // is, and whether the probe sees the point. Sources: Majercik et al. 2019, "Dynamic Diffuse Global Illumination with
 // Ray-Traced Irradiance Fields", and 2021, "Scaling Probe-Based Real-Time Dynamic Global Illumination for Production".
-// Both test the view with two moments of the distance. Here the test uses the inverse distance, because this is a
-// linear function on a plane: it can be interpolated between texels, and planes do not blur it.
+// Both test the view with two moments of the distance. Here the test uses the plane that fits best to what the probe
+// sees in a direction, and the deviation of the surfaces from it. So walls seen at grazing angles need no tolerance.
 #ifndef WEFT_PROBES
 #define WEFT_PROBES
 #include "environment_cube.glsl"
@@ -19,8 +19,9 @@ layout(constant_id = 26) const bool HAS_probeSh = false;
 layout(constant_id = 27) const bool HAS_probeMoments = false;
 layout(constant_id = 28) const bool HAS_probeMap = false;
 layout(std430) readonly buffer ProbeSh { vec4 items[]; } probeSh;
-// One layer for each probe: an octahedral map with a border of one texel. r: inverse distance to what the probe sees in
-// 1/m, 0 for the sky; g: standard deviation of the inverse distance within the texel.
+// One layer for each probe: an octahedral map with a border of one texel; see probes/moments.comp. rgb: the plane that
+// the probe sees; a point p as seen from the probe is on the plane if dot(rgb, p) = 1. 0 for the sky. a: standard
+// deviation of the inverse distance from that of the plane.
 uniform sampler2DArray probeMoments;
 layout(std430) readonly buffer ProbeMap { uvec4 items[]; } probeMap;
 
@@ -39,6 +40,8 @@ const float kProbeTrust = 0.02;
 // Smallest trilinear factor along an axis. So even a point at a side of the cell gets light from the probes at the other
 // side if those at its side are missing or do not see it.
 const float kLeastCloseness = 0.01;
+// A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
+const float kTexelHides = 32.0;
 // Smallest standard deviation of the inverse distance, as a share of it.
 const float kLeastDeviation = 0.03;
 
@@ -91,16 +94,26 @@ float probe_cell_share(uint neighbours, vec3 t) {
     return smoothstep(0.0, 1.0, nearest / kProbeFade);
 }
 
-// Returns how well a probe sees a point: 1 if nothing is between them, nearly 0 for a point behind a surface.
+// Returns how well a probe sees a point: 1 if nothing is between them, nearly 0 for a point behind a surface. The four
+// nearest texels of the map each have a plane, and the one that hides most decides: where two walls meet in a corner,
+// the nearer one hides the point. A texel far from the direction hides less, so that the result is continuous.
 float probe_visibility(uint probe, vec3 to_point) {
-    const vec2 uv = ((octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 1.0) /
-                    float(kProbeMomentSide + 2u);
-    const vec2 seen = textureLod(probeMoments, vec3(uv, float(probe)), 0.0).rg;
-    const float behind = seen.x - inversesqrt(max(dot(to_point, to_point), 1e-6));
-    if (behind <= 0.0) return 1.0;
-    const float deviation = max(seen.y, kLeastDeviation * seen.x), variance = deviation * deviation;
-    const float chebyshev = variance / (variance + behind * behind);
-    return chebyshev * chebyshev * chebyshev;
+    const vec2 at = (octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
+    const vec2 low = floor(at), high_share = at - low;
+    const float distance = length(to_point);
+    float least = 1.0;
+    for (int i = 0; i < 4; ++i) {
+        const ivec2 step = ivec2(i & 1, i >> 1);
+        const vec2 share = mix(1.0 - high_share, high_share, vec2(step));
+        const vec4 seen = texelFetch(probeMoments, ivec3(ivec2(low) + step, int(probe)), 0);
+        // Both numbers are shares of the inverse distance of the point.
+        const float surface = dot(seen.xyz, to_point);
+        const float behind = (surface - 1.0) * min(kTexelHides * share.x * share.y, 1.0);
+        if (behind <= 0.0) continue;
+        const float deviation = max(seen.w * distance, kLeastDeviation * surface);
+        least = min(least, deviation * deviation / (deviation * deviation + behind * behind));
+    }
+    return least * least * least;
 }
 
 // A probe at a corner of a cell, as a point sees it.
@@ -155,7 +168,7 @@ float add_probe_cell(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float 
         }
     }
     if (weights <= 0.0) return -1.0;
-    const float trust = clamp(all / (weights * kProbeTrust), 1e-4, 1.0);
+    const float trust = clamp(all / (weights * kProbeTrust), 1e-6, 1.0);
     const float scale = share * trust / all;
     sum.facing += scale * max(facing, vec3(0.0));
     sum.mirrored += scale * max(mirrored, vec3(0.0));
@@ -196,6 +209,20 @@ uint probe_cell_at(vec3 grid, uint level, bool coarsest, out vec3 t, out float s
     return cell;
 }
 
+// Adds the light of the cells around a cell, for a point that the probes of its own cell do not see: for example next to
+// a thin wall, with all probes of the cell behind the wall.
+void add_cells_around(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float spacing_m, float share) {
+    const uvec4 key = probeMap.items[cell];
+    const uint neighbours = probeMap.items[cell + 3u].x;
+    const int stride = int(probe_stride(key.w));
+    [[dont_unroll]] for (int i = 0; i < 27; ++i) {
+        if (i == 13 || (neighbours >> i & 1u) == 0u) continue;
+        const ivec3 step = ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+        const uint around = find_probe_cell(ivec3(key.xyz) + step * stride, key.w);
+        add_probe_cell(sum, q, around, clamp(t - vec3(step), 0.0, 1.0), spacing_m, share);
+    }
+}
+
 // Returns the light of the probes around a point. `to_eye`: unit vector to the eye. `mirrored`: a second direction for
 // which the irradiance is wanted.
 ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
@@ -203,8 +230,11 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
     const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
     const uint levels = probeMap.items[1].x;
     ProbeSum sum = ProbeSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
-    float rest = 1.0;      // Weight that is left for coarser levels.
-    float outside = 1.0;   // 0 in a cell, 1 if no cell is near.
+    float rest = 1.0;     // Weight that is left for coarser levels.
+    float beyond = 1.0;   // The same if all probes saw the point.
+    float outside = 1.0;  // 0 in a cell, 1 if no cell is near.
+    uint first_cell = kNoItem;
+    vec3 first_t = vec3(0.0);
     [[dont_unroll]] for (uint level = 0u; level < levels && rest > 1e-3; ++level) {
         const float stride = float(probe_stride(level));
         const bool coarsest = level + 1u == levels;
@@ -213,10 +243,17 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
         const uint cell = probe_cell_at(grid / stride, level, coarsest, t, share);
         if (cell == kNoItem || share <= 0.0) continue;
         const float trust = add_probe_cell(sum, q, cell, t, stride * probe_grid_spacing_m(), rest * share);
-        if (trust < 0.0) continue;
-        rest *= 1.0 - share * trust;
+        if (first_cell == kNoItem) {
+            first_cell = cell;
+            first_t = t;
+        }
+        rest *= 1.0 - share * max(trust, 0.0);
+        beyond *= 1.0 - share;
         outside = coarsest ? outside * (1.0 - share) : 0.0;
     }
+    if (rest - beyond > 1e-3)
+        add_cells_around(sum, q, first_cell, first_t,
+                         float(probe_stride(probeMap.items[first_cell].w)) * probe_grid_spacing_m(), rest - beyond);
     if (sum.lit <= 0.0) return ProbeLight(vec3(0.0), vec3(0.0), 0.0, outside);
     return ProbeLight(sum.facing / sum.lit, sum.mirrored / sum.lit, sum.lit / sum.weight * (1.0 - outside), outside);
 }

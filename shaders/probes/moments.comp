@@ -1,9 +1,9 @@
-// Makes the octahedral map of the distances that a probe sees, with which lookups find out whether the probe sees a
-// point. The inverse distance is 0 where nothing is. On a plane it is the product of a vector and the direction. So each
-// texel gets the plane that fits best to what is seen within it. r: inverse distance to this plane in the middle of the
-// texel; g: standard deviation of the inverse distance from this plane. A wall has nearly no deviation, even if it is
-// seen at a grazing angle. The map has 16 × 16 texels and a border of one texel, which continues the map, so that a
-// linear filter works across its edges.
+// Makes the octahedral map of what a probe sees, with which lookups find out whether the probe sees a point. The inverse
+// distance is 0 where nothing is. On a plane it is the product of the direction and a vector: the normal divided by the
+// distance of the plane from the probe. So each texel gets the plane that fits best to what is seen within it. rgb: the
+// vector, in 1/m; a: standard deviation of the inverse distance from this plane. A wall has nearly no deviation and the
+// same vector everywhere, even where the probe sees it at a grazing angle. The map has 16 × 16 texels and a border of
+// one texel, which continues the map, so that a linear filter works across its edges.
 #version 460
 #include "cube_texels.glsl"
 #include "octahedral.glsl"
@@ -12,7 +12,7 @@
 layout(local_size_x = 9, local_size_y = 9) in;
 
 uniform sampler2DArray faces;
-layout(rg16f) writeonly uniform image2D moments;
+layout(rgba16f) writeonly uniform image2D moments;
 
 const int kSide = int(kProbeMomentSide);
 const int kSamples = 8;  // Per side of a texel. A texel has the size of about 5 × 5 texels of a face with 32 × 32.
@@ -65,7 +65,6 @@ void main() {
         weights += weight;
     }
     const vec3 plane = inverse(squares) * products;
-    const float mean = max(dot(plane, normalize(octahedron_point(texel + 0.5))), 0.0);
     const float variance = max(nears - dot(plane, products), 0.0) / weights;
-    imageStore(moments, at, vec4(mean, sqrt(variance), 0.0, 0.0));
+    imageStore(moments, at, vec4(plane, sqrt(variance)));
 }

@@ -47,7 +47,7 @@ bool sees_inside(vec3 direction) {
 vec3 state_color(vec3 n) {
     const ProbePoint point = probePoints.items[probe];
     const ProbeGrid grid = probeGrid.items[0];
-    if (texelFetch(probeMoments, ivec3(0, 0, probe), 0).r < 0.0) return vec3(0.45);
+    if (texelFetch(probeMoments, ivec3(0, 0, probe), 0).a < 0.0) return vec3(0.45);
     if (sees_inside(n)) return vec3(1.0, 0.1, 0.9);
     if (is_moved(point.position, grid) && abs(n.y) < 0.2) return vec3(0.0);
     const bool lit = probeSh.items[kProbeShStride * probe].w > 0.0;

@@ -1,4 +1,4 @@
-// Writes random harmonics and random moments for the test of the lookup.
+// Writes random harmonics and random planes for the test of the lookup.
 #version 460
 #include "hash.glsl"
 #include "shared/probe_sh.glsl"
@@ -6,7 +6,7 @@
 layout(local_size_x = 64) in;
 
 layout(std430) writeonly buffer Sh { vec4 items[]; } probeSh;
-layout(rg16f) writeonly uniform image2DArray probeMoments;
+layout(rgba16f) writeonly uniform image2DArray probeMoments;
 
 layout(push_constant) uniform Params { uint blocked; float unlit; } params;
 
@@ -21,8 +21,7 @@ void main() {
         value = me.x == 0u ? 1.0 + value : value - 0.5;
         probeSh.items[kProbeShStride * probe + me.x] = vec4(value, lit ? 1.0 : 0.0);
     }
-    // Distances from 0.5 m to 5 m.
-    const float inverse = 0.2 + 1.8 * hash01(uvec3(probe, me.x, 4u));
-    const float deviation = (0.3 + 0.3 * hash01(uvec3(probe, me.x, 5u))) * inverse;
-    imageStore(probeMoments, ivec3(me.x % 18u, me.x / 18u, probe), params.blocked * vec4(inverse, deviation, 0.0, 0.0));
+    const vec3 plane = 3.0 * (vec3(hash01(uvec3(probe, me.x, 4u)), hash01(uvec3(probe, me.x, 5u)), hash01(uvec3(probe, me.x, 6u))) - 0.5);
+    const float deviation = 0.2 + 0.4 * hash01(uvec3(probe, me.x, 7u));
+    imageStore(probeMoments, ivec3(me.x % 18u, me.x / 18u, probe), float(params.blocked) * vec4(plane, deviation));
 }

@@ -99,23 +99,24 @@ ProbeReference::Place ProbeReference::find_place(const glm::dvec3& position, uin
     return place;
 }
 
-// Reads the moments between four texels.
+// Of the four nearest texels, the one that hides most decides.
 double ProbeReference::visibility(size_t probe, const glm::dvec3& to_point) const {
     const glm::dvec2 at = (octahedral(to_point) * 0.5 + 0.5) * double(kSide) + 0.5;
     const glm::dvec2 low = glm::floor(at), f = at - low;
-    glm::dvec2 seen(0);
-    for (int i = 0; i < 4; ++i) {
-        const int dx = i % 2, dy = i / 2;
-        const auto x = static_cast<size_t>(low.x) + static_cast<size_t>(dx),
-                   y = static_cast<size_t>(low.y) + static_cast<size_t>(dy);
-        const size_t side = kSide + 2;
-        seen += (dx ? f.x : 1 - f.x) * (dy ? f.y : 1 - f.y) *
-                glm::dvec2(content_.moments[(probe * side + y) * side + x]);
+    const double distance = glm::length(to_point);
+    double least = 1;
+    for (size_t i = 0; i < 4; ++i) {
+        const size_t dx = i % 2, dy = i / 2, side = kSide + 2;
+        const size_t x = static_cast<size_t>(low.x) + dx, y = static_cast<size_t>(low.y) + dy;
+        const glm::dvec4 seen(content_.moments[(probe * side + y) * side + x]);
+        const double weight = (dx != 0 ? f.x : 1 - f.x) * (dy != 0 ? f.y : 1 - f.y);
+        const double surface = glm::dot(glm::dvec3(seen), to_point) / distance;
+        const double behind = (surface - 1 / distance) * std::min(1.0, 32 * weight);
+        if (behind <= 0) continue;
+        const double variance = std::pow(std::max(seen.w, 0.03 * surface), 2);
+        least = std::min(least, variance / (variance + behind * behind));
     }
-    const double behind = seen.x - 1 / glm::length(to_point);
-    if (behind <= 0) return 1;
-    const double variance = std::pow(std::max(seen.y, 0.03 * seen.x), 2);
-    return std::pow(variance / (variance + behind * behind), 3);
+    return std::pow(least, 3);
 }
 
 double ProbeReference::add(Sums& sums, const PointQuery& query, const Place& place, double weight) const {
@@ -147,7 +148,7 @@ double ProbeReference::add(Sums& sums, const PointQuery& query, const Place& pla
         }
     }
     if (all <= 0) return -1;
-    const double trust = std::clamp(seen / all / kTrusted, 1e-4, 1.0);
+    const double trust = std::clamp(seen / all / kTrusted, 1e-6, 1.0);
     sums.facing += weight * trust / seen * glm::max(facing, 0.0);
     sums.mirrored += weight * trust / seen * glm::max(mirrored, 0.0);
     sums.lit += weight * trust * lit / seen;
@@ -157,15 +158,24 @@ double ProbeReference::add(Sums& sums, const PointQuery& query, const Place& pla
 
 LookedUp ProbeReference::look_up(const PointQuery& query) const {
     Sums sums;
-    double rest = 1, outside = 1;
+    Place first;
+    double rest = 1, beyond = 1, outside = 1;
     for (uint32_t level = 0; level < volume_.strides.size() && rest > 1e-3; ++level) {
         const Place place = find_place(query.position, level);
         if (place.cell == nullptr || place.share <= 0) continue;
+        if (first.cell == nullptr) first = place;
         const double trust = add(sums, query, place, rest * place.share);
-        if (trust < 0) continue;
-        rest *= 1 - place.share * trust;
+        rest *= 1 - place.share * std::max(trust, 0.0);
+        beyond *= 1 - place.share;
         const bool coarsest = level + 1 == volume_.strides.size();
         outside = coarsest ? outside * (1 - place.share) : 0;
+    }
+    for (int i = 0; i < 27 && rest - beyond > 1e-3; ++i) {
+        const glm::ivec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const glm::ivec3 corner = first.cell->at / static_cast<int>(volume_.strides[first.cell->level]);
+        const scene::ProbeCell* around = cell_at(corner + step, first.cell->level);
+        if (step == glm::ivec3(0) || around == nullptr) continue;
+        add(sums, query, {around, glm::clamp(first.t - glm::dvec3(step), 0.0, 1.0), 1}, rest - beyond);
     }
     if (sums.lit <= 0) return {};
     return {sums.facing / sums.lit, sums.mirrored / sums.lit, sums.lit / sums.weight * (1 - outside)};

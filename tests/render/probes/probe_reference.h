@@ -43,7 +43,7 @@ class ProbeReference {
     [[nodiscard]] Place find_place(const glm::dvec3& position, uint32_t level) const;
     [[nodiscard]] double fade(const scene::ProbeCell& cell, const glm::dvec3& t) const;
     [[nodiscard]] double visibility(size_t probe, const glm::dvec3& to_point) const;
-    [[nodiscard]] double add(Sums& sums, const PointQuery& query, const Place& place, double weight) const;
+    double add(Sums& sums, const PointQuery& query, const Place& place, double weight) const;
     [[nodiscard]] double spacing_m(uint32_t level) const {
         return double(volume_.spacing_m) * volume_.strides[level];
     }
