@@ -14,6 +14,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 while read -r graph scene camera options; do
   [ -n "$graph" ] && [ "${graph:0:1}" != "#" ] || continue
+  case $options in *--probes*) ;; *) options="--probes none $options" ;; esac
   # shellcheck disable=SC2086  # options are words
   "$weft" render "builtin:$scene" --graph "$root/graphs/$graph.json" --camera "$camera" --size 320x180 \
     -o "$scratch/$graph-$scene-$camera.png" --stats "$scratch/stats.json" $options </dev/null

@@ -64,16 +64,20 @@ std::string RunResult::text() const {
     return text.str();
 }
 
-std::vector<std::string> with_long_timeout(std::vector<std::string> arguments) {
+std::vector<std::string> with_test_options(std::vector<std::string> arguments) {
     const bool draws = !arguments.empty() && (arguments.front() == "render" || arguments.front() == "view");
-    if (draws && std::ranges::find(arguments, "--timeout") == arguments.end())
+    const auto has = [&](const char* option) {
+        return std::ranges::find(arguments, option) != arguments.end();
+    };
+    if (draws && !has("--timeout"))
         arguments.insert(arguments.end(), {"--timeout", std::to_string(kMostCpu_s)});
+    if (draws && !has("--probes")) arguments.insert(arguments.end(), {"--probes", "none"});
     return arguments;
 }
 
 RunResult run_weft(const std::vector<std::string>& arguments, const Environment& environment,
                    const std::filesystem::path& folder) {
-    std::vector<std::string> words = with_long_timeout(arguments);
+    std::vector<std::string> words = with_test_options(arguments);
     words.insert(words.begin(), WEFT_PROGRAM);
     return run_program(words, environment, folder);
 }

@@ -46,13 +46,14 @@ void reset_signals();
 // limits.
 void limit_time(unsigned most_cpu_s = kMostCpu_s);
 
-// Adds `--timeout 1200` (kMostCpu_s, in seconds) to the commands `render` and `view`, unless the arguments
-// contain --timeout. With the default of 60 s, a frame can fail on a very busy machine.
-[[nodiscard]] std::vector<std::string> with_long_timeout(std::vector<std::string> arguments);
+// Adds `--timeout 1200` (kMostCpu_s, in seconds) and `--probes none` to the commands `render` and `view`,
+// unless the arguments contain these options. With the default of 60 s, a frame can fail on a very busy
+// machine. Without probes, pictures take less time.
+[[nodiscard]] std::vector<std::string> with_test_options(std::vector<std::string> arguments);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-// Runs `weft` with with_long_timeout(arguments) and waits for its end. An empty `folder` means the current
+// Runs `weft` with with_test_options(arguments) and waits for its end. An empty `folder` means the current
 // folder of the test. `environment` is added to the environment of the test. The program is killed after
 // kMostCpu_s of processor time, or after kMostWall_s of elapsed time.
 [[nodiscard]] RunResult run_weft(const std::vector<std::string>& arguments,

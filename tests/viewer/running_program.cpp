@@ -15,7 +15,7 @@ namespace weft::test {
 
 RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const Environment& environment,
                                unsigned most_cpu_s) {
-    std::vector<std::string> words = with_long_timeout(arguments);
+    std::vector<std::string> words = with_test_options(arguments);
     words.insert(words.begin(), WEFT_PROGRAM);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());

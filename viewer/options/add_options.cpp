@@ -111,10 +111,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                     "if the graph has "
                     "no automatic exposure]")
         ->transform(number_in({-40, 40, "EV"}));
-    command
-        .add_option("--probes", o.probes,
-                    "the light probes of the scene: none, auto, or a file (.json), as in `weft scene`")
-        ->capture_default_str();
+    command.add_option("--probes", o.probes,
+                       "the light probes of the scene: auto, none, or a file (.json) [default: "
+                       "NAME.probes.json beside the scene, or auto]");
     command
         .add_option("--probe-rounds", o.probe_rounds,
                     "how often each light probe is lit before the first frame; 0: not before it")

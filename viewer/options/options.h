@@ -30,7 +30,7 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     // The resource that is written instead of the output, such as "normal" or "hdr@sky".
     std::string resource;
-    std::string probes = "none";  // "auto", "none", a file, or empty: see ProbeChoice::probes.
+    std::string probes;  // "auto", "none", a file, or empty: see ProbeChoice::probes.
     uint32_t probe_rounds = 4;    // Number of turns of each irradiance probe before the first frame.
     // For imports of kind "turns": the rounds of the group that run in each frame.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns;
