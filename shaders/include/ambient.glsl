@@ -101,11 +101,15 @@ struct AmbientLight {
 // Replaces mirrored light by that of the reflection probes around a point, as far as these see what the point mirrors.
 // `here`: irradiance / π at the point from the middle of the mirrored directions. A rough surface mirrors light from many
 // directions, and a probe elsewhere receives more or less of it. So the light of a probe changes by the same factor as the
-// irradiance.
-vec3 with_reflection_probes(vec3 light, vec3 position, vec3 middle, float roughness, vec3 here) {
+// irradiance. Where the probes see the sky, the whole `sky` counts, which is known best for the surroundings, times the
+// part of it that the probe sees.
+vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, float roughness, vec3 here) {
     const ReflectionLight seen = reflection_light(position, middle, roughness);
     const vec3 change = clamp(here / max(seen.irradiance_over_pi, vec3(1e-9)), 0.0, 2.0);
-    return mix(light, seen.radiance * mix(vec3(1.0), change, smoothstep(0.1, 0.3, roughness)), seen.share);
+    const vec3 radiance = seen.radiance * mix(vec3(1.0), change, smoothstep(0.1, 0.3, roughness));
+    vec3 open = sky;
+    if (HAS_environmentCube) open *= clamp(seen.radiance / max(filtered_radiance(middle, roughness), vec3(1e-9)), 0.0, 2.0);
+    return mix(light, mix(radiance, open, seen.sky), seen.share);
 }
 
 // Replaces the light of the whole surroundings by that of the probes around a point. Irradiance probes know only diffuse
@@ -119,7 +123,7 @@ AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3
     const float very_rough = clamp(lod_of_roughness(roughness) - kLastFiltered, 0.0, 1.0);
     vec3 near = light.mirrored * change;
     if (HAS_reflectionCubes && very_rough < 1.0)
-        near = with_reflection_probes(near, position, middle, roughness, probes.mirrored);
+        near = with_reflection_probes(near, light.mirrored, position, middle, roughness, probes.mirrored);
     near = mix(near, probes.mirrored, very_rough);
     return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
 }

@@ -37,10 +37,11 @@ const float kFarReflection_m = 10000.0;
 const float kReflectionDeviation = 0.03;
 
 // The light of the probes around a point. share: 0 if no probe sees what the point mirrors, 1 if the probes give all of
-// the light. irradiance_over_pi: that of the probes themselves, for the direction in the middle of the lobe.
+// the light. sky: the part of the share for which the ray meets no surface. irradiance_over_pi: that of the probes
+// themselves, for the direction in the middle of the lobe.
 struct ReflectionLight {
     vec3 radiance, irradiance_over_pi;
-    float share;
+    float share, sky;
 };
 
 uint reflection_probe_count() { return uint(reflectionMap.items.length()) / kReflectionItems; }
@@ -139,6 +140,7 @@ void add_reflection(inout ReflectionLight sum, uint probe, vec3 position, vec3 d
     for (uint i = 0u; i < 9u; ++i) irradiance += reflectionSh.items[probe * kProbeShStride + i].rgb * basis[i];
     sum.irradiance_over_pi += w * max(irradiance, vec3(0.0));
     sum.share += w;
+    if (way == direction) sum.sky += w;
 }
 
 // The best probes by weight, from the largest to the smallest weight.
@@ -176,7 +178,7 @@ ReflectionCandidates reflection_candidates(vec3 position) {
 // one takes its place.
 ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness) {
     const ReflectionCandidates best = reflection_candidates(position);
-    ReflectionLight sum = ReflectionLight(vec3(0.0), vec3(0.0), 0.0);
+    ReflectionLight sum = ReflectionLight(vec3(0.0), vec3(0.0), 0.0, 0.0);
     float weights[kReflectionCandidates];
     float all = 0.0, inside = 0.0, first = 0.0, second = 0.0, third = 0.0;
     for (int i = 0; i < kReflectionCandidates; ++i) {
@@ -200,6 +202,6 @@ ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness)
     }
     if (sum.share <= 0.0) return sum;
     const float scale = 1.0 / sum.share;
-    return ReflectionLight(sum.radiance * scale, sum.irradiance_over_pi * scale, inside * sum.share / used);
+    return ReflectionLight(sum.radiance * scale, sum.irradiance_over_pi * scale, inside * sum.share / used, sum.sky * scale);
 }
 #endif
