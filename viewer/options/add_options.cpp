@@ -51,6 +51,17 @@ void add_tier(CLI::App& command, OfflineOptions& o, const char* otherwise) {
                        std::string("the quality tier of the graph [default: ") + otherwise + "]");
 }
 
+void add_probes(CLI::App& command, RenderOptions& o) {
+    command.add_option("--probes", o.probes,
+                       "the light probes of the scene: auto, none, or a file (.json) [default: "
+                       "NAME.probes.json beside the scene, or auto]");
+    command
+        .add_option("--probe-rounds", o.probe_rounds,
+                    "how often each light probe is lit before the first frame; 0: not before it")
+        ->transform(whole_number_in(0, kMostProbeRounds))
+        ->capture_default_str();
+}
+
 }  // namespace
 
 void add_limits(CLI::App& command, RawTexts& raw) {
@@ -111,14 +122,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                     "if the graph has "
                     "no automatic exposure]")
         ->transform(number_in({-40, 40, "EV"}));
-    command.add_option("--probes", o.probes,
-                       "the light probes of the scene: auto, none, or a file (.json) [default: "
-                       "NAME.probes.json beside the scene, or auto]");
-    command
-        .add_option("--probe-rounds", o.probe_rounds,
-                    "how often each light probe is lit before the first frame; 0: not before it")
-        ->transform(whole_number_in(0, kMostProbeRounds))
-        ->capture_default_str();
+    add_probes(command, o);
     command.add_option("--param", raw.params, "a parameter of the graph; may be repeated")
         ->check(param_validator());
     command

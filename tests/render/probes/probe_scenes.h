@@ -38,7 +38,7 @@ inline scene::Mesh square_mesh() {
 
 // Adds a rectangle. `right` and `up` are half its sides; it faces right × up.
 inline void add_quad(scene::Scene& scene, const glm::vec3& middle, const glm::vec3& right,
-                          const glm::vec3& up, uint32_t material = 0) {
+                     const glm::vec3& up, uint32_t material = 0) {
     glm::mat4 transform(1);
     transform[0] = glm::vec4(right, 0);
     transform[1] = glm::vec4(up, 0);

@@ -15,7 +15,7 @@ namespace {
 
 // A volume with two levels: a block of fine grid points within a block of coarse ones. Some points are
 // dropped, some probes stand beside their grid point.
-scene::ProbeVolume random_volume(uint32_t seed) {
+scene::ProbeVolume volume_of_two_levels(uint32_t seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> offset(-0.2f, 0.2f);
     scene::ProbeVolume volume;
@@ -50,7 +50,7 @@ const shared::ProbeCell* find_cell(const ProbeTables& tables, const glm::ivec3& 
 
 TEST(ProbeTables, EachCellIsFoundWithItsProbesAndNeighbours) {
     for (const uint32_t seed : {1u, 2u, 3u}) {
-        const scene::ProbeVolume volume = random_volume(seed);
+        const scene::ProbeVolume volume = volume_of_two_levels(seed);
         const ProbeTables tables = probe_tables(volume);
         const std::vector<scene::ProbeCell> cells = scene::cells_of(volume);
         ASSERT_GT(cells.size(), 40u);
@@ -94,7 +94,7 @@ TEST(ProbeTables, EachCellIsFoundWithItsProbesAndNeighbours) {
 }
 
 TEST(ProbeTables, ProbesHaveNumbersWithoutTheDroppedOnes) {
-    const scene::ProbeVolume volume = random_volume(4);
+    const scene::ProbeVolume volume = volume_of_two_levels(4);
     const ProbeTables tables = probe_tables(volume);
     std::vector<glm::vec3> places;
     for (const scene::Probe& probe : volume.probes)
@@ -149,7 +149,7 @@ TEST(ProbeTables, AProbeHasSixFacesAsACubeMap) {
 
 TEST(ProbeImports, TheCatalogueHasTheNumberOfProbes) {
     scene::Probes probes;
-    probes.volume = random_volume(5);
+    probes.volume = volume_of_two_levels(5);
     const scene::Scene scene;
     const uint32_t count = count_probes(probes.volume);
     const auto expect = [](const ImportCatalog& catalog, uint32_t wanted) {

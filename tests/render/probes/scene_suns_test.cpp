@@ -22,8 +22,7 @@ shared::Light directional(const glm::vec3& direction) {
 // The corners of the box around the objects are within the map, and the first light has one, too. Objects
 // that move and lights of other types change nothing.
 TEST(SceneSuns, TheirMapsCoverAllObjectsThatDoNotMove) {
-    const std::vector<shared::Light> lights{directional({0.2f, -1, 0.4f}), directional({0, -1, 0}),
-                                            lamp()};
+    const std::vector<shared::Light> lights{directional({0.2f, -1, 0.4f}), directional({0, -1, 0}), lamp()};
     const scene::Bounds still{{-10, 0, -4}, {30, 8, 6}};
     FurtherSunSizes sizes;
     sizes.scene = {512, 256, 256, 0};
