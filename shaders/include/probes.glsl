@@ -42,8 +42,9 @@ const float kProbeTrust = 0.02;
 const float kLeastCloseness = 0.01;
 // A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
 const float kTexelHides = 32.0;
-// Smallest standard deviation of the inverse distance, as a share of it.
-const float kLeastDeviation = 0.03;
+// Limits of the standard deviation of the inverse distance, as shares of it. The upper limit keeps light out where a
+// texel sees two walls that meet.
+const float kLeastDeviation = 0.03, kMostDeviation = 0.06;
 
 // The light of the probes. facing, mirrored: irradiance / π for the normal and for a second direction. validity: 0 if no
 // probe gives light, 1 if the probes give all of it. outside: 1 if no cell is near the point, 0 in a cell.
@@ -110,7 +111,7 @@ float probe_visibility(uint probe, vec3 to_point) {
         const float surface = dot(seen.xyz, to_point);
         const float behind = (surface - 1.0) * min(kTexelHides * share.x * share.y, 1.0);
         if (behind <= 0.0) continue;
-        const float deviation = max(seen.w * distance, kLeastDeviation * surface);
+        const float deviation = clamp(seen.w * distance, kLeastDeviation * surface, kMostDeviation * surface);
         least = min(least, deviation * deviation / (deviation * deviation + behind * behind));
     }
     return least * least * least;

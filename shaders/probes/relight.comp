@@ -137,12 +137,13 @@ vec3 bounced_over_pi(Texel t) {
         return max(sum, vec3(0.0));
     }
     // Places outside of the volume have the light of the surroundings. In the first rounds, some probes have no light
-    // yet; the light of the others counts for them. So no light of the surroundings gets into closed rooms.
+    // yet, and count as dark. So no light from elsewhere gets into closed rooms.
     const ProbeLight volume = probe_light(t.position, t.normal, t.to_probe, t.normal);
-    if (volume.outside <= 0.0) return volume.facing;
+    const vec3 known = volume.facing * volume.validity;
+    if (volume.outside <= 0.0) return known;
     const int terms = min(environmentSh.items.length(), 9);
     for (int i = 0; i < terms; ++i) sum += environmentSh.items[i].rgb * basis[i];
-    return mix(volume.facing, max(sum, vec3(0.0)), volume.outside);
+    return known + max(sum, vec3(0.0)) * volume.outside;
 }
 
 void main() {

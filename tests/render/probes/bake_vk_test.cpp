@@ -162,11 +162,11 @@ TEST_F(ProbeBake, TheBorderOfAMapContinuesIt) {
         EXPECT_EQ(moments(0, i, 0), moments(0, kLast - i, 1)) << i;
         EXPECT_EQ(moments(0, i, kLast), moments(0, kLast - i, kLast - 1)) << i;
         for (const glm::ivec2 at : {glm::ivec2(0, i), {kLast, i}, {i, 0}, {i, kLast}})
-            seen += moments(0, at.x, at.y).r > 0 ? 1 : 0;
+            seen += moments(0, at.x, at.y).b < 0 ? 1 : 0;  // The rectangles are planes of constant z.
     }
     EXPECT_EQ(moments(0, 0, 0), moments(0, kLast - 1, kLast - 1));
     EXPECT_EQ(moments(0, kLast, 0), moments(0, 1, kLast - 1));
-    EXPECT_GT(seen, 8u);
+    EXPECT_GE(seen, 4u) << "at least one texel at each edge";
 }
 
 // Each face of the probe sees another kind of surface at its middle.

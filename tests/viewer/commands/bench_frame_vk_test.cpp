@@ -1,6 +1,8 @@
 // Tests `weft bench frame` on the available Vulkan device.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/viewer/program.h"
@@ -64,6 +66,29 @@ TEST(BenchFrame, MeasuresPassesThatRest) {
     }
     EXPECT_EQ(filters, 5u);
     EXPECT_GT(result.at("awake_ms").at("min"), 0);
+}
+
+TEST(BenchFrame, TellsWhatItCostsToLightAProbe) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const ScratchFolder folder;
+    folder.write(
+        "eight.json",
+        R"json({ "version": 1, "volume": { "origin": [-1, 3, -1], "spacing": 1, "size": [2, 2, 2] } })json");
+    const RunResult run =
+        run_weft({"bench", "frame", "builtin:spheres", "--graphs", "deferred", "--lights", "2", "--size",
+                  "64x36", "--rounds", "1", "--probes", folder / "eight.json", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.text();
+    const Json result = Json::parse(run.out)["results"].at(0);
+    std::map<std::string, uint64_t> rounds;
+    for (const Json& cost : result["warm_up"]) {
+        rounds[cost["pass"]] = cost["rounds"];
+        EXPECT_GT(cost["round_ms"].get<double>(), 0) << cost;
+    }
+    EXPECT_EQ(rounds["probeBake::faces"], 8u) << result["warm_up"];
+    EXPECT_EQ(rounds["probeRelight::light"], 4 * 8u) << result["warm_up"];
+    // All rounds together are one pass of the frame.
+    const auto is_relight = [](const Json& pass) { return pass["name"] == "probeRelight::light"; };
+    EXPECT_EQ(std::ranges::count_if(result["passes"], is_relight), 1);
 }
 
 TEST(BenchFrame, AGraphThatIsNotThere) {

@@ -258,7 +258,7 @@ class ReferenceBinder {
             std::optional<BoundPort> bound = bind_reference(pass, port, *ref, false);
             if (!bound) return;
             if (!ref->pass.empty()) presence.find_pins(pass, *ref, *bound);
-            if (!presence.is_present(pass, *bound)) continue;
+            if (!presence.is_present(pass, *bound, port.optional)) continue;
             const CombinationSet present = presence.present_in(pass, *bound);
             found = true;
             if ((present & missing & runs_in) == 0) continue;

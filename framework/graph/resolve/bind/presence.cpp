@@ -100,10 +100,15 @@ void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const
     port.pin_is_gone = true;
 }
 
-bool Presence::is_present(PassId pass, const BoundPort& input) const {
+bool Presence::is_present(PassId pass, const BoundPort& input, bool optional) const {
     if (input.pin_is_gone) return false;
     const ResourceId resource = input.use.resource;
-    if (declared_.shapes.origins[resource].has_content || suspects_.writers[resource]) return true;
+    const ResourceDecl& decl = declared_.shapes.resources[resource];
+    // An optional port does not read a resource with `keep` that no pass of the graph writes.
+    const bool is_kept =
+        optional && decl.lifetime == ResourceLifetime::persistent && decl.history == 0 && decl.age == 0;
+    if (suspects_.writers[resource]) return true;
+    if (declared_.shapes.origins[resource].has_content && !is_kept) return true;
     if (!dropped_writer(declared_.expansion, declared_.resource_name(resource), reporter_)) return true;
     for (PassId writer(0); writer < outputs_.size(); ++writer) {
         reporter_.spend(1 + outputs_[writer].size(), input.use.loc);

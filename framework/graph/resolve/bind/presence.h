@@ -34,8 +34,9 @@ class Presence {
     // Stores in `port` the passes that `@pass` in `ref` names; `ref` must contain an `@pass`. If that pass
     // was removed, stores the passes whose version stays visible in its place, or sets `port.pin_is_gone`.
     void find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const;
-    // Returns false if the input has nothing to read, because the passes that would write it are removed.
-    [[nodiscard]] bool is_present(PassId pass, const BoundPort& input) const;
+    // Returns false if the input has nothing to read, because the passes that would write it are removed. An
+    // `optional` input then does not read what an earlier frame may have left, either.
+    [[nodiscard]] bool is_present(PassId pass, const BoundPort& input, bool optional) const;
     void report_absent(PassId pass, const PortDesc& port) const;
     // Returns the combinations of the switches in which the input has something to read. In the others, the
     // passes that would write it are switched off. `input` must be present.
