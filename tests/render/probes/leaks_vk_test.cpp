@@ -179,8 +179,9 @@ TEST_F(ProbeLeaks, AWhiteCourtUnderAnEvenSkyIsEven) {
     placement.most_probes = 120;
     Result<scene::Probes> probes = scene::place_probes(scene, placement);
     ASSERT_TRUE(probes);
-    const std::unique_ptr<render::Session> session = start_with_probes(
-        scene, *probes, kDeferredGraph, {96, 54, 1}, {"hdr"}, {{"probeFaceSize", 16}, {"autoExposure", 0}});
+    const std::unique_ptr<render::Session> session =
+        start_with_probes(scene, *probes, graph_path("probes/deferred"), {96, 54, 1}, {"hdr"},
+                          {{"probeFaceSize", 16}, {"autoExposure", 0}});
     ASSERT_TRUE(session);
     render::FrameInput& frame = frame_of(*session);
     frame = {.camera = scene::framing_camera(scene, 96.0f / 54)};
@@ -216,7 +217,7 @@ TEST_F(ProbeLeaks, WithoutProbesThePlanIsThatWithoutTheModule) {
         if (const size_t at = text->find(include); at != std::string::npos) text->erase(at, include.size());
         return std::optional(std::regex_replace(*text, port, ""));
     };
-    for (const char* graph : {"deferred", "forward", "light_indexed", "tiled_deferred"}) {
+    for (const char* graph : {"probes/deferred", "probes/forward"}) {
         const Result<scene::Scene> scene = scene::make_builtin("cornell");
         const auto plan_of = [&](const FileReader& reader) {
             const std::unique_ptr<render::Session> session =
