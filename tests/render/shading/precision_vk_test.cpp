@@ -5,7 +5,6 @@
 #include <functional>
 #include <glm/gtc/packing.hpp>
 
-#include "tests/render/light/sunny_spheres.h"
 #include "tests/render/session_fixture.h"
 #include "tests/render/shading/reference_ambient.h"
 #include "tests/render/shading/reference_brdf.h"
@@ -288,13 +287,6 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
         });
         expect_within_bound(*scene, scene->exposure_ev);
     }
-}
-
-// The light comes from a picture and its sun.
-TEST_F(Precision, DeferredIsAsFarFromForwardUnderAPictureWithASun) {
-    scene::Scene scene = sunny_spheres();
-    ASSERT_EQ(scene.lights.size(), 1u);
-    expect_within_bound(scene, 0);
 }
 
 }  // namespace

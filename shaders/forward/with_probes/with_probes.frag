@@ -1,0 +1,4 @@
+// Draws a surface and lights it in the same pass, with the light of the probes; see include/forward_surface.glsl.
+#version 460
+#define LIGHT_PROBES
+#include "forward_surface.glsl"
