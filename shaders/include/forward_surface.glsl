@@ -1,5 +1,6 @@
-// Draws a surface and lights it in the same pass. Opaque and masked surfaces hide the surfaces behind them. Transparent
-// surfaces are blended with premultiplied alpha. Output: scene-linear Rec.709, cd/m² × preExposure.
+// The function shade_surface() of fragment shaders that draw a surface and light it in the same pass. Opaque and masked
+// surfaces hide the surfaces behind them. Transparent surfaces are blended with premultiplied alpha. Output:
+// scene-linear Rec.709, cd/m² × preExposure.
 #ifndef WEFT_FORWARD_SURFACE
 #define WEFT_FORWARD_SURFACE
 #include "brdf.glsl"
@@ -29,7 +30,7 @@ const float kMaxStored = 65000.0;
 vec4 unorm8(vec4 x) { return unpackUnorm4x8(packUnorm4x8(x)); }
 vec2 snorm16(vec2 x) { return unpackSnorm2x16(packSnorm2x16(x)); }
 
-void main() {
+void shade_surface() {
     const vec4 base = base_color();
     if (MASKED && base.a < material.alpha_cutoff) discard;
     vec3 n = shading_normal();

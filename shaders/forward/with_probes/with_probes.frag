@@ -2,3 +2,5 @@
 #version 460
 #define LIGHT_PROBES
 #include "forward_surface.glsl"
+
+void main() { shade_surface(); }
