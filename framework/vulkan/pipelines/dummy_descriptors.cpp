@@ -53,7 +53,9 @@ Result<VkDescriptorImageInfo> DummyDescriptors::image(const ShaderBinding& bindi
                      binding.stages, image.decl().aspects)
             .layout;
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
+    // The change of the layout is a write. Shaders that read the image must wait for it.
     barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT;
     barrier.newLayout = to_vk(layout);
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.handle();

@@ -16,6 +16,7 @@ constexpr Extent3D kPictureSize{32, 16, 1};
 constexpr const char* kGradient = WEFT_SOURCE_DIR "/tests/render/embedding/gradient.json";
 constexpr const char* kStored = WEFT_SOURCE_DIR "/tests/render/embedding/stored.json";
 constexpr const char* kTrail = WEFT_SOURCE_DIR "/tests/render/resize/trail.json";
+constexpr const char* kMissingPorts = WEFT_SOURCE_DIR "/tests/render/embedding/missing_ports.json";
 
 class EmbeddingVk : public SessionTest {
  protected:
@@ -230,6 +231,21 @@ TEST_F(EmbeddingVk, FramesInOwnCommandBuffersSurviveAResize) {
         pictures[own ? 1 : 0] = picture(*session);
     }
     EXPECT_EQ(pictures[0], pictures[1]);
+}
+
+// A shader may read images at ports that the graph does not have. Small images stand in for them. The first
+// frame changes their layouts, also in a command buffer of the program.
+TEST_F(EmbeddingVk, AMissingPortIsReadWithoutAHazardInAnOwnCommandBuffer) {
+    OwnCommands commands(*device_);
+    const std::unique_ptr<render::Session> session = open(input_for(kMissingPorts));
+    ASSERT_TRUE(session);
+    for (int i = 0; i < 2; ++i) {
+        frame_of(*session).submit = commands.begin();
+        const Status drawn = draw_frame(*session);
+        ASSERT_TRUE(drawn) << to_text(drawn.errors());
+        commands.submit();
+    }
+    EXPECT_FALSE(picture(*session).empty());
 }
 
 // Reads a value of the program in a pass in C++, and fills a buffer with it.
