@@ -1,4 +1,5 @@
-// Deferred lighting with the light of the probes; otherwise as deferred_light.comp.
+// Deferred lighting with the light of the probes; otherwise as deferred_light.comp. It is a shader of its own, because
+// the cubes of reflection probes need a device with cube arrays.
 #version 460
 #define LIGHT_PROBES
 layout(local_size_x = 8, local_size_y = 8) in;
