@@ -20,7 +20,6 @@ layout(constant_id = 2) const bool QUANTIZED = false;
 // True if the pass draws the list "anisotropic". All other lists draw anisotropic surfaces as isotropic ones.
 layout(constant_id = 3) const bool ANISOTROPIC = false;
 
-layout(location = 5) in vec3 world_point;
 layout(location = 0) out vec4 hdr;
 
 #include "surface_light.glsl"
@@ -30,12 +29,12 @@ const float kMaxStored = 65000.0;
 vec4 unorm8(vec4 x) { return unpackUnorm4x8(packUnorm4x8(x)); }
 vec2 snorm16(vec2 x) { return unpackSnorm2x16(packSnorm2x16(x)); }
 
-void shade_surface() {
+// `point`: the point of the surface in world space.
+void shade_surface(vec3 point) {
     const vec4 base = base_color();
     if (MASKED && base.a < material.alpha_cutoff) discard;
     vec3 n = shading_normal();
     vec3 orm = occlusion_roughness_metalness();
-    vec3 point = world_point;
     vec3 root = sqrt(base.rgb);
     vec4 coat = vec4(sqrt(material.dielectric_f0), material.specular);
     if (QUANTIZED) {

@@ -3,4 +3,6 @@
 #define LIGHT_PROBES
 #include "forward_surface.glsl"
 
-void main() { shade_surface(); }
+layout(location = 5) in vec3 world_point;
+
+void main() { shade_surface(world_point); }
