@@ -174,7 +174,7 @@ Status FrameLoop::take_over(RenderStage stage, bool check) {
         if (!faults.empty()) return faults;
     }
     if (Status uploaded = upload_files(stage.files); !uploaded) return uploaded;
-    // The slots of all frames in flight have been reused once kFramesInFlight further frames have begun.
+    // When kFramesInFlight further frames have begun, the GPU no longer uses the old objects.
     retired_.push_back({std::move(stage_.files), std::move(stage_.exports), std::move(stage_.own_images),
                         frame_index_ + vk::kFramesInFlight});
     vk::Predecessor predecessor;

@@ -1,5 +1,5 @@
-// Debug view of the diffuse light of the surroundings: a panorama of the directions of the normal, and a sphere. Grey
-// is the mean luminance.
+// Debug view of the diffuse light of the surroundings: a panorama of the directions of the normal, and a sphere. The
+// picture is scaled so that the mean luminance is a medium grey.
 #version 460
 #include "environment_cube.glsl"
 

@@ -1,7 +1,56 @@
-// Draws a surface and lights it in the same pass; see include/forward_surface.glsl.
+// Draws a surface and lights it in the same pass. Opaque and masked surfaces hide the surfaces behind them. Transparent
+// surfaces are blended with premultiplied alpha. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
-#include "forward_surface.glsl"
+#include "brdf.glsl"
+#include "frame_set.glsl"
+#include "half_float.glsl"
+#include "lights.glsl"
+#include "material_set.glsl"
+#include "octahedral.glsl"
+#include "sky.glsl"
+#include "surface_fragment.glsl"
+
+layout(constant_id = 0) const bool MASKED = false;
+layout(constant_id = 1) const bool BLENDED = false;
+// If true, rounds the surface properties to the precision of the G-buffer and computes the position from depth. Then
+// pictures of forward and deferred shading can be compared.
+layout(constant_id = 2) const bool QUANTIZED = false;
+// True if the pass draws the list "anisotropic". All other lists draw anisotropic surfaces as isotropic ones.
+layout(constant_id = 3) const bool ANISOTROPIC = false;
 
 layout(location = 5) in vec3 world_point;
 
-void main() { shade_surface(world_point); }
+layout(location = 0) out vec4 hdr;
+
+#include "surface_light.glsl"
+
+const float kMaxStored = 65000.0;
+
+vec4 unorm8(vec4 x) { return unpackUnorm4x8(packUnorm4x8(x)); }
+vec2 snorm16(vec2 x) { return unpackSnorm2x16(packSnorm2x16(x)); }
+
+void main() {
+    const vec4 base = base_color();
+    if (MASKED && base.a < material.alpha_cutoff) discard;
+    vec3 n = shading_normal();
+    vec3 orm = occlusion_roughness_metalness();
+    vec3 root = sqrt(base.rgb);
+    vec3 point = world_point;
+    vec4 coat = vec4(sqrt(material.dielectric_f0), material.specular);
+    if (QUANTIZED) {
+        n = octahedral_decode(snorm16(octahedral_encode(n)));
+        orm = unorm8(vec4(orm, 1.0)).rgb;
+        root = unorm8(vec4(root, 1.0)).rgb;
+        coat = unorm8(coat);
+        point = world_position(gl_FragCoord.xy / view.viewport_px, gl_FragCoord.z);
+    }
+    Surface s = make_surface(n, root * root, orm.b, orm.g, coat.rgb * coat.rgb, coat.a);
+    if (ANISOTROPIC) {
+        const vec4 grain = anisotropy(n);
+        s = stretched(s, grain.xyz, grain.w);
+    }
+    const vec3 reflected = reflected_radiance(s, point, orm, ivec2(gl_FragCoord.xy));
+    const vec3 radiance = (emission() + reflected) * frame.pre_exposure;
+    const float alpha = BLENDED ? base.a : 1.0;
+    hdr = vec4(nearest_half(min(radiance * alpha, vec3(kMaxStored))), alpha);
+}

@@ -2,8 +2,8 @@
 // `environmentCube`, `environmentIrradiance` and `environmentSh` of graphs/modules/environment.json, `dfg` of
 // graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. Without `environmentCube`, mirrored light
 // comes from the blurred picture or the gradient sky. Without `environmentIrradiance`, diffuse light comes from the
-// harmonics in `environmentSh` or, without this port, from those in `frame`. If LIGHT_PROBES is
-// defined, the light comes from the probes around the point.
+// harmonics in `environmentSh` or, without this port, from those in `frame`. With `probeSh`, the
+// light comes from the probes around the point.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
 #include "brdf.glsl"
@@ -11,11 +11,9 @@
 #include "environment_cube.glsl"
 #include "frame_set.glsl"
 #include "mirror_lobe.glsl"
-#include "sky.glsl"
-#ifdef LIGHT_PROBES
 #include "probes.glsl"
 #include "reflection_probes.glsl"
-#endif
+#include "sky.glsl"
 
 layout(constant_id = 23) const bool HAS_environmentCube = false;
 layout(constant_id = 24) const bool HAS_environmentSh = false;
@@ -100,7 +98,6 @@ struct AmbientLight {
     vec3 diffuse, mirrored;
 };
 
-#ifdef LIGHT_PROBES
 // Replaces mirrored light by that of the reflection probes around a point, as far as these see what the point mirrors.
 // `here`: irradiance / π at the point from the middle of the mirrored directions. A rough surface mirrors light from many
 // directions, and a probe elsewhere receives more or less of it. So the light of a probe changes by the same factor as the
@@ -130,7 +127,6 @@ AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3
     near = mix(near, probes.mirrored, very_rough);
     return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
 }
-#endif
 
 // Returns the reflection of the surroundings. with_albedo() must have set the members of `s`. An anisotropic surface
 // reflects the sky like an isotropic surface whose highlight has the same peak.
@@ -140,9 +136,7 @@ vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position) {
     const float blur = s.anisotropic ? sqrt(sqrt(s.alphas.x * s.alphas.y)) : roughness;
     const vec3 mirrored = reflect(-v, across);
     AmbientLight light = AmbientLight(sky_irradiance_over_pi(s.normal), mirrored_radiance(mirrored, s.normal, blur));
-#ifdef LIGHT_PROBES
     if (HAS_probeSh) light = with_probes(light, position, s.normal, v, mirrored, blur);
-#endif
     return base_under_coat(s, specular) * light.diffuse + specular * light.mirrored;
 }
 #endif

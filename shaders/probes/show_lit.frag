@@ -12,10 +12,12 @@ void main() {
     const vec2 at = uv * params.colorSize / side;
     color = vec4(0.0, 0.0, 0.0, 1.0);
     if (at.x >= 3.0 || at.y >= 2.0) return;
+    const int size = textureSize(shown, 0).x;
     vec3 mean = vec3(0.0);
     for (int i = 0; i < 384; ++i)
-        mean += textureLod(shown, vec3((vec2(i % 8, i / 8 % 8) + 0.5) / 8.0, float(i / 64)), 0.0).rgb / 384.0;
+        mean += texelFetch(shown, ivec3(ivec2(i % 8, i / 8 % 8) * size / 8, i / 64), 0).rgb / 384.0;
     const float middle = max(dot(mean, vec3(0.2126, 0.7152, 0.0722)), 1e-6);
-    const vec3 light = textureLod(shown, vec3(fract(at), floor(at.x) + 3.0 * floor(at.y)), 0.0).rgb / middle;
+    const ivec3 texel = ivec3(fract(at) * float(size), int(at.x) + 3 * int(at.y));
+    const vec3 light = texelFetch(shown, texel, 0).rgb / middle;
     color.rgb = pow(light / (1.0 + light), vec3(1.0 / 2.2));
 }

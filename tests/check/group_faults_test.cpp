@@ -85,7 +85,7 @@ TEST_F(GroupFault, APassBetween) {
 
 TEST_F(GroupFault, RoundsThatAreMixed) {
     move("g::make#1", at("g::store#0"));
-    expect_fault("has rounds that are not one after another");
+    expect_fault("has passes of one round after the beginning of the next round");
 }
 
 TEST_F(GroupFault, SeveralBatches) {

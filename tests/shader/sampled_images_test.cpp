@@ -39,6 +39,25 @@ TEST_F(SampledImages, ArgumentsOfFunctionsDoNotCount) {
     EXPECT_EQ(found("color = blur(a) + texture(b, uv);", blur), "b");
 }
 
+TEST_F(SampledImages, AnImageThatIsOnlyFetchedIsNotFiltered) {
+    write("graph/a.frag",
+          "#version 460\nlayout(location = 0) in vec2 uv;\nlayout(location = 0) out vec4 color;\n"
+          "uniform sampler2D fetched, both, passed, asked;\n"
+          "vec4 first(sampler2D s) { return texelFetch(s, ivec2(0), 0); }\n"
+          "void main() {\n"
+          "    color = texelFetch(fetched, textureSize(asked, 0), 0) + texelFetch(both, ivec2(1), 0) +\n"
+          "            textureLod(both, uv, 0.0) + first(passed);\n}\n");
+    const ShaderProgram compiled = program("a.frag", ProgramKind::fullscreen);
+    const auto filters = [&](const char* name) {
+        const ShaderBinding* binding = compiled.interface.find(name);
+        return binding != nullptr && binding->filters;
+    };
+    EXPECT_FALSE(filters("fetched"));
+    EXPECT_FALSE(filters("asked"));
+    EXPECT_TRUE(filters("both"));
+    EXPECT_TRUE(filters("passed"));  // The function may sample it.
+}
+
 TEST_F(SampledImages, BrokenModulesGiveNothing) {
     EXPECT_TRUE(shader::sampled_images({}).empty());
     const std::vector<uint32_t> words{0x07230203, 0x10000, 0, 8, 0, 0x00020057, 1, 0x00010039};

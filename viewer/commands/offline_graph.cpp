@@ -18,7 +18,8 @@ Diagnostics of_tier(Diagnostics faults, const std::string& tier) {
     return faults;
 }
 
-// Adds to the errors about imports that Weft does not offer how to describe them.
+// Some errors say that the program does not offer an import. Adds a help line that tells how to describe such
+// an import.
 Diagnostics with_import_help(Diagnostics faults) {
     for (Diagnostic& fault : faults) {
         const bool is_unknown =

@@ -56,7 +56,7 @@ class GroupCheck {
             const Position before = members_[i - 1], position = members_[i];
             if (position != before + 1) return fault("has another pass between its passes");
             if (pass_at(position).rest_unit < pass_at(before).rest_unit)
-                return fault("has rounds that are not one after another");
+                return fault("has passes of one round after the beginning of the next round");
             if (batch == plan_.submissions.batches.end() ||
                 std::ranges::find(batch->positions, position) == batch->positions.end())
                 return fault("is divided into several batches");

@@ -27,7 +27,7 @@ class SwitchedPass {
     void check_switch() {
         if (pass_.switch_id == kNoId) {
             if (pass_.runs_in != kEveryCombination)
-                fault(pass_.loc, "has no switch, but may be switched off");
+                fault(pass_.loc, "has no switch, but its list of combinations of switches is not complete");
             return;
         }
         CombinationSet on = 0;

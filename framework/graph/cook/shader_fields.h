@@ -17,8 +17,8 @@ void visit_fields(V& v, const ShaderBinding& x) {
     v("name", x.name), v("set", x.set), v("binding", x.binding), v("kind", x.kind), v("stages", x.stages);
     v("count", x.count), v("isArray", x.is_array), v("isRuntimeArray", x.is_runtime_array), v("dim", x.dim),
         v("arrayed", x.arrayed);
-    v("multisampled", x.multisampled), v("shadow", x.shadow), v("numeric", x.numeric),
-        v("storageFormat", x.storage_format);
+    v("multisampled", x.multisampled), v("shadow", x.shadow), v("filters", x.filters),
+        v("numeric", x.numeric), v("storageFormat", x.storage_format);
     v("reads", x.reads), v("writes", x.writes), v("blockBytes", x.block_bytes), v("members", x.members);
 }
 template <class V>

@@ -15,7 +15,8 @@ namespace {
 // For dense conflicts (see Conflicts): the sweeps, pack_sweep() and pack_sweep_back(), are good enough if the
 // heap exceeds the lower bound by at most this percentage.
 constexpr uint64_t kGoodSweepPercent = 5;
-// Limits the time for dense conflicts. With more items, only the sweeps are used.
+// With more items than this, only the sweeps are used: if most items are in conflict with each other, the
+// other methods take too long.
 constexpr size_t kMaxDenseItems = 1024;
 // With at most this number of items, more methods are tried: one badly placed item can waste a large share of
 // the heap, and each method takes little time.

@@ -124,6 +124,11 @@ bool is_filtered(Access a) {
     return a == Access::sampled_read || a == Access::blit_read;
 }
 
+// Returns false if the shader reads only single texels at the port, with texelFetch().
+bool may_filter(const PortDraft& port) {
+    return port.binding == nullptr || port.binding->filters;
+}
+
 // Adds the usage flags of all uses to the resources, and returns the further requirements of each resource.
 std::vector<Needs> gather_needs(const Declared& declared, FormattedGraph& graph) {
     std::vector<Needs> needs(graph.resources.size());
@@ -144,7 +149,7 @@ std::vector<Needs> gather_needs(const Declared& declared, FormattedGraph& graph)
                 need.linear_always |=
                     filters_linearly(*sampler, sampled_mips(graph.resources[base], uses[i]));
             if (sampler && uses[i].access == Access::sampled_read) need.min_max |= !takes_average(*sampler);
-            if (!sampler) need.linear_if_float = true;
+            if (!sampler && may_filter(pass.ports[i])) need.linear_if_float = true;
         }
     }
     return needs;
@@ -236,9 +241,8 @@ void complete_use(const ResourceDecl& resource, const PortDraft& port, UseDecl& 
             use.range.aspects = aspect::kDepth;
     }
     if (!is_filtered(use.access)) return;
-    if (!port.desc->sampler && !is_float(resource.format)) {
+    if (!port.desc->sampler && !(is_float(resource.format) && may_filter(port)))
         use.sampler.filter = use.sampler.mip_filter = SamplerFilter::nearest;
-    }
     if (!port.binding) return;
     // With a single mip there are no neighbouring mips to filter between.
     if (sampled_mips(resource, use) == 1) use.sampler.mip_filter = SamplerFilter::nearest;

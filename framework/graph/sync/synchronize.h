@@ -17,7 +17,7 @@ struct SyncTable {
     std::vector<QueueDependency> dependencies;
     // Index: ResourceId. 1 if several queue families use the resource without ownership transfers.
     std::vector<uint8_t> concurrent;
-    ScopeTable scopes;  // The rendering scopes that no barrier divides.
+    ScopeTable scopes;  // Neighbouring passes that share one rendering scope.
 };
 [[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
                                     const AttachmentTable& attachments, ScopeTable candidates);

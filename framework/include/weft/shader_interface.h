@@ -58,6 +58,8 @@ struct ShaderBinding {
     bool arrayed = false;
     bool multisampled = false;
     bool shadow = false;  // True for samplers that compare, such as sampler2DShadow.
+    // False for a sampled image from which the shader reads only single texels, with texelFetch().
+    bool filters = true;
     NumericClass numeric = NumericClass::float_like;
     // Format qualifier of a storage image in GLSL; undefined if the shader gives none.
     Format storage_format = Format::undefined;

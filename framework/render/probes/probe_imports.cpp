@@ -14,8 +14,8 @@ namespace weft::render {
 namespace {
 
 // The numbers of a catalogue without a scene.
-constexpr uint32_t kAssumedProbes = 2;
-constexpr size_t kAssumedCells = 8;
+constexpr uint32_t kAssumedProbes = 1;
+constexpr size_t kAssumedCells = 1;
 
 }  // namespace
 

@@ -25,7 +25,7 @@ inline constexpr std::array kProbeBuffers{"probePoints", "probeCells", "probeGri
                                           "reflectionBoxes"};
 
 // Adds the imports, the strides of their structs, and the numbers. `probes`: those of a scene; null: the
-// catalogue describes no scene, and has two probes of each kind.
+// catalogue describes no scene, and has one probe of each kind.
 void add_probe_imports(ImportCatalog& catalog, const scene::Probes* probes);
 
 class GpuProbes {

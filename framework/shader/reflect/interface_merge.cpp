@@ -52,6 +52,7 @@ void merge_binding(ShaderInterface& all, const ShaderBinding& binding, ShaderSta
         known->stages |= binding.stages;
         known->reads = known->reads || binding.reads;
         known->writes = known->writes || binding.writes;
+        known->filters = known->filters || binding.filters;
     }
 }
 

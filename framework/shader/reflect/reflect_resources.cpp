@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "shader/reflect/reflector.h"
+#include "shader/reflect/sampled_images.h"
 #include "shader/reflect/used_ranges.h"
 
 namespace weft::shader {
@@ -118,8 +119,10 @@ void Reflector::describe_access(ShaderBinding& binding, spvc_variable_id id, boo
 }
 
 void Reflector::reflect_images() {
+    const std::set<SpvId> filtered = filtered_images(spirv_);
     for (const auto& resource : of_type(SPVC_RESOURCE_TYPE_SAMPLED_IMAGE)) {
         ReflectedBinding reflected = start_binding(resource, BindingKind::sampled_image);
+        reflected.binding.filters = filtered.contains(resource.id);
         describe_image(reflected, spvc_compiler_get_type_handle(compiler_, resource.base_type_id));
         result_.bindings.push_back(std::move(reflected));
     }

@@ -14,7 +14,7 @@ namespace weft::vk {
 // of a pass.
 [[nodiscard]] const ShaderCatalog* shaders_for(const Device& device, const ExecutorInput& input,
                                                ShaderCatalog& changed);
-// Returns the program of a pass in the result of shaders_for(), or null if the program gave none.
+// Returns the shaders of a pass in the result of shaders_for(), or null if there are none for this pass.
 // `shaders` may be null.
 [[nodiscard]] const ShaderProgram* program_of(const ShaderCatalog* shaders, const PassDecl& pass);
 

@@ -96,7 +96,7 @@ TEST_F(ResolveRest, RefusesWhatItCannotKeep) {
             R"("join": {"type": "compute", "shader": "read.comp", "in": {"a": "k"}, "out": {"dst": "u"}},)" +
             R"("show": {"type": "fullscreen", "shader": "show.frag", "in": {"a": "t"}, "out": ["backbuffer"]},)" +
             R"("see": {"type": "readback", "in": ["u"]})",
-        "only its result exists", "after pass \"change\"");
+        "has only the content after the change", "after pass \"change\"");
 }
 
 TEST_F(ResolveRest, APortThatDoesNotWakeMayReadWhatChanges) {

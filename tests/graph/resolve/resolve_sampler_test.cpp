@@ -12,6 +12,9 @@ class ResolveSampler : public ResolveTest {
         ShaderBinding shadow = sampled("src");
         shadow.shadow = true;
         shadow.numeric = NumericClass::depth;
+        ShaderBinding fetched = sampled("src");
+        fetched.filters = false;
+        shaders["fetch.comp"] = compute({fetched, image_out("dst")});
         shaders["shadow.comp"] = compute({shadow, image_out("dst")});
         profile.max_sampler_anisotropy = 16;
         for (const Format format : {Format::d32f, Format::r32f})
@@ -107,6 +110,18 @@ TEST_F(ResolveSampler, AReductionNeedsAFormatThatTheDeviceReduces) {
     profile.formats[Format::r16f] &= ~format_feature::kSampledLinear;
     const ResolvedGraph g = good(sampling(R"j("reduction": "max")j", "plain.comp", "r32f|r16f"));
     EXPECT_EQ(resource_in(g, "x").format, Format::r16f);
+}
+
+TEST_F(ResolveSampler, APortWithoutFilteringNeedsNoFormatThatFilters) {
+    profile.formats[Format::r32f] &= ~format_feature::kSampledLinear;
+    const std::string graph = R"j("resources": {"x": "r32f", "y": "rgba16f"},
+"passes": {"c": {"type": "clear", "out": ["x"]},
+"f": {"type": "compute", "shader": "SHADER", "in": {"src": "x"}, "out": {"dst": "y"}}})j";
+    const auto with_shader = [&](const char* name) {
+        return std::string(graph).replace(graph.find("SHADER"), 6, name);
+    };
+    EXPECT_EQ(bad(with_shader("plain.comp")).code, "W117");
+    EXPECT_EQ(use(good(with_shader("fetch.comp")), "f", "src").sampler.filter, SamplerFilter::nearest);
 }
 
 TEST_F(ResolveSampler, ABlitTakesOnlyAFilter) {

@@ -180,7 +180,7 @@ TEST_F(ProbeLeaks, AWhiteCourtUnderAnEvenSkyIsEven) {
     Result<scene::Probes> probes = scene::place_probes(scene, placement);
     ASSERT_TRUE(probes);
     const std::unique_ptr<render::Session> session =
-        start_with_probes(scene, *probes, graph_path("probes/deferred_probes"), {96, 54, 1}, {"hdr"},
+        start_with_probes(scene, *probes, graph_path("deferred"), {96, 54, 1}, {"hdr"},
                           {{"probeFaceSize", 16}, {"autoExposure", 0}});
     ASSERT_TRUE(session);
     render::FrameInput& frame = frame_of(*session);
@@ -217,7 +217,7 @@ TEST_F(ProbeLeaks, WithoutProbesThePlanIsThatWithoutTheModule) {
         if (const size_t at = text->find(include); at != std::string::npos) text->erase(at, include.size());
         return std::optional(std::regex_replace(*text, port, ""));
     };
-    for (const char* graph : {"probes/deferred_probes", "probes/forward_probes"}) {
+    for (const char* graph : {"deferred", "forward"}) {
         const Result<scene::Scene> scene = scene::make_builtin("cornell");
         const auto plan_of = [&](const FileReader& reader) {
             const std::unique_ptr<render::Session> session =

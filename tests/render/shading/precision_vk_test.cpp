@@ -5,6 +5,7 @@
 #include <functional>
 #include <glm/gtc/packing.hpp>
 
+#include "tests/render/light/sunny_spheres.h"
 #include "tests/render/session_fixture.h"
 #include "tests/render/shading/reference_ambient.h"
 #include "tests/render/shading/reference_brdf.h"
@@ -153,7 +154,8 @@ glm::dvec3 radiance(const Stored& p, const View& view) {
     }
     const glm::dvec3 mirror =
         (f0 * albedo.x + glm::dvec3(glm::mix(s.specular, 1.0, s.metallic) * albedo.y)) * s.energy;
-    const glm::dvec3 matt = s.base_color * (1 - s.metallic) * (1 - std::max({mirror.x, mirror.y, mirror.z}));
+    const glm::dvec3 matt =
+        glm::min(s.base_color * (1 - s.metallic), glm::dvec3(1 - std::max({mirror.x, mirror.y, mirror.z})));
     const double alpha = p.roughness * p.roughness, shift = (1 - alpha) * (std::sqrt(1 - alpha) + alpha);
     const glm::dvec3 middle = glm::normalize(glm::mix(s.normal, glm::reflect(-v, s.normal), shift));
     return sum + p.occlusion * (matt * view.ambient->mirrored(s.normal, 1) +
@@ -287,6 +289,13 @@ TEST_F(Precision, DeferredIsAsFarFromForwardAsTheGBufferAllows) {
         });
         expect_within_bound(*scene, scene->exposure_ev);
     }
+}
+
+// The light comes from a picture and its sun.
+TEST_F(Precision, DeferredIsAsFarFromForwardUnderAPictureWithASun) {
+    scene::Scene scene = sunny_spheres();
+    ASSERT_EQ(scene.lights.size(), 1u);
+    expect_within_bound(scene, 0);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(BenchFrame, TellsWhatItCostsToLightAProbe) {
         "eight.json",
         R"json({ "version": 1, "volume": { "origin": [-1, 3, -1], "spacing": 1, "size": [2, 2, 2] } })json");
     const RunResult run =
-        run_weft({"bench", "frame", "builtin:spheres", "--graphs", "probes/deferred_probes", "--lights", "2",
+        run_weft({"bench", "frame", "builtin:spheres", "--graphs", "deferred", "--lights", "2",
                   "--size", "64x36", "--rounds", "1", "--probes", folder / "eight.json", "--json"});
     ASSERT_EQ(run.exit_code, 0) << run.text();
     const Json result = Json::parse(run.out)["results"].at(0);

@@ -285,7 +285,8 @@ class RestUnitFinder {
         Diagnostic& d =
             error(reader.pass, use(reader).loc,
                   "reads " + what(cell) + " before pass " + quote(declared_.author_name(writer.pass)) +
-                      " changes it; in frames in which that pass rests, only its result exists");
+                      " changes it. In frames in which the second pass rests, the resource has only the "
+                      "content after the change");
         add_help(d, "read the resource after pass " + quote(declared_.author_name(writer.pass)) +
                         ", or add \"rest\": true to pass " + quote(declared_.author_name(reader.pass)));
     }

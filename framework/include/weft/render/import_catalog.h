@@ -42,8 +42,8 @@ inline constexpr std::array kCommandLists{"opaque", "masked", "transparent", "an
 
 // Returns the imports of a scene. The output is a UNORM image; the last pass of the graph writes encoded
 // colours to it, and after the frame the program copies, blits or reads it. If `scene` is null, each list has
-// one draw, and there is one view of a lamp, one directional light, one environment picture, and two
-// irradiance probes. `probes`: those of the scene; null: none.
+// one draw, and there is one view of a lamp, one directional light, one environment picture, and one
+// probe of each kind. `probes`: those of the scene; null: none.
 [[nodiscard]] ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene = nullptr,
                                           const scene::Probes* probes = nullptr);
 

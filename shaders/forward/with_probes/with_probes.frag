@@ -1,8 +1,0 @@
-// Draws a surface and lights it in the same pass, with the light of the probes; see include/forward_surface.glsl.
-#version 460
-#define LIGHT_PROBES
-#include "forward_surface.glsl"
-
-layout(location = 5) in vec3 world_point;
-
-void main() { shade_surface(world_point); }
