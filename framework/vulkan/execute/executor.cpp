@@ -8,6 +8,7 @@
 #include "graph/rest/needed_by_units.h"
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
+#include "vulkan/execute/pass_lists.h"
 #include "vulkan/execute/program_submit.h"
 #include "vulkan/execute/unit_input.h"
 #include "vulkan/record/barriers_vk.h"
@@ -29,27 +30,6 @@ class Stopwatch {
  private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-std::string pass_names(const FramePlan& plan, uint32_t first) {
-    std::string names;
-    for (size_t position = first; position < plan.schedule.order.size(); ++position)
-        names += (names.empty() ? "" : ", ") + plan.graph.passes[plan.schedule.order[position]].name;
-    return names;
-}
-
-// Returns how many objects each pass draws, for the passes from position `first` of the execution order on.
-// The help of the error for a lost frame lists these numbers, because many draws may cause a time-out.
-// Example: "gbuffer 4096, sunShadows#0 4096".
-std::string draw_counts(const FramePlan& plan, const DrawSource* draws, uint32_t first) {
-    std::string counts;
-    for (size_t position = first; draws != nullptr && position < plan.schedule.order.size(); ++position) {
-        const PassDecl& pass = plan.graph.passes[plan.schedule.order[position]];
-        uint64_t count = 0;
-        for (const std::string& list : pass.draw_lists) count += draws->draw_count(list);
-        if (count > 0) counts += (counts.empty() ? "" : ", ") + pass.name + " " + std::to_string(count);
-    }
-    return counts;
-}
 
 // Returns the switches that are on in this frame.
 Combination switches_in(const ResolvedGraph& graph, const FrameInput& frame) {

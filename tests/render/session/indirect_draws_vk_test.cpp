@@ -152,7 +152,7 @@ TEST_F(IndirectDraws, AreRefusedWithoutTheFeatureThatTellsInstancesApart) {
     const vk::NativeDevice own = vk::native(*device_);
     vk::FeatureChain enabled;
     vk::required_features(enabled);
-    enabled.v10().shaderUniformBufferArrayDynamicIndexing = VK_TRUE;
+    enabled.v10().shaderUniformBufferArrayDynamicIndexing = enabled.v10().imageCubeArray = VK_TRUE;
     const Result<std::unique_ptr<vk::Device>> plain =
         vk::Device::adopt({own.instance, own.physical, own.device, {own.queue}, &enabled});
     ASSERT_TRUE(plain) << to_text(plain.errors());
