@@ -9,7 +9,7 @@
 const uint kProbeGridItems = 4u;
 const uint kProbeCellItems = 4u;
 // The octahedral maps in `probeMoments` have so many texels per side, without their border.
-const uint kProbeMomentSide = 16u;
+const uint kProbeMomentSide = 32u;
 
 // Returns the first item of the table of cells.
 uint first_cell_item(uint probes) { return kProbeGridItems + max(probes, 1u); }

@@ -6,8 +6,8 @@
 // product of three factors: the place of the point in the cell (trilinear), the side of the surface on which the probe
 // is, and whether the probe sees the point. Sources: Majercik et al. 2019, "Dynamic Diffuse Global Illumination with
 // Ray-Traced Irradiance Fields", and 2021, "Scaling Probe-Based Real-Time Dynamic Global Illumination for Production".
-// Both test the view with two moments of the distance. Here the test uses the plane that fits best to what the probe
-// sees in a direction, and the deviation of the surfaces from it. So walls seen at grazing angles need no tolerance.
+// Both test the view with two moments of the distance. Here the test uses the plane of the surface that the probe sees
+// in a direction, and the deviation of the surface from it. So walls seen at grazing angles need no tolerance.
 #ifndef WEFT_PROBES
 #define WEFT_PROBES
 #include "environment_cube.glsl"
@@ -43,8 +43,8 @@ const float kLeastCloseness = 0.01;
 // A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
 const float kTexelHides = 32.0;
 // Limits of the standard deviation of the inverse distance, as shares of it. The upper limit keeps light out where a
-// texel sees two walls that meet.
-const float kLeastDeviation = 0.03, kMostDeviation = 0.06;
+// texel sees a rough or a curved surface.
+const float kLeastDeviation = 0.015, kMostDeviation = 0.06;
 
 // The light of the probes. facing, mirrored: irradiance / π for the normal and for a second direction. validity: 0 if no
 // probe gives light, 1 if the probes give all of it. outside: 1 if no cell is near the point, 0 in a cell.

@@ -1,9 +1,12 @@
-// Makes the octahedral map of what a probe sees, with which lookups find out whether the probe sees a point. The inverse
-// distance is 0 where nothing is. On a plane it is the product of the direction and a vector: the normal divided by the
-// distance of the plane from the probe. So each texel gets the plane that fits best to what is seen within it. rgb: the
-// vector, in 1/m; a: standard deviation of the inverse distance from this plane. A wall has nearly no deviation and the
-// same vector everywhere, even where the probe sees it at a grazing angle. The map has 16 × 16 texels and a border of
-// one texel, which continues the map, so that a linear filter works across its edges.
+// Makes the octahedral map of what a probe sees, with which lookups find out whether the probe sees a point. The
+// inverse distance is 0 where nothing is. On a plane it is the product of the direction and a vector: the normal
+// divided by the distance of the plane from the probe. Each texel gets the plane of one surface that is seen within
+// it. rgb: the vector, in 1/m; a: standard deviation of the inverse distance of this surface from the plane. A wall
+// has nearly no deviation and the same vector everywhere, even where the probe sees it at a grazing angle. The map has
+// 32 × 32 texels and a border of one texel, which continues the map beyond its edges.
+//
+// A plane fitted to all that is seen within a texel would be wrong where the texel covers the edge of a surface: it
+// lies behind the near surface and in front of the far one, so light leaks through walls near their edges.
 #version 460
 #include "cube_texels.glsl"
 #include "octahedral.glsl"
@@ -15,7 +18,17 @@ uniform sampler2DArray faces;
 layout(rgba16f) writeonly uniform image2D moments;
 
 const int kSide = int(kProbeMomentSide);
-const int kSamples = 8;  // Per side of a texel. A texel has the size of about 5 × 5 texels of a face with 32 × 32.
+// Samples per side of a texel. A texel has the size of about 2.4 × 2.4 texels of a face with 32 × 32.
+const int kSamples = 5;
+const int kAll = kSamples * kSamples;
+// A plane behind a surface lets light through it. This counts so many times as much as a plane in front of a surface,
+// which hides places that the probe sees.
+const float kOpenCost = 2.0;
+// Surfaces that are this near to the plane, as a share of the inverse distance, belong to it.
+const float kSameSurface = 0.05;
+// At the border of a face there is no third texel that shows whether a change is steady. Such a change counts as this
+// unsteady, as a share.
+const float kNoThird = 1e-3;
 
 // Returns the texel of the map whose content a texel has. Texels of the border are copies.
 ivec2 wrapped(ivec2 at) {
@@ -24,16 +37,58 @@ ivec2 wrapped(ivec2 at) {
     return at;
 }
 
-// Returns the inverse distance in the texel of the faces at a direction. The direction becomes that of the middle of
-// this texel.
-float inverse_distance(inout vec3 direction) {
+// What a texel of the faces sees: the inverse distance along the direction of its middle, and the plane of the surface.
+struct Sight {
+    vec3 direction, plane;
+    float near;
+    float unsteady;  // How unsteady the inverse distance changes around the texel, from 0 to 1.
+};
+
+// Returns the product of the plane and the unnormalised direction of a texel. It is a linear function of the place on
+// the face where the surface is flat. 0: nothing is there.
+float slope_at(ivec2 texel, uint face) {
+    const int size = textureSize(faces, 0).x;
+    const float distance = abs(texelFetch(faces, ivec3(texel, face), 0).r);
+    const vec2 place = face_position(uvec2(texel), float(size));
+    return distance > 0.0 ? sqrt(1.0 + dot(place, place)) / distance : 0.0;
+}
+
+// Returns the change of slope_at() from texel to texel. Takes the side on which the change is steadiest, so that the
+// edge of a surface does not count. Adds to `unsteady` how much the change differs from the next one.
+float gradient(ivec2 texel, uint face, ivec2 axis, inout float unsteady) {
+    const int size = textureSize(faces, 0).x, at = axis.x * texel.x + axis.y * texel.y;
+    float w[5];
+    for (int i = 0; i < 5; ++i) w[i] = slope_at(texel + axis * clamp(i - 2, -at, size - 1 - at), face);
+    const float doubt = kNoThird * w[2];
+    const float low = at >= 2 ? abs(w[0] - 2.0 * w[1] + w[2]) : at == 1 ? doubt : 1e30;
+    const float middle = at >= 1 && at + 1 < size ? abs(w[1] - 2.0 * w[2] + w[3]) : 1e30;
+    const float high = at + 2 < size ? abs(w[2] - 2.0 * w[3] + w[4]) : at + 2 == size ? doubt : 1e30;
+    unsteady += min(middle, min(low, high));
+    if (middle <= min(low, high)) return (w[3] - w[1]) * 0.5;
+    return low <= high ? w[2] - w[1] : w[3] - w[2];
+}
+
+Sight sight_along(vec3 direction) {
     const int size = textureSize(faces, 0).x;
     vec2 at;
     const uint face = face_of_direction(direction, at);
     const ivec2 texel = min(ivec2((at * 0.5 + 0.5) * float(size)), size - 1);
-    direction = normalize(face_direction(face, face_position(uvec2(texel), float(size))));
-    const float distance = abs(texelFetch(faces, ivec3(texel, face), 0).r);
-    return distance > 0.0 ? 1.0 / distance : 0.0;
+    const vec2 place = face_position(uvec2(texel), float(size));
+    const vec3 ahead = face_direction(face, vec2(0.0));
+    const vec3 u = face_direction(face, vec2(1.0, 0.0)) - ahead, v = face_direction(face, vec2(0.0, 1.0)) - ahead;
+    const float w = slope_at(texel, face);
+    Sight sight;
+    sight.direction = normalize(face_direction(face, place));
+    sight.near = w * inversesqrt(1.0 + dot(place, place));
+    sight.plane = vec3(0.0);
+    sight.unsteady = 0.0;
+    if (w == 0.0) return sight;
+    const vec2 steps = vec2(gradient(texel, face, ivec2(1, 0), sight.unsteady),
+                            gradient(texel, face, ivec2(0, 1), sight.unsteady));
+    sight.unsteady = min(sight.unsteady / (kSameSurface * w), 1.0);
+    const vec2 g = steps * (0.5 * float(size));
+    sight.plane = ahead * (w - dot(place, g)) + u * g.x + v * g.y;
+    return sight;
 }
 
 // Returns the point of the octahedron for a position in the map, in texels. The map is an octahedron laid flat.
@@ -44,27 +99,57 @@ vec3 octahedron_point(vec2 position) {
     return point;
 }
 
-void main() {
-    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(at, imageSize(moments)))) return;
-    const vec2 texel = vec2(wrapped(at - 1));
-    // Sums of the least squares: inverse distance ≈ plane · direction.
-    mat3 squares = mat3(0.0);
-    vec3 products = vec3(0.0);
-    float nears = 0.0, weights = 0.0;
-    for (int i = 0; i < kSamples * kSamples; ++i) {
+// What is seen within a texel of the map.
+Sight sights[kAll];
+float weights[kAll];
+
+void look_around(vec2 texel) {
+    for (int i = 0; i < kAll; ++i) {
         const vec3 point = octahedron_point(texel + (vec2(i % kSamples, i / kSamples) + 0.5) / float(kSamples));
         // A piece of the octahedron looks smaller from its middle where it is farther away.
         const float inverse_length = inversesqrt(dot(point, point));
-        const float weight = inverse_length * inverse_length * inverse_length;
-        vec3 direction = point * inverse_length;
-        const float near = inverse_distance(direction);
-        squares += weight * outerProduct(direction, direction);
-        products += weight * near * direction;
-        nears += weight * near * near;
-        weights += weight;
+        weights[i] = inverse_length * inverse_length * inverse_length;
+        sights[i] = sight_along(point * inverse_length);
     }
-    const vec3 plane = inverse(squares) * products;
-    const float variance = max(nears - dot(plane, products), 0.0) / weights;
-    imageStore(moments, at, vec4(plane, sqrt(variance)));
+}
+
+// Returns how much nearer than what is seen a plane is, as an inverse distance.
+float error_of(vec3 plane, int i) { return dot(plane, sights[i].direction) - sights[i].near; }
+
+// Returns the plane of a sample that describes best what all of them see.
+vec3 best_plane() {
+    int best = 0;
+    float least = 1e30;
+    for (int k = 0; k < kAll; ++k) {
+        float cost = 0.0;
+        for (int i = 0; i < kAll; ++i) {
+            cost += weights[i] * sights[k].unsteady;
+            const float error = error_of(sights[k].plane, i);
+            const float share = min(abs(error) / max(kSameSurface * sights[i].near, 1e-6), 1.0);
+            cost += weights[i] * share * (error < 0.0 ? kOpenCost : 1.0);
+        }
+        if (cost < least) best = k;
+        least = min(least, cost);
+    }
+    return sights[best].plane;
+}
+
+// Returns the standard deviation from the plane, of what belongs to it.
+float deviation_from(vec3 plane) {
+    float sum = 0.0, count = 0.0;
+    for (int i = 0; i < kAll; ++i) {
+        const float error = error_of(plane, i);
+        if (abs(error) > kSameSurface * sights[i].near) continue;
+        sum += weights[i] * error * error;
+        count += weights[i];
+    }
+    return sqrt(sum / max(count, 1e-6));
+}
+
+void main() {
+    const ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(moments)))) return;
+    look_around(vec2(wrapped(at - 1)));
+    const vec3 plane = best_plane();
+    imageStore(moments, at, vec4(plane, deviation_from(plane)));
 }

