@@ -118,7 +118,8 @@ class ProbePicture : public ProbeTest {
         EXPECT_TRUE(done) << to_text(done.errors());
         std::vector<glm::vec3> radiance;
         if (!done) return radiance;
-        for (const glm::vec4& texel : take_results(session).images.at("hdr"))
+        const ProbeResults results = take_results(session);
+        for (const glm::vec4& texel : results.images.at("hdr"))
             radiance.push_back(glm::vec3(texel) / session.pre_exposure());
         return radiance;
     }
