@@ -2,7 +2,9 @@
 // does. Also a court beside a dark room, and the pixels of a picture that show a ball.
 #pragma once
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
 
 #include "scene/builtin/scene_parts.h"
 #include "scene/procedural/procedural_mesh.h"
@@ -62,20 +64,22 @@ struct Ball {
     float radius_m = 0;
 };
 
+// Returns the direction in which the camera sees a pixel.
+inline glm::vec3 way_of(const scene::Camera& camera, glm::uvec2 size, size_t pixel) {
+    const glm::vec2 at = (glm::vec2(pixel % size.x, pixel / size.x) + 0.5f) / glm::vec2(size) * 2.0f - 1.0f;
+    const float high = std::tan(0.5f * camera.fov_y_rad), wide = high * float(size.x) / float(size.y);
+    return glm::normalize(glm::mat3(camera.transform) * glm::vec3(at.x * wide, -at.y * high, -1));
+}
+
 // Returns the pixels of a picture that show the ball. 5 % of its radius are left out.
 inline std::vector<size_t> pixels_of(const Ball& ball, const scene::Camera& camera, glm::uvec2 size) {
     std::vector<size_t> found;
-    const glm::vec3 eye(camera.transform[3]), to_middle = ball.middle - eye;
-    const float high = std::tan(0.5f * camera.fov_y_rad), wide = high * float(size.x) / float(size.y);
-    for (uint32_t y = 0; y < size.y; ++y)
-        for (uint32_t x = 0; x < size.x; ++x) {
-            const glm::vec2 at = (glm::vec2(x, y) + 0.5f) / glm::vec2(size) * 2.0f - 1.0f;
-            const glm::vec3 way =
-                glm::normalize(glm::mat3(camera.transform) * glm::vec3(at.x * wide, -at.y * high, -1));
-            const float along = glm::dot(way, to_middle);
-            const float beside = std::sqrt(std::max(glm::dot(to_middle, to_middle) - along * along, 0.0f));
-            if (along > 0 && beside < 0.95f * ball.radius_m) found.push_back(size_t{y} * size.x + x);
-        }
+    const glm::vec3 to_middle = ball.middle - glm::vec3(camera.transform[3]);
+    for (size_t i = 0; i < size_t{size.x} * size.y; ++i) {
+        const float along = glm::dot(way_of(camera, size, i), to_middle);
+        const float beside = std::sqrt(std::max(glm::dot(to_middle, to_middle) - along * along, 0.0f));
+        if (along > 0 && beside < 0.95f * ball.radius_m) found.push_back(i);
+    }
     return found;
 }
 
