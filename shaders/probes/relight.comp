@@ -29,8 +29,9 @@ layout(std430) readonly buffer ProbePoints { ProbePoint items[]; } probePoints;
 layout(rgba32f) writeonly uniform image2DArray lit;
 layout(push_constant) uniform Params { int p; } params;  // The number of the probe.
 
-// Limits the number of times that light is reflected in a white room.
-const float kMostAlbedo = 0.95;
+// Limits the light in a closed white room, if the probes never rest. A lookup is a mean of probes, so it adds no light of
+// its own, and the sum of all reflections is at most 100 times the light of the first.
+const float kMostAlbedo = 0.99;
 const uint kThreads = 256u;
 
 shared uint seen_lamps[kThreads / 32u];   // One bit for each lamp of the current chunk: the probe sees it.

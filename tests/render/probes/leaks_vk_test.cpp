@@ -215,16 +215,21 @@ TEST_F(ProbeLeaks, AWhiteCourtUnderAnEvenSkyIsEven) {
     const std::vector<glm::vec4> hdr = take_results(*session).images.at("hdr");
     ASSERT_EQ(hdr.size(), 96u * 54);
     double least = 1e9, most = 0, sum = 0;
+    int dark = 0;
     for (const glm::vec4& texel : hdr) {
         const double value = double{texel.g} / double{session->pre_exposure()};
         least = std::min(least, value);
         most = std::max(most, value);
         sum += value;
+        dark += value < 0.97 ? 1 : 0;
     }
-    std::printf("mean %.4f, least %.4f, most %.4f\n", sum / double(hdr.size()), least, most);
-    EXPECT_GT(least, 0.85);
-    EXPECT_GT(sum / double(hdr.size()), 0.95);
-    EXPECT_LT(most, 1.02);
+    std::printf("mean %.4f, least %.4f, most %.4f; %d pixels below 0.97\n", sum / double(hdr.size()), least,
+                most, dark);
+    // In the corner behind the block, light has been reflected more often than there were rounds.
+    EXPECT_GT(least, 0.94);
+    EXPECT_LT(dark, 0.01 * double(hdr.size()));
+    EXPECT_GT(sum / double(hdr.size()), 0.985);
+    EXPECT_LT(most, 1.005);
 }
 
 // Without probes, the plan is that of a graph without the module.

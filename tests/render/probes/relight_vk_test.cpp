@@ -148,11 +148,8 @@ scene::Probes regular_volume(const scene::Scene& scene, const std::string& grid)
     return probes ? *probes : scene::Probes{};
 }
 
-// All probes of a volume in a closed room see the same radiance. The cells reach beyond the walls, and the
-// probes there do not exist. The bright sky outside is no part of it, not even while the probes around a
-// point have no light yet.
-TEST_F(Relight, AVolumeInAClosedRoomGivesTheGeometricSeries) {
-    const scene::Scene room = closed_room({-2, 0, -1}, {2, 3, 4}, matt(glm::vec3(kAlbedo05), glm::vec3(1)));
+// A grid of probes for a room from (-2, 0, -1) to (2, 3, 4). The walls are inside of its cells.
+scene::Probes probes_in_the_room() {
     scene::Probes probes;
     probes.volume.origin = {-2.5f, -0.5f, -1.5f};
     for (int z = 0; z < 7; ++z)
@@ -162,6 +159,15 @@ TEST_F(Relight, AVolumeInAClosedRoomGivesTheGeometricSeries) {
                 const scene::ProbeState state = inside ? scene::ProbeState::kept : scene::ProbeState::dropped;
                 probes.volume.probes.push_back({{x, y, z}, 0, glm::vec3(0), state});
             }
+    return probes;
+}
+
+// All probes of a volume in a closed room see the same radiance. The cells reach beyond the walls, and the
+// probes there do not exist. The bright sky outside is no part of it, not even while the probes around a
+// point have no light yet.
+TEST_F(Relight, AVolumeInAClosedRoomGivesTheGeometricSeries) {
+    const scene::Scene room = closed_room({-2, 0, -1}, {2, 3, 4}, matt(glm::vec3(kAlbedo05), glm::vec3(1)));
+    const scene::Probes probes = probes_in_the_room();
     const auto session = begin(room, probes, {.feedback = Feedback::volume, .face_px = 16, .sky = 1000});
     ASSERT_TRUE(session);
     EXPECT_EQ(count_, 60u);
@@ -176,6 +182,29 @@ TEST_F(Relight, AVolumeInAClosedRoomGivesTheGeometricSeries) {
             EXPECT_GT(radiance, least - 1e-3) << k << " bounces";
             EXPECT_LT(radiance, limit + 1e-3) << k << " bounces";
         }
+    }
+}
+
+// In a white room with a small lamp, the light of later rounds decreases, also if the probes never rest. So
+// the light stays finite: at most 100 times that of a round.
+TEST_F(Relight, LightInAWhiteRoomStaysFinite) {
+    scene::Scene room = closed_room({-2, 0, -1}, {2, 3, 4}, matt(glm::vec3(1)));
+    room.materials.push_back(matt(glm::vec3(1), glm::vec3(100)));
+    add_quad(room, {-1.6f, 2.9f, 3.4f}, {0.2f, 0, 0}, {0, 0, 0.2f}, 1);
+    const scene::Probes probes = probes_in_the_room();
+    const auto session = begin(room, probes, {.feedback = Feedback::volume, .face_px = 16});
+    ASSERT_TRUE(session);
+    double before = 0, growth = 0;
+    for (int k = 0; k < 30; ++k) {
+        frame_of(*session).sky = even_sky(static_cast<float>(k));  // So that the probes do not rest.
+        double sum = 0;
+        for (const ProbeLight& light : round(*session)) sum += light.coefficients[0].g;
+        ASSERT_GT(sum, before);
+        if (k >= 20) {
+            EXPECT_LT(sum - before, 0.995 * growth) << k;
+        }
+        growth = sum - before;
+        before = sum;
     }
 }
 
