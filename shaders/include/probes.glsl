@@ -42,6 +42,9 @@ const float kProbeTrust = 0.02;
 const float kLeastCloseness = 0.01;
 // A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
 const float kTexelHides = 32.0;
+// Ratios of the distances of two surfaces side by side in the map: at the first one they may be two walls that meet, at
+// the second one they are a near object and what is behind it.
+const float kLeastEdge = 1.5, kMostEdge = 3.0;
 // Limits of the standard deviation of the inverse distance, as shares of it. The upper limit keeps light out where a
 // texel sees a rough or a curved surface.
 const float kLeastDeviation = 0.015, kMostDeviation = 0.06;
@@ -95,26 +98,34 @@ float probe_cell_share(uint neighbours, vec3 t) {
     return smoothstep(0.0, 1.0, nearest / kProbeFade);
 }
 
-// Returns how well a probe sees a point: 1 if nothing is between them, nearly 0 for a point behind a surface. The four
-// nearest texels of the map each have a plane, and the one that hides most decides: where two walls meet in a corner,
-// the nearer one hides the point. A texel far from the direction hides less, so that the result is continuous.
+// Returns how well a probe sees a point: 1 if nothing is between them, nearly 0 for a point behind a surface. Each of
+// the four nearest texels of the map has a plane. Where two walls meet in a corner, the texel that hides most decides:
+// the nearer wall hides the point. A texel far from the direction hides less, so that the result is continuous. But
+// where a far surface or the sky appears behind the edge of a near one, such as a column, the mean of the texels
+// decides: a sharp edge would look like a shadow of light that comes from the probe.
 float probe_visibility(uint probe, vec3 to_point) {
     const vec2 at = (octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
     const vec2 low = floor(at), high_share = at - low;
     const float distance = length(to_point);
-    float least = 1.0;
+    float least = 1.0, mean = 0.0, nearest = 0.0, farthest = 1e30;
     for (int i = 0; i < 4; ++i) {
         const ivec2 step = ivec2(i & 1, i >> 1);
         const vec2 share = mix(1.0 - high_share, high_share, vec2(step));
         const vec4 seen = texelFetch(probeMoments, ivec3(ivec2(low) + step, int(probe)), 0);
         // Both numbers are shares of the inverse distance of the point.
         const float surface = dot(seen.xyz, to_point);
-        const float behind = (surface - 1.0) * min(kTexelHides * share.x * share.y, 1.0);
-        if (behind <= 0.0) continue;
         const float deviation = clamp(seen.w * distance, kLeastDeviation * surface, kMostDeviation * surface);
-        least = min(least, deviation * deviation / (deviation * deviation + behind * behind));
+        const float weight = share.x * share.y;
+        const float behind = max(surface - 1.0, 0.0), less_behind = behind * min(kTexelHides * weight, 1.0);
+        const float variance = max(deviation * deviation, 1e-12);
+        least = min(least, variance / (variance + less_behind * less_behind));
+        const float sees = variance / (variance + behind * behind);
+        mean += weight * sees * sees * sees;
+        nearest = max(nearest, surface);
+        farthest = min(farthest, surface);
     }
-    return least * least * least;
+    const float edge = smoothstep(kLeastEdge, kMostEdge, nearest / max(farthest, 1e-6));
+    return mix(least * least * least, mean, edge);
 }
 
 // A probe at a corner of a cell, as a point sees it.
