@@ -35,7 +35,7 @@ constexpr uint32_t kMostFailures = 32;
 // Several minor grid points can share a probe. So each counts as a part of a probe at first, in eighths. If
 // there are then too many probes, the fit is repeated with the next value. With the last one, the probes
 // cannot be too many.
-constexpr std::array<uint32_t, 5> kMinorEighths{2, 3, 4, 6, 8};
+constexpr std::array<uint32_t, 6> kMinorEighths{1, 2, 3, 4, 6, 8};
 
 class Fit {
  public:
