@@ -65,7 +65,7 @@ def read_pfm(path):
 def render(weft, reference, graph, folder):
     out = folder / (reference["name"] + ".pfm")
     command = [weft, "render", FOLDER / "scenes" / (reference["scene"] + ".gltf"),
-               "--graph", GRAPHS / (graph + ".json"),
+               "--graph", graph if isinstance(graph, pathlib.Path) else GRAPHS / (graph + ".json"),
                "--env", FOLDER / "environments" / (reference["environment"] + ".hdr"),
                "--exposure", "0", "--size", "%dx%d" % tuple(n * reference["samples"] for n in reference["size"]), "--camera", reference["camera"],
                "--resource", "hdr", "--timeout", "1200", "-o", out, *reference["options"]]
@@ -164,4 +164,5 @@ def main():
         sys.exit("%d references that are `held` exceed their limits" % failed)
 
 
-main()
+if __name__ == "__main__":
+    main()
