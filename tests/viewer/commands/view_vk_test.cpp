@@ -151,7 +151,7 @@ TEST_F(View, DrawsAFrameThoughItsInputHasEnded) {
     const ScratchFolder folder;
     const RunResult view =
         run_program({"sh", "-c",
-                     std::string(WEFT_PROGRAM) + " view builtin:spheres --headless --size 64x36 -o " +
+                     std::string(WEFT_PROGRAM) + " view builtin:spheres --headless --probes none --size 64x36 -o " +
                          (folder / "view.png") + " </dev/null"});
     ASSERT_EQ(view.exit_code, 0) << view.text();
     const RunResult render =
