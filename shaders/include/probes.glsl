@@ -42,9 +42,11 @@ const float kProbeTrust = 0.02;
 const float kLeastCloseness = 0.01;
 // A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
 const float kTexelHides = 32.0;
-// Ratios of the distances of two surfaces side by side in the map: at the first one they may be two walls that meet, at
-// the second one they are a near object and what is behind it.
-const float kLeastEdge = 1.5, kMostEdge = 3.0;
+// An object hides softly if the point is at least this many times as far away: not yet at the first number, fully at the
+// second. Beside the object, the probe must see a surface near the point: its inverse distance differs from that of the
+// point by less than the second share, and fully counts up to the first one.
+const float kLeastEdge = 1.5, kMostEdge = 2.5;
+const float kLeastOff = 0.4, kMostOff = 0.7;
 // Limits of the standard deviation of the inverse distance, as shares of it. The upper limit keeps light out where a
 // texel sees a rough or a curved surface.
 const float kLeastDeviation = 0.015, kMostDeviation = 0.06;
@@ -101,8 +103,8 @@ float probe_cell_share(uint neighbours, vec3 t) {
 // Returns how well a probe sees a point: 1 if nothing is between them, nearly 0 for a point behind a surface. Each of
 // the four nearest texels of the map has a plane. Where two walls meet in a corner, the texel that hides most decides:
 // the nearer wall hides the point. A texel far from the direction hides less, so that the result is continuous. But
-// where a far surface or the sky appears behind the edge of a near one, such as a column, the mean of the texels
-// decides: a sharp edge would look like a shadow of light that comes from the probe.
+// where the probe sees the surroundings of the point beside the edge of a nearer object, such as a column, the mean of
+// the texels decides: a sharp edge would look like a shadow of light that comes from the probe.
 float probe_visibility(uint probe, vec3 to_point) {
     const vec2 at = (octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
     const vec2 low = floor(at), high_share = at - low;
@@ -124,7 +126,8 @@ float probe_visibility(uint probe, vec3 to_point) {
         nearest = max(nearest, surface);
         farthest = min(farthest, surface);
     }
-    const float edge = smoothstep(kLeastEdge, kMostEdge, nearest / max(farthest, 1e-6));
+    const float edge =
+        smoothstep(kLeastEdge, kMostEdge, nearest) * (1.0 - smoothstep(kLeastOff, kMostOff, abs(farthest - 1.0)));
     return mix(least * least * least, mean, edge);
 }
 
