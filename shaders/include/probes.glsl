@@ -45,7 +45,7 @@ const float kTexelHides = 32.0;
 // An object hides softly if the point is at least this many times as far away: not yet at the first number, fully at the
 // second. Beside the object, the probe must see a surface near the point: its inverse distance differs from that of the
 // point by less than the second share, and fully counts up to the first one.
-const float kLeastEdge = 1.5, kMostEdge = 2.5;
+const float kLeastEdge = 1.6, kMostEdge = 3.0;
 const float kLeastOff = 0.4, kMostOff = 0.7;
 // Limits of the standard deviation of the inverse distance, as shares of it. The upper limit keeps light out where a
 // texel sees a rough or a curved surface.

@@ -14,6 +14,7 @@ constexpr double kTrusted = 0.02;
 constexpr double kLeastCloseness = 0.01;
 
 double step(double x) {
+    x = std::clamp(x, 0.0, 1.0);
     return x * x * (3 - 2 * x);
 }
 
@@ -99,24 +100,33 @@ ProbeReference::Place ProbeReference::find_place(const glm::dvec3& position, uin
     return place;
 }
 
-// Of the four nearest texels, the one that hides most decides.
+// Of the four nearest texels, the one that hides most decides; but the mean of the four where the nearest
+// surface is much nearer than the point, and the farthest is about as far as the point.
 double ProbeReference::visibility(size_t probe, const glm::dvec3& to_point) const {
     const glm::dvec2 at = (octahedral(to_point) * 0.5 + 0.5) * double(kSide) + 0.5;
     const glm::dvec2 low = glm::floor(at), f = at - low;
     const double distance = glm::length(to_point);
-    double least = 1;
+    double least = 1, mean = 0, nearest = 0, farthest = 1e30;
     for (size_t i = 0; i < 4; ++i) {
         const size_t dx = i % 2, dy = i / 2, side = kSide + 2;
         const size_t x = static_cast<size_t>(low.x) + dx, y = static_cast<size_t>(low.y) + dy;
         const glm::dvec4 seen(content_.moments[(probe * side + y) * side + x]);
         const double weight = (dx != 0 ? f.x : 1 - f.x) * (dy != 0 ? f.y : 1 - f.y);
         const double surface = glm::dot(glm::dvec3(seen), to_point) / distance;
-        const double behind = (surface - 1 / distance) * std::min(1.0, 32 * weight);
-        if (behind <= 0) continue;
+        nearest = std::max(nearest, surface * distance);
+        farthest = std::min(farthest, surface * distance);
+        const double behind = surface - 1 / distance;
+        if (behind <= 0) {
+            mean += weight;
+            continue;
+        }
         const double variance = std::pow(std::clamp(seen.w, 0.015 * surface, 0.06 * surface), 2);
-        least = std::min(least, variance / (variance + behind * behind));
+        const double less = behind * std::min(1.0, 32 * weight);
+        least = std::min(least, variance / (variance + less * less));
+        mean += weight * std::pow(variance / (variance + behind * behind), 3);
     }
-    return std::pow(least, 3);
+    const double edge = step((nearest - 1.6) / 1.4) * (1 - step((std::abs(farthest - 1) - 0.4) / 0.3));
+    return glm::mix(std::pow(least, 3), mean, edge);
 }
 
 double ProbeReference::add(Sums& sums, const PointQuery& query, const Place& place, double weight) const {
