@@ -55,7 +55,7 @@ struct Spacing {
     size_t rooms = 0, coarse = 0;  // Number of cells in rooms, and of those with too large a spacing.
 };
 
-Spacing spacing_of(const Scene& scene, const std::string& name) {
+Spacing room_spacing_of(const Scene& scene, const std::string& name) {
     const TriangleTree tree(collect_triangles(scene, {}), {});
     const Result<Probes> probes = place_probes(scene);
     EXPECT_TRUE(probes);
@@ -82,7 +82,7 @@ TEST(ProbeSpacing, IsAtMostAQuarterOfARoom) {
         room.add_room(glm::vec3(0), size, 0.2f);
         const std::string name =
             std::to_string(size.x) + " × " + std::to_string(size.y) + " × " + std::to_string(size.z);
-        const Spacing found = spacing_of(room.scene, name);
+        const Spacing found = room_spacing_of(room.scene, name);
         EXPECT_LE(found.needed, kMostIrradianceProbes) << name;
         EXPECT_GT(found.rooms, 20u) << name;
         EXPECT_EQ(found.coarse, 0u) << name;
@@ -92,9 +92,9 @@ TEST(ProbeSpacing, IsAtMostAQuarterOfARoom) {
 // These buildings are too large: no placement on this grid keeps the rule with 255 probes.
 TEST(ProbeSpacing, InLargeBuildingsNeedsTooManyProbes) {
     constexpr size_t kTooMany = 2 * size_t{kMostIrradianceProbes};
-    EXPECT_GT(spacing_of(corridor().scene, "corridor").needed, kTooMany);
-    EXPECT_GT(spacing_of(two_floors().scene, "floors").needed, kTooMany);
-    EXPECT_GT(spacing_of(room_in_a_room().scene, "rooms").needed, kTooMany);
+    EXPECT_GT(room_spacing_of(corridor().scene, "corridor").needed, kTooMany);
+    EXPECT_GT(room_spacing_of(two_floors().scene, "floors").needed, kTooMany);
+    EXPECT_GT(room_spacing_of(room_in_a_room().scene, "rooms").needed, kTooMany);
 }
 
 }  // namespace
