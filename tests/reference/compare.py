@@ -122,6 +122,8 @@ def references():
             continue
         name, scene, environment, width, height, _, bounces, scattering, camera, state = words
         options = ["--param", "multipleScattering=0"] if scattering == "single" else []
+        if bounces == "0":
+            options += ["--probe-rounds", "1"]  # Further rounds add only reflected light, and a sphere sees none.
         yield {"name": name, "scene": scene, "environment": environment, "size": (int(width), int(height)),
                "camera": camera, "options": options, "is_sphere": bounces == "0",
                "samples": SAMPLES if bounces == "0" else 1, "is_held": state == "held"}
