@@ -109,26 +109,25 @@ float probe_visibility(uint probe, vec3 to_point) {
     const vec2 at = (octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
     const vec2 low = floor(at), high_share = at - low;
     const float distance = length(to_point);
-    float least = 1.0, mean = 0.0, nearest = 0.0, farthest = 1e30;
+    vec4 surfaces, deviations;  // Of the four texels, as shares of the inverse distance of the point.
     for (int i = 0; i < 4; ++i) {
-        const ivec2 step = ivec2(i & 1, i >> 1);
-        const vec2 share = mix(1.0 - high_share, high_share, vec2(step));
-        const vec4 seen = texelFetch(probeMoments, ivec3(ivec2(low) + step, int(probe)), 0);
-        // Both numbers are shares of the inverse distance of the point.
-        const float surface = dot(seen.xyz, to_point);
-        const float deviation = clamp(seen.w * distance, kLeastDeviation * surface, kMostDeviation * surface);
-        const float weight = share.x * share.y;
-        const float behind = max(surface - 1.0, 0.0), less_behind = behind * min(kTexelHides * weight, 1.0);
-        const float variance = max(deviation * deviation, 1e-12);
-        least = min(least, variance / (variance + less_behind * less_behind));
-        const float sees = variance / (variance + behind * behind);
-        mean += weight * sees * sees * sees;
-        nearest = max(nearest, surface);
-        farthest = min(farthest, surface);
+        const vec4 seen = texelFetch(probeMoments, ivec3(ivec2(low) + ivec2(i & 1, i >> 1), int(probe)), 0);
+        surfaces[i] = dot(seen.xyz, to_point);
+        deviations[i] = seen.w * distance;
     }
+    const float nearest = max(max(surfaces.x, surfaces.y), max(surfaces.z, surfaces.w));
+    if (nearest <= 1.0) return 1.0;  // This is so for most points.
+    const float farthest = min(min(surfaces.x, surfaces.y), min(surfaces.z, surfaces.w));
+    const vec4 weights = vec4(1.0 - high_share.x, high_share.x, 1.0 - high_share.x, high_share.x) *
+                         vec4(1.0 - high_share.y, 1.0 - high_share.y, high_share.y, high_share.y);
+    const vec4 deviation = clamp(deviations, kLeastDeviation * surfaces, kMostDeviation * surfaces);
+    const vec4 variance = max(deviation * deviation, vec4(1e-12));
+    const vec4 behind = max(surfaces - 1.0, vec4(0.0)), less_behind = behind * min(kTexelHides * weights, vec4(1.0));
+    const vec4 hides = variance / (variance + less_behind * less_behind), sees = variance / (variance + behind * behind);
+    const float least = min(min(hides.x, hides.y), min(hides.z, hides.w));
     const float edge =
         smoothstep(kLeastEdge, kMostEdge, nearest) * (1.0 - smoothstep(kLeastOff, kMostOff, abs(farthest - 1.0)));
-    return mix(least * least * least, mean, edge);
+    return mix(least * least * least, dot(weights, sees * sees * sees), edge);
 }
 
 // A probe at a corner of a cell, as a point sees it.
