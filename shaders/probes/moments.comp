@@ -37,7 +37,7 @@ ivec2 wrapped(ivec2 at) {
     return at;
 }
 
-// What a texel of the faces sees: the inverse distance along the direction of its middle, and the plane of the surface.
+// The surface in a texel of the faces: its inverse distance along the direction of the middle of the texel, and its plane.
 struct Sight {
     vec3 direction, plane;
     float near;
@@ -99,7 +99,7 @@ vec3 octahedron_point(vec2 position) {
     return point;
 }
 
-// What is seen within a texel of the map.
+// The surfaces that the probe sees within a texel of the map, at kAll places.
 Sight sights[kAll];
 float weights[kAll];
 

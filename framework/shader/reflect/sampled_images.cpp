@@ -25,7 +25,7 @@ bool passes_on(uint32_t opcode) {
            opcode == SpvOpSampledImage || opcode == SpvOpImage || opcode == SpvOpCopyObject;
 }
 
-// What a stage does with its images, by the ids of their variables.
+// The images of a stage, sorted by the instructions that use them. All ids are those of the variables.
 struct ImageUses {
     std::map<uint32_t, std::string> names;
     std::set<uint32_t> declared, sampled, measured, passed_to_functions;

@@ -135,7 +135,7 @@ TEST_F(StepResponse, AfterALampIsSwitchedOffTheLightFallsToThatWithoutTheLamp) {
     EXPECT_GT(count, 40u);
     const uint32_t cycle = 2 * ((count + 3) / 4);
     State last = before;
-    double most = 1, most_of_ball = 1;  // What may be left, as a share of the step.
+    double most = 1, most_of_ball = 1;  // Limits of the light that is left, as shares of the step.
     for (uint32_t frame = 1; frame <= kCycles * cycle; ++frame) {
         const State now = step(*session);
         if (frame == 1)
