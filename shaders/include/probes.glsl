@@ -40,6 +40,8 @@ const float kProbeTrust = 0.02;
 // Smallest trilinear factor along an axis. So even a point at a side of the cell gets light from the probes at the other
 // side if those at its side are missing or do not see it.
 const float kLeastCloseness = 0.01;
+// A surface faces to one side along an axis if its normal has at least this component.
+const float kFacingAxis = 0.25;
 // A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
 const float kTexelHides = 32.0;
 // An object hides softly if the point is at least this many times as far away: not yet at the first number, fully at the
@@ -224,14 +226,17 @@ uint probe_cell_at(vec3 grid, uint level, bool coarsest, out vec3 t, out float s
 }
 
 // Adds the light of the cells around a cell, for a point that the probes of its own cell do not see: for example next to
-// a thin wall, with all probes of the cell behind the wall.
+// a thin wall, with all probes of the cell behind the wall. Only the seven cells on one side along each axis count: on
+// the side to which the surface faces, or else on the nearer side.
 void add_cells_around(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float spacing_m, float share) {
     const uvec4 key = probeMap.items[cell];
     const uint neighbours = probeMap.items[cell + 3u].x;
     const int stride = int(probe_stride(key.w));
-    [[dont_unroll]] for (int i = 0; i < 27; ++i) {
-        if (i == 13 || (neighbours >> i & 1u) == 0u) continue;
-        const ivec3 step = ivec3(i % 3, i / 3 % 3, i / 9) - 1;
+    const vec3 towards = mix(t - 0.5, q.normal, greaterThan(abs(q.normal), vec3(kFacingAxis)));
+    const ivec3 side = ivec3(greaterThanEqual(towards, vec3(0.0))) * 2 - 1;
+    [[dont_unroll]] for (int i = 1; i < 8; ++i) {
+        const ivec3 step = (ivec3(i, i >> 1, i >> 2) & 1) * side, bit = step + 1;
+        if ((neighbours >> (bit.x + 3 * bit.y + 9 * bit.z) & 1u) == 0u) continue;
         const uint around = find_probe_cell(ivec3(key.xyz) + step * stride, key.w);
         add_probe_cell(sum, q, around, clamp(t - vec3(step), 0.0, 1.0), spacing_m, share);
     }

@@ -1,6 +1,9 @@
 // Lights the surfaces that a light probe sees: writes the radiance of each texel of its six faces, in cd/m². Surfaces
 // reflect light evenly in all directions. Metals do, too: their highlights go in different directions, so that on
 // average a probe receives the same light from them. A round of the group lights one probe.
+//
+// Each thread lights a block of texels: it computes the incident light once, for one texel of the block. The texels of
+// the block have an albedo and an emission of their own.
 #version 460
 #include "area_lights.glsl"
 #include "cube_texels.glsl"
@@ -10,15 +13,18 @@
 #include "light_function.glsl"
 #include "lights.glsl"
 #include "octahedral.glsl"
+#include "probe_lamps.glsl"
 #include "probes.glsl"
 #include "shared/probe_grid.glsl"
 #include "shared/probe_sh.glsl"
 #include "whole_shadow.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 
 // The light that surfaces reflect further: 0 none, 1 the light of the volume of probes, 2 that of this probe itself.
 layout(constant_id = 1) const int probeFeedback = 1;
+// Texels along each side of a block. The faces have a whole number of blocks.
+layout(constant_id = 2) const int blockSide = 1;
 
 uniform sampler2DArray probeAlbedo, probeNormal, probeEmission;  // Six faces, as probeDistance of lamp_share.glsl.
 uniform sampler2DArray probeSky;                                 // Surroundings / frame.environment_unit.
@@ -26,36 +32,27 @@ uniform sampler2DArrayShadow sceneSunShadow;
 layout(std430) readonly buffer SceneLights { Light items[]; } sceneLights;
 layout(std430) readonly buffer EnvironmentSh { vec4 items[]; } environmentSh;  // 4 or 9 coefficients, in cd/m².
 layout(std430) readonly buffer ProbePoints { ProbePoint items[]; } probePoints;
+layout(std430) readonly buffer Lamps { uint items[]; } lamps;
 layout(rgba32f) writeonly uniform image2DArray lit;
 layout(push_constant) uniform Params { int p; } params;  // The number of the probe.
 
 // Limits the light in a closed white room, if the probes never rest. A lookup is a mean of probes, so it adds no light of
 // its own, and the sum of all reflections is at most 100 times the light of the first.
 const float kMostAlbedo = 0.99;
-const uint kThreads = 256u;
-
-shared uint seen_lamps[kThreads / 32u];   // One bit for each lamp of the current chunk: the probe sees it.
-shared float lamp_shares[kThreads];
-
 struct Texel {
     vec3 position;
     vec3 to_probe;
     vec3 normal;
-    vec3 albedo;
-    vec3 emission;
     float width_m;  // Width of the texel at the surface.
 };
 
-Texel texel_at(uvec3 at, vec3 probe, float distance_m) {
+Texel texel_at(ivec3 at, vec3 probe, float distance_m) {
     const float size = float(imageSize(lit).x);
-    const vec3 direction = normalize(face_direction(at.z, face_position(at.xy, size)));
+    const vec3 direction = normalize(face_direction(uint(at.z), face_position(uvec2(at.xy), size)));
     Texel t;
     t.position = probe + direction * distance_m;
     t.to_probe = -direction;
-    t.normal = octahedral_decode(texelFetch(probeNormal, ivec3(at), 0).rg);
-    const vec3 root = texelFetch(probeAlbedo, ivec3(at), 0).rgb;
-    t.albedo = root * root;
-    t.emission = texelFetch(probeEmission, ivec3(at), 0).rgb / kProbeRadianceScale;
+    t.normal = octahedral_decode(texelFetch(probeNormal, at, 0).rg);
     t.width_m = distance_m * 2.0 / size;
     return t;
 }
@@ -96,36 +93,26 @@ vec3 lamp_irradiance(Light light, Texel t) {
     return irradiance * light_function(light, t.position, t.width_m);
 }
 
-// Finds the lamps of a chunk that the probe sees. Each thread tests one lamp.
-void find_lamps(uint first, uint count, vec3 probe) {
-    const uint thread = gl_LocalInvocationIndex;
-    barrier();
-    if (thread < kThreads / 32u) seen_lamps[thread] = 0u;
-    barrier();
-    const float share = first + thread < count ? lamp_share(sceneLights.items[first + thread], probe) : 0.0;
-    lamp_shares[thread] = share;
-    if (share > 0.0) atomicOr(seen_lamps[thread / 32u], 1u << (thread % 32u));
-    barrier();
-}
-
-// Adds the light of all lamps that the probe sees, always in the same order. Removes the emission of surfaces whose
-// light is that of a lamp.
-vec3 lamps_irradiance(inout Texel t, bool is_surface, vec3 probe) {
+// Returns the irradiance of all lamps that the probe sees, always added in the same order.
+vec3 lamps_irradiance(Texel t) {
     const uint count = min(frame.light_count, uint(sceneLights.items.length()));
     vec3 sum = vec3(0.0);
-    for (uint first = frame.directional_count; first < count; first += kThreads) {
-        find_lamps(first, count, probe);
-        if (!is_surface) continue;
-        for (uint word = 0u; word < kThreads / 32u; ++word) {
-            for (uint rest = seen_lamps[word]; rest != 0u; rest &= rest - 1u) {
-                const uint i = word * 32u + uint(findLSB(rest));
-                const Light light = sceneLights.items[first + i];
-                sum += lamp_shares[i] * lamp_irradiance(light, t);
-                if (t.emission != vec3(0.0) && is_on_lamp(light, t.position)) t.emission = vec3(0.0);
-            }
+    for (uint word = 0u; 32u * word < count; ++word) {
+        for (uint rest = lamps.items[word]; rest != 0u; rest &= rest - 1u) {
+            const uint i = 32u * word + uint(findLSB(rest));
+            sum += uintBitsToFloat(lamps.items[kLampWords + i]) * lamp_irradiance(sceneLights.items[i], t);
         }
     }
     return sum;
+}
+
+// Returns true if the light of a surface is that of a lamp that the probe sees.
+bool is_on_seen_lamp(vec3 position) {
+    const uint count = min(frame.light_count, uint(sceneLights.items.length()));
+    for (uint word = 0u; 32u * word < count; ++word)
+        for (uint rest = lamps.items[word]; rest != 0u; rest &= rest - 1u)
+            if (is_on_lamp(sceneLights.items[32u * word + uint(findLSB(rest))], position)) return true;
+    return false;
 }
 
 // Returns irradiance / π of the light that other surfaces have reflected in the rounds before.
@@ -147,22 +134,49 @@ vec3 bounced_over_pi(Texel t) {
     return known + max(sum, vec3(0.0)) * volume.outside;
 }
 
-void main() {
-    const uvec3 at = gl_GlobalInvocationID;
-    const bool inside = all(lessThan(at, uvec3(imageSize(lit))));
-    const vec3 probe = probePoints.items[params.p].position;
-    const float distance_m = inside ? texelFetch(probeDistance, ivec3(at), 0).r : 0.0;
-    const bool is_surface = distance_m > 0.0;
-    Texel t;
-    if (is_surface) t = texel_at(at, probe, distance_m);
-    const vec3 from_lamps = lamps_irradiance(t, is_surface, probe);
-    if (!inside) return;
-    vec3 radiance = vec3(0.0);  // The back of a surface is dark.
-    if (is_surface) {
-        radiance = t.emission + t.albedo * ((sun_irradiance(t) + from_lamps) / kPi) +
-                   min(t.albedo, vec3(kMostAlbedo)) * bounced_over_pi(t);
-    } else if (distance_m == 0.0) {
-        radiance = texelFetch(probeSky, ivec3(at), 0).rgb * frame.environment_unit;
+// The light that reaches the texels of a block: irradiance / π of the sun and of lamps, and of other surfaces.
+struct IncidentOverPi {
+    vec3 direct, bounced;
+};
+
+// Returns the place of a texel of a block. The first one differs from block to block, so that the mean place of the first
+// texels of many blocks is the middle of the blocks.
+ivec3 texel_of_block(ivec3 block, int i) {
+    const int at = (i + block.x + 3 * block.y) % (blockSide * blockSide);
+    return ivec3(block.xy * blockSide + ivec2(at % blockSide, at / blockSide), block.z);
+}
+
+// Returns the light that reaches the first texel of the block that sees the front of a surface.
+IncidentOverPi incident_on(ivec3 block, vec3 probe) {
+    ivec3 first;
+    float distance_m = 0.0;
+    for (int i = 0; i < blockSide * blockSide && distance_m <= 0.0; ++i) {
+        first = texel_of_block(block, i);
+        distance_m = texelFetch(probeDistance, first, 0).r;
     }
-    imageStore(lit, ivec3(at), vec4(radiance, 1.0));
+    if (distance_m <= 0.0) return IncidentOverPi(vec3(0.0), vec3(0.0));
+    const Texel t = texel_at(first, probe, distance_m);
+    return IncidentOverPi((sun_irradiance(t) + lamps_irradiance(t)) / kPi, bounced_over_pi(t));
+}
+
+// Returns the radiance of a texel. The back of a surface is dark.
+vec3 radiance_of(ivec3 at, vec3 probe, IncidentOverPi light) {
+    const float distance_m = texelFetch(probeDistance, at, 0).r;
+    if (distance_m < 0.0) return vec3(0.0);
+    if (distance_m == 0.0) return texelFetch(probeSky, at, 0).rgb * frame.environment_unit;
+    const vec3 root = texelFetch(probeAlbedo, at, 0).rgb, albedo = root * root;
+    vec3 emission = texelFetch(probeEmission, at, 0).rgb / kProbeRadianceScale;
+    if (emission != vec3(0.0) && is_on_seen_lamp(texel_at(at, probe, distance_m).position)) emission = vec3(0.0);
+    return emission + albedo * light.direct + min(albedo, vec3(kMostAlbedo)) * light.bounced;
+}
+
+void main() {
+    const ivec3 block = ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(block.xy * blockSide, imageSize(lit).xy))) return;
+    const vec3 probe = probePoints.items[params.p].position;
+    const IncidentOverPi light = incident_on(block, probe);
+    for (int i = 0; i < blockSide * blockSide; ++i) {
+        const ivec3 at = texel_of_block(block, i);
+        imageStore(lit, at, vec4(radiance_of(at, probe, light), 1.0));
+    }
 }

@@ -11,6 +11,7 @@ constexpr double kFade = 0.25;  // In cells.
 constexpr double kReach = 0.5;  // In cells.
 constexpr double kBias = 0.1;   // In spacings.
 constexpr double kTrusted = 0.02;
+constexpr double kFacingAxis = 0.25;
 constexpr double kLeastCloseness = 0.01;
 
 double step(double x) {
@@ -27,6 +28,16 @@ glm::dvec2 octahedral(const glm::dvec3& v) {
 
 std::array<double, 9> basis(const glm::dvec3& n) {
     return {1, n.x, n.y, n.z, n.x * n.y, n.y * n.z, n.x * n.z, 3 * n.y * n.y - 1, n.x * n.x - n.z * n.z};
+}
+
+// Returns the side of the cell, −1 or 1 along each axis, on which neighbours are looked up for a surface.
+glm::ivec3 side_of(const glm::dvec3& normal, const glm::dvec3& t) {
+    glm::ivec3 side;
+    for (int i = 0; i < 3; ++i) {
+        const double towards = std::abs(normal[i]) > kFacingAxis ? normal[i] : t[i] - 0.5;
+        side[i] = towards >= 0 ? 1 : -1;
+    }
+    return side;
 }
 
 }  // namespace
@@ -180,11 +191,11 @@ LookedUp ProbeReference::look_up(const PointQuery& query) const {
         const bool coarsest = level + 1 == volume_.strides.size();
         outside = coarsest ? outside * (1 - place.share) : 0;
     }
-    for (int i = 0; i < 27 && rest - beyond > 1e-3; ++i) {
-        const glm::ivec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    for (int i = 1; i < 8 && rest - beyond > 1e-3; ++i) {
+        const glm::ivec3 step = glm::ivec3(i & 1, i >> 1 & 1, i >> 2) * side_of(query.normal, first.t);
         const glm::ivec3 corner = first.cell->at / static_cast<int>(volume_.strides[first.cell->level]);
         const scene::ProbeCell* around = cell_at(corner + step, first.cell->level);
-        if (step == glm::ivec3(0) || around == nullptr) continue;
+        if (around == nullptr) continue;
         add(sums, query, {around, glm::clamp(first.t - glm::dvec3(step), 0.0, 1.0), 1}, rest - beyond);
     }
     if (sums.lit <= 0) return {};

@@ -40,6 +40,7 @@ class Relight : public SessionTest {
         Feedback feedback = Feedback::none;
         uint32_t face_px = 32;
         float sky = 0;
+        uint32_t block_px = 2;
     };
 
     // Starts a session that lights all `probes` in each frame.
@@ -51,6 +52,7 @@ class Relight : public SessionTest {
         input.request.size = {16, 16, 1};
         input.request.observed = {"probeSh"};
         input.request.params = {{"probeFeedback", static_cast<double>(settings.feedback)},
+                                {"probeBlock", settings.block_px},
                                 {"probeFaceSize", settings.face_px}};
         input.load.reader = read_text;
         input.load.reads_disk = true;

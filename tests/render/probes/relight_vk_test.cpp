@@ -121,8 +121,8 @@ TEST_F(Relight, ACapOfASphereHasTheHarmonicsOfItsClosedForm) {
 // Without several reflections, the light comes from the sun with its shadow, and from the sky through the
 // open side.
 TEST_F(Relight, AProbeInABoxThatLightsItselfHasTheLightOfTheReference) {
-    const auto session =
-        begin(open_box(kAlbedo05), probe_at(glm::vec3(kBoxProbe)), {.feedback = Feedback::self, .sky = 1});
+    const auto session = begin(open_box(kAlbedo05), probe_at(glm::vec3(kBoxProbe)),
+                               {.feedback = Feedback::self, .sky = 1, .block_px = 1});
     ASSERT_TRUE(session);
     for (int i = 1; i <= 4; ++i) {
         const std::vector<ProbeLight> light = round(*session);
