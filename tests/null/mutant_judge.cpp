@@ -74,12 +74,13 @@ class Judge {
 }  // namespace
 
 // Counts the mutants that the checker rejects and those that give wrong results. The checker is fast and
-// judges all mutants. The null executor runs only the mutants that the checker accepts, and every `stride`th
-// of the others.
-void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies) {
+// judges all chosen mutants. The null executor runs only the mutants that the checker accepts, and every
+// `stride`th of the others.
+void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies, uint32_t every) {
     const Judge judge(plan);
-    uint32_t turn = 0;
+    uint32_t turn = 0, number = 0;
     for_each_mutant(plan, [&](const Mutant& mutant) {
+        if (number++ % every != 0) return;
         Tally& tally = tallies.at(static_cast<size_t>(mutant.kind));
         ++tally.all;
         const bool caught = !check_plan(mutant.plan).empty();

@@ -24,10 +24,10 @@ struct Tally {
 };
 using Tallies = std::array<Tally, kMutantKinds>;
 
-// Judges all mutants of a plan and adds the results to `tallies`. The checker is fast and judges all mutants.
-// The null executor runs only the mutants that the checker accepts, and every `stride`th of the others. If
-// WEFT_SHOW_REDUNDANT is set, the function prints the redundant parts of plans.
-void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies);
+// Judges every `every`th mutant of a plan and adds the results to `tallies`. The checker is fast and judges
+// all of these mutants. The null executor runs only the mutants that the checker accepts, and every
+// `stride`th of the others. If WEFT_SHOW_REDUNDANT is set, the function prints the redundant parts of plans.
+void judge_mutants(const FramePlan& plan, uint32_t stride, Tallies& tallies, uint32_t every = 1);
 void print(const Tallies& tallies);
 
 }  // namespace weft::test
