@@ -123,7 +123,7 @@ TEST(Documentation, TheProjectPageRuns) {
     const RunResult check = sh("weft check pipelines/*.json");
     ASSERT_EQ(check.exit_code, 0) << check.text();
     const RunResult golden =
-        sh("mkdir golden && weft render builtin:spheres --graph pipelines/night.json "
+        sh("mkdir golden && weft render builtin:cornell --graph pipelines/night.json "
            "--size 320x180 -o golden/night.png");
     ASSERT_EQ(golden.exit_code, 0) << golden.text();
     const RunResult good = sh("sh ci/pipelines.sh");
