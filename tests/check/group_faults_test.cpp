@@ -123,7 +123,9 @@ TEST_F(GroupFault, AWriteThatWaitsForTooFewStages) {
 
 TEST_F(GroupFault, AWriteThatNoReaderWaitsFor) {
     step("g::make#1").after.clear();
-    expect_fault("but the barriers of this pass do not order it with the same part in all other rounds");
+    expect_fault(
+        "but the barriers of this pass do not order this write and the accesses to the same part in all "
+        "other rounds");
 }
 
 TEST_F(GroupFault, AWriteThatIsNotVisibleToAReader) {

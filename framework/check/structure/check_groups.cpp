@@ -177,7 +177,8 @@ class GroupCheck {
         if (guarded) return;
         fault("writes " + faults_.part_name(use.resource, use.range) + " in pass " +
               faults_.pass_name(step.pass) +
-              ", but the barriers of this pass do not order it with the same part in all other rounds");
+              ", but the barriers of this pass do not order this write and the accesses to the same part in "
+              "all other rounds");
     }
 
     const FramePlan& plan_;

@@ -35,9 +35,10 @@ void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
     pass.most_draws = dispatch.most_draws;
 }
 
-// Returns true if a draw whose box is outside of the frustum cannot change the picture, and the CPU knows the
-// frustum. Lines and points are wider than their vertices, and indirect draws have their own commands. The
-// CPU does not know a view from a buffer.
+// Returns true if the CPU knows the frustum of the pass, and a draw whose box is outside of this frustum
+// cannot change the picture. This is false for lines and points, because they are wider than their vertices,
+// for indirect draws, because their commands are on the GPU, and for views in buffers, because the CPU cannot
+// read them.
 bool may_cull(const PassDecl& pass) {
     const Topology topology = pass.state.topology;
     return pass.kind == PassKind::raster && !pass.draw_lists.empty() && pass.draw_commands_use == kNoId &&

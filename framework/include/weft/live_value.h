@@ -29,9 +29,11 @@ struct LiveStep {
 };
 
 // A number or size that may change from frame to frame. It is one of three kinds:
-// - a parameter (`param`). If it is a scale, a frame may give it another value in [least, most];
-// - a live size (`scale`): the size in `steps` times the scale, rounded up, from 1 to the size itself;
-// - any other expression of values before it in the list (`steps`).
+// - a parameter: `param` is set. If it is a scale, a frame may give it another value in [least, most];
+// - a live size: `scale` is set. `steps` computes a size. The value is this size times the scale, rounded up
+// and
+//   clamped to the range from 1 to this size;
+// - any other expression: `steps` computes it from values that stand earlier in the list of live values.
 struct LiveValue {
     std::string name;            // Of a parameter, size or constant; empty for an expression without a name.
     uint32_t param = kNoId;      // An index into ResolvedGraph::params.

@@ -1,5 +1,6 @@
-// Shadow maps of the directional lights 2 to 4, and those of the directional lights 1 to 4 over the whole scene, which
-// light probes use, in descriptor set 0. Each light has one map. Units: metres.
+// Two sets of shadow maps, in descriptor set 0. The first set has one map for each of the directional lights 2 to 4, for
+// the main camera. The second set has one map for each of the directional lights 1 to 4; these maps cover the whole
+// scene, and the light probes use them. Units: metres.
 #ifndef WEFT_SHARED_FURTHER_SUNS
 #define WEFT_SHARED_FURTHER_SUNS
 #include "begin.glsl"

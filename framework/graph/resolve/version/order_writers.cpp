@@ -182,7 +182,8 @@ class WriterOrder {
             writers.erase(carry);
         }
         const auto rank = [this](const CellUse& w) { return port(w).rank; };
-        // If a pass that always runs replaces all content, the passes with a switch change its version.
+        // If exactly one pass without a switch replaces all content of the cell, this pass runs first. The
+        // passes with a switch run after it and change the content that it wrote.
         const auto always_fresh = [&](const CellUse& w) {
             return drafts()[w.pass].decl.switch_id == kNoId && rank(w) == WriteRank::fresh;
         };
