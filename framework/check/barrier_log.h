@@ -28,9 +28,9 @@ class StageChain {
     void add(const Scopes& barrier);
     // Returns the stages that wait for at least one of `stages`.
     [[nodiscard]] StageMask after(StageMask stages) const;
-    // Returns the chain of all barriers of this chain, followed by those of `next`. It has the dependencies
-    // of both, and indirect ones: if stage B waits for A here, and C waits for B in `next`, then C waits for
-    // A.
+    // Returns this chain, followed by the chain `next`. The result has the dependencies of both chains, and
+    // indirect ones: if stage B waits for stage A in this chain, and stage C waits for B in `next`, then C
+    // waits for A.
     [[nodiscard]] StageChain then(const StageChain& next) const;
     bool operator==(const StageChain&) const = default;
 

@@ -28,7 +28,7 @@ struct Content {
 
 inline constexpr uint32_t kNoFamily = UINT32_MAX;
 
-// The state of one subresource: one mip of one layer of one aspect of an image, or a whole buffer.
+// The state of one subresource: one mip of one layer of one aspect of an image, or one piece of a buffer.
 struct Cell {
     SubresourceRange range;
     Layout layout = Layout::undefined;
@@ -48,7 +48,7 @@ struct Cell {
     uint64_t last_batch = 0;
 };
 
-// The cells of one resource. A cell is the state of one subresource.
+// The cells of one resource.
 class Cells {
  public:
     explicit Cells(const ResourceDecl& resource);

@@ -16,8 +16,9 @@ Diagnostics check_plan(const FramePlan& plan) {
     uint32_t history = 0;
     for (const ResourceDecl& resource : plan.graph.resources) history = std::max(history, resource.history);
     check::Replay(plan, faults).run(3 + history);
-    // The barriers do not depend on the switches. But without the accesses of a pass, the remaining accesses
-    // must still be ordered, and each of them must find content. The first replay has all switches on.
+    // The barriers do not depend on the switches. But if a pass is switched off, its accesses are missing.
+    // The other accesses must still be ordered, and each of them must find content. So all other combinations
+    // are simulated, too. The first replay had all switches on.
     const Combination all = (1u << plan.graph.switches.size()) - 1;
     for (Combination combination = 0; combination < all; ++combination)
         check::Replay(plan, faults, combination).run(4 + history);

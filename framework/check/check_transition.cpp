@@ -68,7 +68,7 @@ class TransitionCheck {
             return (waits || !decl.shared) && b.dst.layout == writing.layout &&
                    (writing.stages & ~b.dst.stages) == 0 && (writing.access & ~b.dst.access) == 0;
         };
-        // Frames of a plan before the old one may still use shared memory.
+        // If tiers share the memory (`decl.shared`), frames of plans before the old plan may still use it.
         if ((image || decl.shared) && !covered_by(transition_.before, id, decl.whole(), opens))
             add("C371", id,
                 decl.shared ? "is written while frames of earlier plans may still use its memory"
@@ -95,8 +95,9 @@ class TransitionCheck {
                                    [&](const ContentCopy& c) { return c.to == id && c.shared; });
     }
 
-    // Shared memory must fit both plans, and a barrier must bring each part of it from the state between two
-    // frames of the old plan to the state that the first new frame expects.
+    // Checks a resource of the new plan that takes over the memory of a resource of the old plan. Both plans
+    // must declare it in the same way: kind, format, extent and so on. A barrier must bring each part of it
+    // from the state at the end of an old frame to the state that the first new frame expects.
     void check_shared(const ContentCopy& carry) {
         const ResourceDecl &from = old_.graph.resources[carry.from], &to = new_.graph.resources[carry.to];
         const bool same = from.name == to.name && from.kind == to.kind && from.format == to.format &&
@@ -114,7 +115,8 @@ class TransitionCheck {
     }
 
     void check_passed_on(ResourceId id, const BoundaryState& left, const BoundaryState& wanted) {
-        // The pieces of a buffer may differ in the two plans, and a buffer has no layouts.
+        // A buffer has no layouts, and its pieces may differ in the two plans. So the range of the old plan
+        // does not matter.
         if (new_.graph.resources[id].kind == ResourceKind::buffer)
             return check_passed_on(id, left.state.layout, wanted, wanted.range);
         const uint32_t mips =
@@ -153,8 +155,8 @@ class TransitionCheck {
     static const std::string& ring_name(const ResolvedGraph& graph, const ResourceDecl& decl) {
         return graph.resources[decl.ring].name;
     }
-    // Returns how many frames ago the content was written that the resource has between two frames. A single
-    // copy has the content of the last frame, like age 1 of a ring.
+    // Returns the age of the content that the resource has between two frames, as a number of frames. A
+    // resource with a single copy has the content of the last frame, like the resource of age 1 in a ring.
     static uint32_t frames_ago(const ResourceDecl& decl) { return decl.history == 0 ? 1 : decl.age; }
 
     // Returns true if the formats are equal, or if a blit converts one to the other.

@@ -92,7 +92,7 @@ void MemoryHolders::use(ResourceId resource) {
     holds_all_[resource] = 1;
     for_each_placement(resource, [&](const Placement& placement) {
         cut(placement);
-        // Adds the resource to the regions inside the placement, and fills the gaps between them.
+        // Add the resource to the regions inside the placement. In gaps between regions, create new regions.
         uint64_t at = placement.offset_bytes;
         while (at < placement.end_bytes()) {
             const auto next = regions_.lower_bound({placement.heap, at});

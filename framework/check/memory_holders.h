@@ -1,6 +1,6 @@
 // Purpose: tracks which resources use each byte of the heaps while the checker simulates a plan. Resources
 // that share memory take it over from each other. A resource that takes over memory must wait only for the
-// resources that use this memory now. Those have waited for all earlier resources in it.
+// resources that use this memory now, because these have waited for all earlier users of the memory.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ class MemoryHolders {
     // Records a use of `resource`. If the resource does not hold all of its memory, it becomes an additional
     // holder. In a correct plan this happens only while no resource has written to this memory yet.
     void use(ResourceId resource);
-    // Returns the other resources that `taker` must wait for before it writes to its memory: the holders of
-    // this memory. If there are none, these are the resources from which `taker` took the memory over. It
-    // waits for them again, because it may write one part of its memory later than another part. The list is
-    // valid until the next call.
+    // Returns the other resources for which `taker` must wait before it writes to its memory. These are the
+    // other holders of this memory. If there are no other holders, these are the resources from which `taker`
+    // took over the memory: `taker` must wait for them again, because it may write one part of its memory
+    // later than another part. The list is valid until the next call.
     [[nodiscard]] std::span<const ResourceId> to_wait_for(ResourceId taker);
 
  private:
@@ -55,8 +55,8 @@ class MemoryHolders {
     // The placements of resource r are the elements first_[r] to first_[r + 1] - 1 of `placements_`.
     std::vector<size_t> first_;
     Regions regions_;                 // Regions without a holder are left out.
-    std::vector<uint8_t> holds_all_;  // Index: ResourceId. 1 if it is a holder of all its memory.
-    // Index: ResourceId. The resources from which it last took over memory.
+    std::vector<uint8_t> holds_all_;  // Index: ResourceId. 1 if this resource is a holder of all its memory.
+    // Index: ResourceId. The resources from which this resource last took over memory.
     std::vector<std::vector<ResourceId>> taken_from_;
     std::vector<ResourceId> others_;  // The result of the last find_others().
 };

@@ -203,8 +203,8 @@ void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state)
 }
 
 // Adds a read to the cell. Of the reads on one queue with the same stages and rendering scope, only the two
-// latest are kept: a wait for a later read also covers the earlier reads. Two are kept, not one, because a
-// pass that reads and then writes does not wait for its own read. It must wait for the read before.
+// latest are kept: a wait for a later read also covers the earlier reads. One read would not be enough: a
+// pass that reads and then writes does not wait for its own read, but must wait for the read before its own.
 void Replay::note_read(Cell& cell, const AccessRecord& record) {
     const Actor& by = record.actor();
     const auto alike = [&](const AccessRecord& other) {

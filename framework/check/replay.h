@@ -18,8 +18,8 @@ namespace weft::check {
 
 class Replay {
  public:
-    // Simulates frames in which the switches are as in `combination`. In frame 2, all switches are on, so
-    // that passes also start and stop between frames.
+    // Simulates frames in which the switches are as in `combination`. Exception: in frame 2, all switches are
+    // on, so that the switches change before and after this frame.
     Replay(const FramePlan& plan, FaultList& faults, Combination combination = kAllSwitchesOn);
     void run(uint32_t frames);
 
@@ -41,8 +41,8 @@ class Replay {
     [[nodiscard]] bool is_active(const UseDecl& use) const {
         return has_combination(use.used_in, combination());
     }
-    // Returns the pass whose content a reader sees if it wants the version of `wanted`: another one if that
-    // pass is switched off. Returns nullopt if no version is left.
+    // Returns the pass whose content a reader sees if the reader wants the version of the pass `wanted`. If
+    // `wanted` is switched off, this is an earlier writer. Returns nullopt if no version is left.
     [[nodiscard]] std::optional<PassId> version_left(PassId wanted, ResourceId resource,
                                                      const SubresourceRange& cell) const;
     // Returns " in frames in which "fog" is off", or an empty text if all switches are on.
@@ -108,8 +108,8 @@ class Replay {
     Combination combination_;
     BatchClock clock_;
     std::vector<BarrierLog> logs_;  // Index: queue. All barriers recorded on the queue so far.
-    // The next three are temporary values of barriers() and carry(). They are members so that their memory is
-    // used again.
+    // The next three members are temporary values of barriers() and carry(). They are not local variables, so
+    // that each call uses the same memory again.
     std::vector<Scopes> scopes_;  // Index: barrier in the current vkCmdPipelineBarrier2 call.
     // Sorted pairs: a resource, and the index of a barrier in the call that affects this resource.
     std::vector<std::pair<ResourceId, size_t>> on_resource_;

@@ -121,9 +121,9 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
 
 // Applies the barriers of one call to the access records. Barriers order only earlier work of their own
 // queue. Only records of accesses to the memory of these barriers are updated here. All other records read
-// the barriers from the log later, when they are checked. If a barrier is recorded only in frames in which
-// its pass runs, it counts only for the resource that it names. So the proof relies on no barrier of a
-// resting unit, whichever units rest.
+// the barriers from the log later, when they are checked. A barrier with `if_pass_runs` is recorded only in
+// frames in which its pass runs, so it counts only for the resources that it names. The order of accesses to
+// other resources is checked without this barrier, so it is also correct in frames in which the pass rests.
 void Replay::carry(const std::vector<BarrierDecl>& batch) {
     StageChain all;
     on_resource_.clear();

@@ -58,8 +58,8 @@ void Replay::leave_imports() {
     }
 }
 
-// The program reads persistent resources after all work of queue 0 in this frame, and before that of the next
-// frame.
+// Simulates the program's reads of persistent resources. They happen after all work of queue 0 in this frame,
+// and before the work of queue 0 in the next frame.
 void Replay::read_kept() {
     for (ResourceId id(0); id < cells_.size(); ++id) {
         const ResourceDecl& resource = plan_.graph.resources[id];
@@ -79,8 +79,8 @@ void Replay::read_kept() {
     }
 }
 
-// Checks that a resource with a single copy has content when the program reads it. In a ring, a part that no
-// pass writes in this frame has none.
+// Checks that a resource with a single copy has content when the program reads it. Resources with history are
+// not checked: a part that no pass writes in this frame has no content there.
 void Replay::expect_kept(ResourceId id, const Cell& cell) {
     const ResourceDecl& resource = plan_.graph.resources[id];
     const bool lost =

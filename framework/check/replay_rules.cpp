@@ -80,13 +80,15 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
     }
 }
 
-// Returns true if any live pass writes a part of `range` in the resource `ring`, which must have age 0.
+// Returns true if any live pass writes a part of `range` in the resource `ring`. `range` must have age 0,
+// because passes write only the copy of the current frame.
 bool Replay::anybody_writes(ResourceId ring, const SubresourceRange& range) const {
     return std::ranges::any_of(written_[ring], [&](const SubresourceRange& r) { return overlaps(r, range); });
 }
 
-// Returns true if the use may see whatever the rounds of a group have left, and the cell has such content:
-// the content of an earlier frame, or of a round of the group in this frame.
+// Returns true if the use accepts the result of whichever round of a group ran last (UseDecl::latest), and
+// the cell has such content: the initial value, the content of an earlier frame, or the content that a round
+// of the group wrote in this frame.
 bool Replay::is_latest_content(PassId reader, const UseDecl& use, const Cell& cell) const {
     const Content& found = cell.content;
     if (!use.latest) return false;

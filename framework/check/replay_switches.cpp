@@ -30,8 +30,8 @@ std::optional<PassId> Replay::version_left(PassId wanted, ResourceId resource,
     return wanted;
 }
 
-// Checks that an import whose old content is dropped has content after the frame, if a pass with a switch
-// writes it. The program reads it in every frame.
+// Checks an import whose old content is dropped and which a pass with a switch writes. The import must also
+// have content after a frame in which this pass is off, because the program reads the import in every frame.
 void Replay::expect_written_output(ResourceId id, const Cell& cell) {
     if (cell.content.kind != Content::Kind::undefined) return;
     for (const PassId pass : plan_.schedule.order) {

@@ -14,8 +14,8 @@ namespace weft {
 // Writes all data to a descriptor. Calls write() several times if necessary.
 [[nodiscard]] int write_all(int descriptor, std::string_view data);
 
-// Blocks the signals SIGINT, SIGTERM and SIGHUP as long as this object exists. So these signals cannot end
-// the program while a draft with a name exists, which would leave the draft behind.
+// Blocks the signals SIGINT, SIGTERM and SIGHUP as long as this object exists. Otherwise they could end the
+// program while a draft with a name exists, and the draft would remain.
 class EndSignalsBlocked {
  public:
     EndSignalsBlocked();

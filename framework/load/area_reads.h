@@ -8,9 +8,9 @@
 
 namespace weft {
 
-// A shader is warned about if it samples the image at texture coordinates, but reads no member of `Params`
-// that follows the area of this port, no value that follows a scale, and not the size of the image. `sources`
-// are the files of the graph.
+// Warns about a shader that samples the image at texture coordinates, but reads none of these three: a member
+// of `Params` that follows the area of this port, a value that follows a scale, the size of the image.
+// `sources` are the files of the graph.
 void warn_area_reads(const SourceMap& sources, const ResolvedGraph& graph, const ShaderCatalog& shaders,
                      Diagnostics& warnings);
 

@@ -9,7 +9,7 @@
 
 namespace weft {
 
-// Memory for a pixel while a picture is converted.
+// Memory in bytes for one pixel while a picture is converted.
 inline constexpr uint64_t kBytesPerPixel = 16;
 
 struct PictureHeader {

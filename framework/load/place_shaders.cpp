@@ -72,8 +72,8 @@ class ShaderPlacer {
         return it->second;
     }
 
-    // The prefix must not be the beginning of the name of another shader. In this rare case, the prefix is
-    // the whole path of the folder.
+    // Returns the prefix for the shaders of a folder. If names of other shaders may already begin with this
+    // prefix, the function returns the whole path of the folder instead. This case is rare.
     [[nodiscard]] fs::path find_prefix(const fs::path& folder) const {
         if (const fs::path inner = below(folder, home_); !inner.empty()) return inner;
         for (const fs::path& place : places_) {

@@ -121,7 +121,8 @@ class SharedCheck {
         reported_.push_back(name);
         const ResourceDecl &a = decl(first, name), &b = decl(other, name);
         SourceLoc loc = place(other, name, property), note = place(first, name, property);
-        // The same expression has two values, because a parameter or a size of the tier differs.
+        // If both places are the same, one expression has two values, because a parameter or a size differs
+        // between the tiers. The note then names the place of the other tier.
         if (loc.file == note.file && loc.line == note.line && loc.column == note.column)
             note = tier_place(other);
         const std::string what = property.name;

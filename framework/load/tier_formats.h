@@ -23,8 +23,8 @@ struct TierVariant {
 // Returns the input without the observed resources, the parameters and the debug view of the request.
 [[nodiscard]] LoadInput as_written(LoadInput input);
 
-// Returns the formats to skip for the tier of `input`; `own` is this tier. It is resolved with the parameters
-// and observed resources of the request; the other tiers are resolved without them.
+// Returns the formats to skip for the tier of `input`; `own` is this tier. `own` is resolved with the
+// parameters and observed resources of the request; the other tiers are resolved without them.
 [[nodiscard]] SkippedFormats formats_with_others(const JsonDoc& document, const TierVariant& own,
                                                  const LoadInput& input);
 

@@ -40,8 +40,9 @@ void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, 
     }
 }
 
-// Calls visit() for every cell that a use touches. The cells of a buffer are found from the bytes that the
-// use names, not from its range. So a range that does not fit the bytes gives wrong values.
+// Calls visit() for every cell that a use touches. For a buffer, the function finds the cells from the bytes
+// that the use names, and ignores UseDecl::range. Barriers follow the range. So if the range does not fit
+// the bytes, the run gives wrong values.
 template <class F>
 void for_each_cell(const ResourceDecl& resource, const UseDecl& use, F visit) {
     if (resource.kind == ResourceKind::image) return for_each_cell(resource, use.range, visit);
@@ -66,8 +67,8 @@ inline PassId source_of(const UseDecl& use, const SubresourceRange& cell) {
     return kNoId;
 }
 
-// Returns true if the pass depends on the previous content of the range. This includes a copy or clear of a
-// part of the range: its access type only writes, but the other part must keep its content.
+// Returns true if the pass depends on the previous content of the range. This includes a copy or clear that
+// overwrites only a part of the range: the access type only writes, but the rest must keep its content.
 inline bool sees_content(const UseDecl& use) {
     return reads(use.access) || (writes(use.access) && !use.sources.empty());
 }

@@ -13,9 +13,9 @@ bool moves_family(const BarrierDecl& barrier) {
 }  // namespace
 
 // Applies a barrier to the last write of a cell, if the barrier is ordered after this write. The barrier
-// makes the write available if both are on the same queue and the barrier's source includes the write's
-// stage and access. If the write is available, now or since an earlier barrier or semaphore signal, it
-// becomes visible to this barrier's destination.
+// makes the write available if the barrier and the write are on the same queue and the barrier's source
+// includes the write's stage and access. If this barrier, an earlier barrier or a semaphore signal has made
+// the write available, the write becomes visible to this barrier's destination.
 void Memory::carry(MemoryCell& cell, uint32_t node, const BarrierDecl& barrier) {
     WriteRecord& write = cell.write;
     if (write.node == kNoNode || !is_before(write.node, node)) return;

@@ -108,8 +108,8 @@ const char* Memory::why_not_seen(const MemoryCell& cell, const Accessor& accesso
     return visible(cell.write, accessor) ? nullptr : "its last write is not visible there";
 }
 
-// Returns null if all accesses to the cell are ordered before the node and its last write is available, so
-// that the memory may be overwritten. Otherwise returns the reason.
+// Returns null if the memory of the cell may be overwritten: all accesses to the cell are ordered before the
+// node, and the last write to the cell is available. Otherwise returns the reason why not.
 const char* Memory::why_not_overwritten(const MemoryCell& cell, uint32_t node) const {
     if (!is_before(cell.write.node, node)) return "a write to the same memory need not be over";
     if (!available(cell.write, node)) return "a write to the same memory is not available";
@@ -118,8 +118,8 @@ const char* Memory::why_not_overwritten(const MemoryCell& cell, uint32_t node) c
     return nullptr;
 }
 
-// Destroys the content of all other objects that overlap the object in memory. Returns a reason if one of
-// them is still in use, else null.
+// Destroys the content of all other objects that overlap the object in memory. Returns null if the memory of
+// all these objects may be overwritten. Otherwise returns the reason why not.
 const char* Memory::take_from_neighbours(ResourceId object, uint32_t node) {
     const char* why = nullptr;
     for (const ResourceId other : neighbours_[object]) {

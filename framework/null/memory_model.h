@@ -1,10 +1,10 @@
 // Purpose: simulates the memory of a plan during execution: the content of every cell, the node that wrote
 // it, and the accesses to which it is visible. A node is a barrier, a semaphore operation or a part of a pass
-// (see NodeKind). Every copy in the ring of a persistent resource is a separate memory object. Its number is
-// the ResourceId of the ring's resource of age k, where k is the frame in which age 0 first uses this copy.
-// Resources whose placements overlap destroy each other's content. If an access is not ordered after an
-// earlier conflicting access, or does not see its result, the value becomes poison (a unique wrong value).
-// Source: Vulkan 1.3 specification, appendix "Memory Model" (availability, visibility, data races).
+// (see NodeKind). Every copy in the ring of a persistent resource is a separate memory object. If the
+// resource of age 0 first uses a copy in frame k, the number of this object is the ResourceId of the resource
+// of age k. Resources whose placements overlap destroy each other's content. If an access is not ordered
+// after an earlier conflicting access, or does not see its result, the value becomes poison (a unique wrong
+// value). Source: Vulkan 1.3 specification, appendix "Memory Model" (availability, visibility, data races).
 #pragma once
 
 #include <optional>
@@ -77,8 +77,8 @@ class Memory {
     // Returns the value that the accessor sees. An invalid access gives poison and a fault message, but the
     // cell keeps its value.
     [[nodiscard]] CellValue read(ResourceId object, uint32_t cell, const Accessor& accessor);
-    // Reads an import, or a persistent resource, after the frame. `overwrites` is true if the import's owner
-    // may write it next; then the owner must also wait for all readers.
+    // Reads an import, or a persistent resource, after the frame. `overwrites` is true if the owner may write
+    // the import next. Then all reads of the import must be ordered before this access, too.
     [[nodiscard]] CellValue leave(ResourceId object, uint32_t cell, const Accessor& accessor,
                                   bool overwrites);
     void write(ResourceId object, uint32_t cell, const Accessor& accessor, CellValue value);
@@ -119,7 +119,7 @@ class Memory {
     std::vector<std::vector<MemoryCell>> cells_;
     // Index: memory object. The objects that overlap it in memory.
     std::vector<std::vector<ResourceId>> neighbours_;
-    // Index: the ring's resource of age 0, then the age. The resource of this age in the ring.
+    // Index: the ring's resource of age 0, then the age. Value: the resource of this age in the ring.
     std::vector<std::vector<ResourceId>> ring_copies_;
     std::vector<std::string> faults_;
 };

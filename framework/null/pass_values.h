@@ -32,10 +32,10 @@ struct FrameChoice {
     Combination switches = kAllSwitchesOn;
 };
 
-// Returns the hash of all inputs of a pass in one frame except the resource content it reads: its name,
-// number in `inputs`, parameters, specialisation values, clear value and builtins. The builtin `valid` of a
-// resource of age a is 1 from frame a on if a live pass writes the ring, otherwise 0. The builtins of
-// units are 0. All other builtins have the frame number.
+// Returns the hash of the inputs of a pass in one frame: the name of the pass, its number in `inputs`, its
+// parameters, specialisation values, clear value and builtins. The content of resources that the pass reads
+// is not included. The builtin `valid` of a resource of age a is 1 from frame a on if a live pass writes the
+// ring, otherwise 0. The builtins of units are 0. The value of all other builtins is the frame number.
 [[nodiscard]] ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId pass,
                                     const FrameChoice& choice, const InputChoice& inputs);
 // Returns the value that the pass writes to one cell. The hash `inputs` must already include pass_values()

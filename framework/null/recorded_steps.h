@@ -12,7 +12,8 @@ namespace weft::null {
 struct RecordedStep {
     Position position = 0;
     // A step has three parts: the barriers before the pass that every frame records, the pass with its own
-    // barriers, and the barriers after the pass that every frame records. True: the part is recorded.
+    // barriers, and the barriers after the pass that every frame records. A member is true if the frame
+    // records this part.
     bool shared_before = true;
     bool runs = true;
     bool shared_after = true;

@@ -170,8 +170,8 @@ class Reference {
     }
 
     // Starts a frame. Transients start undefined, and so do image imports whose entry layout is `undefined`.
-    // In a ring with history, from the second frame on, age a gets the last content of age a - 1; see role()
-    // for age 0. All other resources keep their last content.
+    // In a ring with history, from the second frame on, the resource of age a gets the last content of the
+    // resource of age a - 1; see role() for age 0. All other resources keep their last content.
     void begin_frame() {
         std::vector<std::vector<CellValue>> left(cells_.size());
         for (ResourceId id(0); id < cells_.size(); ++id)
@@ -191,10 +191,11 @@ class Reference {
         }
     }
 
-    // Returns the resource that has the copy of this age in a ring, or kNoId if there is none. begin_frame()
-    // asks for age - 1. For age 0, this is UINT32_MAX: the copy that the frame is about to write. If a pass
-    // writes the ring, this copy has no content yet, and the result is kNoId. If no pass writes the ring, all
-    // its copies have the same content, and the result is the resource of age 0.
+    // Returns the resource of this age in a ring, or kNoId if there is none. begin_frame() subtracts 1 from
+    // the age of a resource and calls this function. For a resource of age 0, `age` is then UINT32_MAX, which
+    // stands for the copy that the frame is about to write. If a pass writes the ring, this copy has no
+    // content yet, and the result is kNoId. If no pass writes the ring, all its copies have the same content,
+    // and the result is the resource of age 0.
     ResourceId role(ResourceId ring, uint32_t age) const {
         if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
         for (ResourceId id(0); id < graph_.resources.size(); ++id)

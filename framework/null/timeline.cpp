@@ -275,9 +275,10 @@ class Unroller {
         return before;
     }
 
-    // Adds the accesses of the program that owns the imported resources. They happen between two frames on
-    // queue 0. A queue that waits for the last batch of the previous frame also waits for them, and for the
-    // program's reads of persistent resources. In the first frame, all other queues wait for them.
+    // Adds the accesses of the program that owns the imported resources. These accesses happen between two
+    // frames on queue 0. After them, and after the program's reads of persistent resources, a semaphore is
+    // signalled. A queue that waits for the last batch of the previous frame also waits for this signal. In
+    // the first frame, all other queues wait for the signal.
     void enter_imports() {
         Node node;
         node.kind = NodeKind::signal;
@@ -327,8 +328,8 @@ class Unroller {
         });
     }
 
-    // Adds the program's reads of a persistent resource after the frame, on queue 0. Only the plan orders
-    // them.
+    // Adds the program's reads of a persistent resource after the frame, on queue 0. Only the barriers and
+    // semaphores of the plan order these reads.
     void read_kept(ResourceId id) {
         Node node;
         node.kind = NodeKind::import_leave;

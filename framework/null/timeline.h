@@ -58,15 +58,15 @@ struct PassInstance {
 struct Timeline {
     std::vector<Node> nodes;      // All nodes, in the order in which their commands are recorded.
     std::vector<NodeSet> before;  // Index: node. Its direct and indirect predecessors.
-    // Index: node. Predecessors that only the program orders before the node, because it owns an import. The
-    // plan does not contain this order, so no other node may rely on it.
+    // Index: node. Further predecessors: only the program, as the owner of an import, orders them before the
+    // node. The plan does not contain this order, so no other node may rely on it.
     std::vector<std::vector<uint32_t>> outside_before;
     std::vector<PassInstance> instances;
 };
 
-// Unrolls the plan. The result has pointers into `plan`. `choice` is the seed of a pseudo-random choice: in
-// which of its possible stages each write happens, and each access of an import's entry state. A pass that
-// rests in a frame (`resting`) has no node in this frame.
+// Unrolls the plan. The result has pointers into `plan`. `choice` is the seed of a pseudo-random choice of
+// stages: each write, and each access of an import's entry state, happens in one of its possible stages. A
+// pass that rests in a frame (`resting`) has no node in this frame.
 [[nodiscard]] Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice,
                               const RestChoice& resting, const RoundOrder& rounds);
 

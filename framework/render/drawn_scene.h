@@ -37,12 +37,13 @@ class DrawnScene {
     // drawn. Empty if the scene has no directional light with an intensity above 0, or if the graph draws no
     // shadow map of the sun. `aspect` is width / height of the picture.
     [[nodiscard]] SunCascades find_sun(const scene::Camera& camera, float aspect, const SunMaps& maps);
-    // Returns the shadow maps of the directional lights 2 to 4, and those over all objects that do not move,
-    // which the graph draws.
+    // Returns the shadow maps that the graph draws of these two kinds: the maps of the directional lights 2
+    // to 4, and the maps over all objects that do not move.
     [[nodiscard]] FurtherSunMaps find_further_suns(const FurtherSunSizes& sizes_px) const {
         return further_sun_maps(lights_, bounds_, gpu_->still_bounds().value_or(bounds_), sizes_px);
     }
-    // Returns the turns of the irradiance probes, and those of the reflection probes.
+    // These return the objects that choose the probes to be lit anew in a frame: the irradiance probes, and
+    // the reflection probes.
     [[nodiscard]] ProbeTurns& probe_turns() { return turns_; }
     [[nodiscard]] ProbeTurns& reflection_turns() { return reflection_turns_; }
     [[nodiscard]] GpuScene& gpu() { return *gpu_; }

@@ -108,7 +108,7 @@ void set_sky(const SkyColors& sky, shared::FrameConstants& frame) {
     frame.sky_zenith = sky.zenith;
     frame.sky_horizon = sky.horizon;
     frame.sky_ground = sky.ground.value_or(sky.horizon * kGroundAlbedo);
-    if (frame.environment_scale > 0) return;  // The picture is used, and not the sky.
+    if (frame.environment_scale > 0) return;  // The environment map is used, not the sky.
     const glm::vec3 brightest = glm::max(glm::max(frame.sky_zenith, frame.sky_horizon), frame.sky_ground);
     frame.environment_unit = cube_unit(std::max({brightest.r, brightest.g, brightest.b}));
 }

@@ -104,7 +104,8 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     scene.gpu().add_versions(frame.import_versions);
     // The textures of tables never change.
     for (const std::string& table : stage_.tables) frame.import_versions.emplace(table, 0);
-    // The names of the files of a table are "pictures[0]" and so on: they count for the table "pictures".
+    // The files of the table "pictures" have the names "pictures[0]" and so on. Their hashes are combined
+    // into the version of the table.
     for (const auto& [name, file] : stage_.files) {
         uint64_t& version = frame.import_versions[name.substr(0, name.find('['))];
         version = version * 31 + file.hash();
@@ -118,7 +119,7 @@ std::optional<ExportedResource> FrameLoop::exported(std::string_view name) const
     if (id == kNoId) return std::nullopt;
     const ResourceDecl& decl = plan().graph.resources[id];
     const bool kept = decl.between.has_value();
-    // Of a resource with history, the object changes from frame to frame.
+    // The object of a resource with history changes from frame to frame.
     const ResourceId copy = kept ? stage_.executor->last_copy(id) : id;
     const auto found = stage_.exports.find(plan().graph.resources[copy].name);
     const VkBuffer kept_buffer = kept ? stage_.executor->native(copy).buffer : VK_NULL_HANDLE;

@@ -18,9 +18,9 @@ class FrameLoop {
     // GraphDesc::jitter); 0 means no offsets. `size` is the size of the output in pixels.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
-    // normal: the next frame of the program. warm_up: a frame before it that has no picture: only passes at
-    // rest and groups run, and the passes whose results they read. It has the number of the next frame, which
-    // then sees no history.
+    // normal: the next frame of the program. warm_up: an additional frame before it, without a picture. It
+    // runs only the passes with "rest", the groups, and the passes whose results these read. It has the same
+    // number as the next frame, and the next frame sees no history.
     enum class Kind : uint8_t { normal, warm_up };
     // `live` replaces the switches and scales in FrameInput::parameters.
     [[nodiscard]] Status render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene,
@@ -44,9 +44,10 @@ class FrameLoop {
     [[nodiscard]] const FramePlan& plan() const { return stage_.executor->plan(); }
     // Returns a resource that the running graph exports; nullopt if there is none of this name.
     [[nodiscard]] std::optional<ExportedResource> exported(std::string_view name) const;
-    // Returns the number of the frame from which on no frame in flight uses what this frame does not use.
+    // Returns a frame number. When the frame with this number begins, the frames that are in flight now have
+    // finished. Memory that no frame uses from now on can be freed then.
     [[nodiscard]] uint64_t next_free_frame() const { return frame_index_ + vk::kFramesInFlight; }
-    // Returns true if a group of the running graph takes its turns from this import.
+    // Returns true if the running graph has a group whose list of turns is this import.
     [[nodiscard]] bool takes_turns(std::string_view import) const;
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
     // Returns the view constants of the last frame.
@@ -72,8 +73,8 @@ class FrameLoop {
     SunCascades sun_;
     FurtherSunMaps further_suns_;
     float pre_exposure_ = 1;
-    // Objects that replaced stages used. Frames in flight may still use them until the frame with the number
-    // `until` begins.
+    // Objects of stages that were replaced. Frames in flight may still use them until the frame with the
+    // number `until` begins.
     struct Retired {
         FileUses files;
         ExportObjects exports;

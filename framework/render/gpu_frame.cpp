@@ -20,7 +20,8 @@ constexpr uint64_t kSunOffsetBytes = 256;
 constexpr uint64_t kFurtherSunsOffsetBytes = 768;
 constexpr uint64_t kSlotBytes = 1536;
 constexpr uint64_t kViewBytes = sizeof(shared::ViewConstants);
-// Graphs keep views in buffers, too, so the struct itself has such a size.
+// Buffers of graphs contain views one after another. So the size of the struct itself must be such a
+// multiple.
 static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kSlotBytes % kAlignmentBytes == 0 &&
               kViewBytes % kAlignmentBytes == 0);
 static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);

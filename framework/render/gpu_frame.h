@@ -1,7 +1,7 @@
 // Purpose: the descriptor sets that are bound as set 0: one for each pair of a frame slot and a view that
 // passes use, and one for each pair of a frame slot and the views of a pass with multiview. Each set refers
-// to the frame constants, the sun's shadow cascades and its views. The host writes these for each frame slot.
-// All sets also refer to the same environment and light functions.
+// to the frame constants, the sun's shadow cascades, and the view or views of the set. The host writes these
+// constants for each frame slot. All sets also refer to the same environment and light functions.
 #pragma once
 
 #include <array>

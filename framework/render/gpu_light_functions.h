@@ -1,6 +1,6 @@
 // Purpose: the light functions of a scene for descriptor set 0. A light function shapes the light of a lamp
 // with doors, a picture (gobo) and a falloff curve. There is a buffer of functions and an array of pictures.
-// If one of them would be empty, it gets one unused element.
+// A scene without functions or without pictures gets one unused element instead.
 #pragma once
 
 #include "vulkan/device/handle.h"

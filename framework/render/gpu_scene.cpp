@@ -104,7 +104,7 @@ Status GpuScene::set_frame(uint32_t slot, const shared::FrameConstants& frame,
     return Unit{};
 }
 
-// Draws at the same distance keep their order: part by part, and within a part that of its list.
+// Draws at the same distance stay in the order of their parts, and within a part in the order of its list.
 void GpuScene::sort_transparent(const glm::vec3& eye) {
     struct Sorted {
         float distance2 = 0;
@@ -259,7 +259,8 @@ uint32_t GpuScene::record_sorted(const vk::DrawContext& context, DrawRecorder& r
     return left_out;
 }
 
-// A shader that does not read the matrix of the view may place vertices anywhere.
+// Returns no frustums for a shader that does not read the matrix of the view, because the shader may place
+// vertices anywhere.
 Frusta GpuScene::find_frusta(const vk::DrawContext& context) const {
     constexpr uint32_t kMatrix = offsetof(shared::ViewConstants, view_projection);
     const bool reads_matrix = std::ranges::any_of(context.frame_ranges, [](const FrameRange& range) {

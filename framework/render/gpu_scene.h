@@ -80,8 +80,9 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] bool add_frame_bytes(uint32_t frame_slot, std::string_view view,
                                        std::span<const FrameRange> ranges,
                                        std::vector<std::byte>& bytes) const override;
-    // The order of the transparent objects may change in every frame. The version of any other list of the
-    // scene changes when one of its objects moves, and when a part with such objects is added or removed.
+    // Returns nullopt for the scene's list "transparent", because its order may change in every frame. The
+    // version of any other list of the scene changes when one of its objects moves, and when a part with such
+    // objects is added or removed.
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     uint32_t record(const vk::DrawContext& context) const override;
     [[nodiscard]] const GpuProbes& probes() const { return probes_; }
@@ -89,11 +90,12 @@ class GpuScene final : public vk::DrawSource {
     void set_culling(bool culls) { culls_ = culls; }
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
     [[nodiscard]] bool is_mirrored(std::string_view view) const override;
-    // Adds the buffers that graphs can import: the draw commands of each list, under the name commands_of(),
-    // kSceneBuffers, and kSceneLights.
+    // Adds the objects that graphs can import: the draw commands of each list (under the name that
+    // commands_of() returns), kSceneBuffers, kSceneLights, the buffers of the light probes, and the table
+    // kMaterialTextures.
     void bind(vk::ImportBindings& to) const;
-    // Adds the versions of these buffers. Those of "instances" and "bounds" change when an object moves, that
-    // of "sceneLights" when a light changes.
+    // Adds the versions of these buffers. The versions of "instances" and "bounds" change when an object
+    // moves. The version of "sceneLights" changes when a light changes.
     void add_versions(std::map<std::string, uint64_t, std::less<>>& to) const;
 
  private:

@@ -56,8 +56,8 @@ class GraphLoader {
     [[nodiscard]] Result<ResolvedGraph> resolve_again(const LoadedGraph& loaded, const GraphRequest& request,
                                                       Diagnostics& warnings) const;
 
-    // Returns the loaded graph with other values of parameters, whose change must cost at most
-    // ParamCost::live. `from` and `to` differ only in these values. Returns nullopt if a value has an error.
+    // Returns the loaded graph with the parameter values of `to`. `from` and `to` may differ only in values
+    // of parameters whose change costs at most ParamCost::live. Returns nullopt if a value has an error.
     [[nodiscard]] std::optional<ResolvedGraph> with_values(const LoadedGraph& loaded,
                                                            const GraphRequest& from,
                                                            const GraphRequest& to) const;

@@ -85,8 +85,8 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
     }));
 }
 
-// Counts the views of the scene's lamps. Returns 1 if `scene` is null.
-// The number of views of a point light and of two spot lights.
+// count_all_lamp_views() returns this number if `scene` is null: the views of a point light and of two spot
+// lights. Otherwise it counts the views of the scene's lamps.
 constexpr uint32_t kAssumedLampViews = 8;
 
 uint32_t count_all_lamp_views(const scene::Scene* scene) {

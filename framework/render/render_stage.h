@@ -26,8 +26,9 @@ inline constexpr bool kAlwaysCheck = true;
 #endif
 
 // The object of a resource that the program uses between frames. One of the members is set. If the resource
-// keeps its content, the executor owns its memory: each copy of an image with history has an entry with its
-// own name here, whose image is only a view of that copy. Buffers that keep their content have no entry.
+// keeps its content, the executor owns the memory. Then each copy of the image in memory has an entry in
+// ExportObjects, under the name of the copy. ExportObject::image is only a view of this copy. Buffers that
+// keep their content have no entry.
 struct ExportObject {
     vk::Image image;
     vk::Buffer buffer;

@@ -98,8 +98,8 @@ PrepareResult RunningGraph::prepare(const Selection& selection) {
     if (Status possible = check_output(selection.request.output, loader_.profile()); !possible)
         return {possible.take_errors(), std::move(warnings), std::move(files)};
     StageFingerprint now = running();
-    // For another output image or import, the stage must be made again. This needs the graph. If `known` is
-    // 0, load() returns the graph even if no file has changed.
+    // If the output image or an import is another one, the stage must be made again, and this needs the
+    // graph. Then `known` is 0, so that load() returns the graph even if no file has changed.
     const bool same_objects = now.output == selection.output && now.imports == selection.imports;
     const uint64_t known = same_objects ? now.load : 0;
     Result<LoadedVersion> loaded = loader_.load(selection.request, nullptr, known, warnings, files);
@@ -172,8 +172,8 @@ Result<std::unique_ptr<vk::Amendment>> RunningGraph::change_values(const Paramet
     return vk::Executor::make_amendment(std::move(*graph));
 }
 
-// Returns the values that the graph does not allow even alone; all values if only several of them together
-// are wrong.
+// Tests each value alone, and returns the values that the graph does not allow. If the graph allows each
+// value alone, only several values together are wrong. Then the function returns all values.
 ParameterValues RunningGraph::find_wrong(const GraphRequest& from, const ParameterValues& values) const {
     ParameterValues wrong;
     for (const auto& [name, value] : values) {

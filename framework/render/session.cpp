@@ -228,7 +228,8 @@ Result<std::vector<vk::FrameTiming>> Session::warm_up_probes(const FrameInput& f
     FrameInput frame = first;
     frame.submit = {};
     uint32_t done = 0;
-    // Renders frames in which all probes of a kind have turns, and the others have none.
+    // Renders frames until each probe of one kind has had a turn: at most `step` probes per frame. The probes
+    // of the other kind have no turns in these frames.
     const auto run = [&](const char* import, uint32_t count) -> Status {
         for (uint32_t begin = 0; begin < count; begin += step) {
             std::vector<uint32_t> turns(std::min(step, count - begin));

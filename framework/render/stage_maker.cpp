@@ -185,7 +185,8 @@ Result<RenderStage> StageMaker::make_stage(vk::ExecutorInput run, const Selectio
     stage.files = std::move(files);
     if (Status bound = bind_imports(run.plan, selection, stage, run.bindings); !bound)
         return bound.take_errors();
-    // The bindings point to the images of the stage, and the executor uses them only while it is created.
+    // The bindings contain pointers to images of `stage`. These pointers need not stay valid, because the
+    // executor uses the bindings only while it is created.
     run.bindings.images.emplace("backbuffer", &stage.output);
     Result<std::unique_ptr<vk::Executor>> executor = vk::Executor::create(device_, std::move(run));
     if (!executor) return executor.take_errors();

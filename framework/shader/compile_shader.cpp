@@ -77,7 +77,7 @@ Diagnostic not_found(const std::string& reference, ProgramKind kind, const Stage
             (places.empty() ? "" : ", then ") + (root.empty() ? std::string(".") : root.generic_string());
     }
     if (file.shared) {
-        // Every shipped folder of shaders has this file.
+        // The folder shaders/ of Weft contains this file, so `include_root` is not in that folder.
         diagnostic.help.push_back("\"" + roots.include_root.parent_path().generic_string() +
                                   "\" is not the folder shaders/ of Weft: name this folder in "
                                   "LoadSettings::shader_root");

@@ -1,5 +1,5 @@
-// Mixes the light that the lens scatters into the picture. The pass uses alpha blending: the result is strength ×
-// blurred picture + (1 − strength) × picture.
+// Mixes the picture with a blurred picture, which is the light that the lens scatters. The pass uses alpha blending:
+// the result is strength × blurred picture + (1 − strength) × picture.
 #version 460
 #include "tent.glsl"
 

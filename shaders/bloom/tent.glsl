@@ -1,4 +1,5 @@
-// Upsamples a coarse mip with a tent filter of 3×3 bilinear taps, so that its texels are not visible as squares.
+// Upsamples a coarse mip with a tent filter of 3×3 bilinear taps, so that the texels of the mip are not visible as
+// squares.
 
 vec3 tent(sampler2D src, vec2 uv) {
     const vec2 texel = 1.0 / vec2(textureSize(src, 0));

@@ -1,5 +1,6 @@
-// Reads a picture for halving its size: five overlapping boxes of 2×2 bilinear taps. The middle box has half of the
-// weight. Summed over all output pixels, every source texel has the same weight, so the brightness does not change.
+// Reads the texels that one texel of a half-size picture needs: five overlapping boxes of 2×2 bilinear taps. The middle
+// box has half of the total weight. Summed over all output pixels, every source texel has the same weight, so the
+// brightness does not change.
 // Source: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare".
 
 struct Box {

@@ -18,8 +18,8 @@ uniform sampler2D shown;
 uniform sampler2D surface;  // Depth attachment drawn with `shown`. Pixels with depth 0 (nothing drawn) get stripes.
 
 layout(push_constant) uniform Params {
-    // The values that are shown as black and as white. Exception: for depth (DECODE 5) they are values of
-    // log2(1 + distance in metres), and `black`, the nearer one, is shown as white.
+    // The values that are shown as black and as white. Exception: for depth (DECODE 5), both are values of
+    // log2(1 + distance in metres). `black` belongs to the nearer distance and is shown as white.
     float black, white;
     vec2 shownUv;  // The part of `shown` that has content; `surface` has the same size.
     vec2 size_px;  // The size of the debug view.
@@ -29,7 +29,7 @@ float ranged(float x) { return (x - params.black) / (params.white - params.black
 
 // Converts the depth of the view that drew `shown` to grey, on a logarithmic scale of the distance in metres. The
 // inverse of the projection also works for mirrors, whose near plane is the mirror. A parallel projection has no
-// viewpoint, so the distance is that from its near plane.
+// viewpoint, so the distance is measured from its near plane.
 vec3 depth_color(float z) {
     if (z <= 0.0) return nothing_color(ivec2(gl_FragCoord.xy));
     const mat4 to_view = inverse(view.projection);

@@ -1,7 +1,7 @@
 // Writes the table of include/dfg.glsl. Each texel is an integral over the microfacets that the viewer sees: Heitz
-// 2018, "Sampling the GGX Distribution of Visible Normals". The samples are a grid on the projected hemisphere. The steps of
-// the radius become smaller towards the rim, where a small step is a large angle. Half of the hemisphere is enough,
-// because the other half is its mirror image. Largest error of an integral: 0.0006.
+// 2018, "Sampling the GGX Distribution of Visible Normals". The samples are a grid on the projected hemisphere. The
+// steps of the radius become smaller towards the rim, because there a small step changes the angle much. Half of the
+// hemisphere is enough, because the other half is its mirror image. Largest error of an integral: 0.0006.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -1,6 +1,6 @@
 // Blurs the half-size layers: each pixel gets the light of all pixels whose circle of confusion covers it. Colours are
-// premultiplied. Output layer 0: surfaces behind the focus; layer 1: surfaces in front of it, alpha is their coverage;
-// layer 2: an estimate of the colours that layer 1 hides, computed from visible neighbours.
+// premultiplied. Output layer 0: surfaces behind the focus; layer 1: surfaces in front of the focus, with their
+// coverage as alpha; layer 2: an estimate of the colours that layer 1 hides, computed from visible neighbours.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"

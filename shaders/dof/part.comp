@@ -1,6 +1,6 @@
 // Splits the picture into three half-size layers: surfaces behind the focus, surfaces in front of it, and surfaces that
-// the front layer may hide. For the first two layers, each colour is multiplied by its share of blur before averaging,
-// so sharp surfaces have no weight in these layers. Source: Liu 2016, "Rendering 'Monster Hunter Online'".
+// the front layer may hide. For the first two layers, each colour is multiplied by blurred_share() before averaging, so
+// sharp surfaces have no weight in these layers. Source: Liu 2016, "Rendering 'Monster Hunter Online'".
 //
 // Each pixel also stores one circle radius behind and one in front of the focus. Each radius is a mean over four
 // full-size pixels, weighted by their light. If a lamp and the sky share a pixel, nearly all light comes from the lamp.

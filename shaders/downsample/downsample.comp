@@ -56,8 +56,8 @@ Part part_of(int base, int level, ivec2 block, ivec2 blocks) {
     return Part(first, mix((block + 1) << shift, level_size(level), equal(block, blocks - 1)) - first);
 }
 
-// Returns texel `at` of `level`. `from` is the part of the larger level that block_texels has. The first step
-// loads from an image instead.
+// Returns texel `at` of `level`. `from` is the part of the larger level whose texels are in block_texels. The first
+// step reads the larger level from an image instead.
 float reduce_texel(int base, int level, ivec2 at, Part from) {
     const ivec2 first = covered_first(at), last = covered_last(at, level_size(level), level_size(level - 1));
     float joined = join_nothing();
@@ -77,7 +77,8 @@ void reduce_block(int base, int top, ivec2 block, ivec2 blocks) {
     for (int level = base + 1; level <= top; ++level) {
         const Part to = part_of(base, level, block, blocks), from = part_of(base, level - 1, block, blocks);
         const int count = to.sides.x * to.sides.y;
-        // The texels of the level replace those from which they are made, so that all are made first.
+        // In block_texels, the new texels replace the texels from which they are made. So all threads make their texels
+        // before they store them.
         float made[kMost];
         for (int i = 0; i * kThreads + thread < count; ++i) {
             const int texel = i * kThreads + thread;

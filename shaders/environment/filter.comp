@@ -1,8 +1,8 @@
 // Writes one mip of the filtered cube: the light that a surface with the roughness of the mip mirrors if it is seen
 // from straight above (GGX with N = V). Each texel is a mean of a few samples of the raw cube. A sample reads the mip whose
 // texels have about the solid angle for which the sample stands: Křivánek and Colbert 2008, "Real-time Shading with
-// Filtered Importance Sampling". The half vectors of the samples lie on a spiral with the golden angle, which is turned
-// by a different angle for each texel.
+// Filtered Importance Sampling". The half vectors of the samples lie on a spiral with the golden angle. The spiral is
+// turned by a different angle for each texel.
 #version 460
 #include "cube_texels.glsl"
 #include "environment_cube.glsl"
@@ -22,9 +22,9 @@ const float kPi = 3.14159265;
 
 shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the normal; w: level of detail.
 
-// The mips from which the samples read widen the lobe. So half vectors are distributed for a smaller roughness. It was
-//  chosen so that the orders 1 and 2 of spherical harmonics have errors of less than 0.5 % with 32 samples and the
-// bias −0.5. The effect is inversely proportional to the number of samples.
+// Samples read mips, which widens the lobe. So half vectors are distributed for a roughness that is smaller by these
+// numbers. They were chosen so that, with 32 samples and the bias −0.5, the orders 1 and 2 of spherical harmonics have
+// errors of less than 0.5 %. The widening is inversely proportional to the number of samples.
 const float kNarrower[6] = float[6](0.0, 0.0, 0.012, 0.007, 0.0045, 0.010);
 
 int basic_count() { return params.environmentSamples * (environmentPictures > 0u ? 4 : 1); }
@@ -33,7 +33,8 @@ float sampled_roughness() {
     return roughness_of_mip(params.i) - kNarrower[params.i] * min(32.0 / float(basic_count()), 1.0);
 }
 
-// The narrow lobe of mip 1 needs fewer samples than wide lobes, and the small mips of the widest lobes cost little.
+// The narrow lobe of mip 1 needs the fewest samples. The widest lobes get the most samples, because their mips are
+// small and cost little.
 int sample_count() {
     const int quarters = params.i == 1 ? 1 : (params.i < 4 ? 8 : 16);
     return clamp(basic_count() * quarters / 4, 1, kMostSamples);

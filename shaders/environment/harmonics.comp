@@ -2,8 +2,8 @@
 //
 // If there is a small bright source, the sum of harmonics of three orders can be negative in directions that face away
 // from the source. Then the orders 1 and 2 are multiplied by a window that reduces them only as much as needed: P.-P.
-// Sloan, "Deringing Spherical Harmonics", 2017. The sum must be at least a share of the light that the darkest side
-// receives; this light is computed without harmonics, for 128 directions.
+// Sloan, "Deringing Spherical Harmonics", 2017. In 128 directions, the sum must be at least kLeastShare times the light
+// that the darkest of these directions receives. This light is computed without harmonics.
 #version 460
 #include "cube_texels.glsl"
 #include "environment_cube.glsl"
@@ -18,7 +18,8 @@ layout(std430) writeonly buffer EnvironmentSh { vec4 items[]; } environmentSh;
 const float kPi = 3.14159265;
 const uint kSize = 8u, kBeams = 6u * kSize * kSize;
 const float kLeastShare = 0.7;  // As in framework/scene/pictures/environment.cpp.
-// Allowed error of the comparison, as a share of the mean. Smaller negative values are set to 0 when they are read.
+// Allowed error of the comparison, as a share of the mean. So the sum can still be slightly negative; readers replace
+// negative values by 0.
 const float kTolerance = 0.01;
 const int kMostSteps = 21;
 

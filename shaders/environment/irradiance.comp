@@ -1,5 +1,6 @@
-// Writes irradiance / π for each texel's direction as the normal. The sum has all texels of the raw cube's mip with
-// 32 × 32 texels per face, weighted by their solid angles and by the cosine to the normal.
+// Writes irradiance / π to each texel of a cube; the direction of the texel is the normal. The result is the mean of
+// all texels of the raw cube's mip with 32 × 32 texels per face, weighted by their solid angles and by the cosine of
+// the angle to the normal.
 #version 460
 #include "cube_texels.glsl"
 #include "half_float.glsl"

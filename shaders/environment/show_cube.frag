@@ -1,5 +1,5 @@
-// Debug view of a cube map: its mips below each other, each as a row of six faces in the order +x −x +y −y +z −z. Grey
-// is the mean luminance of the smallest mip.
+// Debug view of a cube map: its mips below each other, each as a row of six faces in the order +x −x +y −y +z −z. The
+// mean luminance of the smallest mip is shown as a medium grey.
 #version 460
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;

@@ -1,5 +1,6 @@
-// Writes the radiance of the surroundings to mip 0 of two cubes: the environment picture for lighting, or the gradient
-// sky. Texels are divided by frame.environment_unit, so that half floats neither overflow nor lose precision.
+// Writes the radiance of the surroundings to mip 0 of two cubes. The surroundings are the environment picture for
+// lighting or, without a picture, the gradient sky. Texels are divided by frame.environment_unit, so that half floats
+// neither overflow nor lose precision.
 #version 460
 #include "cube_texels.glsl"
 #include "frame_set.glsl"

@@ -15,7 +15,7 @@ layout(push_constant) uniform Params {
     float brighter_s, darker_s;
 } params;
 
-// The value before the tone curve at which a picture with the metered luminance is shown.
+// The value that the metered luminance gets before the tone curve.
 const float kMiddle = 0.25;
 // From kDayEv down to kNightEv, the darkening at night grows from 0 to its full value.
 const float kDayEv = 10.0, kNightEv = 5.0;
@@ -43,8 +43,8 @@ float metered(float all) {
     return clamp(sum / weights, params.leastEv, max(params.leastEv, params.mostEv));
 }
 
-// Moves the adapted EV towards the metered EV. The rest of their difference after the time t is exp(−t / time_s),
-// however many frames t contains.
+// Moves the adapted EV towards the metered EV. After the time t, their difference is multiplied by exp(−t / time_s).
+// This does not depend on the number of frames in t.
 float adapted(float before, float metered_ev) {
     const float time_s = metered_ev > before ? params.brighter_s : params.darker_s;
     const float rest = time_s > 0.0 ? exp(-params.deltaTime / time_s) : 0.0;

@@ -2,7 +2,7 @@
 // `environmentCube`, `environmentIrradiance` and `environmentSh` of graphs/modules/environment.json, `dfg` of
 // graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. Without `environmentCube`, mirrored light
 // comes from the blurred picture or the gradient sky. Without `environmentIrradiance`, diffuse light comes from the
-// harmonics in `environmentSh` or, without this port, from those in `frame`. With `probeSh`, the
+// harmonics in `environmentSh` or, without `environmentSh` too, from the harmonics in `frame`. With `probeSh`, the
 // light comes from the probes around the point.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
@@ -53,7 +53,7 @@ vec3 sky_irradiance_over_pi(vec3 n) {
 }
 
 // Returns the sky's radiance in a mirrored direction, blurred for the roughness, without a filtered cube. A GGX lobe is
-// about 2 α wide. At the largest roughness, the result is that of a diffuse surface.
+// about 2 α wide. At the roughness 1, the result is irradiance / π, as for a diffuse surface.
 vec3 blurred_radiance(vec3 direction, vec3 n, float roughness) {
     if (!has_environment())
         return mix(gradient_radiance(direction), sky_irradiance_over_pi(n), roughness);
@@ -93,16 +93,17 @@ vec3 mirrored_radiance(vec3 mirrored, vec3 n, float roughness) {
     return sum;
 }
 
-// The light of the surroundings on a surface: irradiance / π, and the mean radiance that it mirrors.
+// The light of the surroundings on a surface: irradiance / π, and the mean radiance that the surface mirrors.
 struct AmbientLight {
     vec3 diffuse, mirrored;
 };
 
-// Replaces mirrored light by that of the reflection probes around a point, as far as these see what the point mirrors.
-// `here`: irradiance / π at the point from the middle of the mirrored directions. A rough surface mirrors light from many
-// directions, and a probe elsewhere receives more or less of it. So the light of a probe changes by the same factor as the
-// irradiance. Where the probes see the sky, the whole `sky` counts, which is known best for the surroundings, times the
-// part of it that the probe sees.
+// Replaces mirrored light by the light of the reflection probes around a point, as far as the probes see what the point
+// mirrors. `here`: irradiance / π at the point, for a normal in the middle of the mirrored directions. A rough surface
+// mirrors light from many directions, and a probe at another place receives more or less of this light. So the light of
+// a probe is multiplied by the irradiance at the point, divided by that at the probe. Where the probes see the sky, the
+// mirrored light is `sky`, the best known light of the surroundings. With the filtered cube, `sky` is multiplied by the
+// light of the probes, divided by that of the cube.
 vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, float roughness, vec3 here) {
     const ReflectionLight seen = reflection_light(position, middle, roughness);
     const vec3 change = clamp(here / max(seen.irradiance_over_pi, vec3(1e-9)), 0.0, 2.0);
@@ -128,8 +129,8 @@ AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3
     return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
 }
 
-// Returns the reflection of the surroundings. with_albedo() must have set the members of `s`. An anisotropic surface
-// reflects the sky like an isotropic surface whose highlight has the same peak.
+// Returns the reflection of the surroundings. with_albedo() must have set `s.albedo` and `s.energy`. An anisotropic
+// surface reflects the sky like an isotropic surface whose highlight has the same peak.
 vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position) {
     const vec3 specular = (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy;
     const vec3 across = s.anisotropic ? bent_normal(s, v, roughness) : s.normal;

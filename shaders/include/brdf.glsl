@@ -104,9 +104,9 @@ vec3 schlick(vec3 f0, float f90, float vh) {
 
 // Returns the share of light that the diffuse base sends back through the coat. `coat` is the share that the coat itself
 // reflects. The base colour of a material is this share, because a base colour is measured or painted as it looks through
-// the coat. So the coat takes nothing from a dark base. But a surface cannot reflect more light than it receives, so the
-// share is at most what the coat lets through. glTF 2.0 (Appendix B) multiplies by 1 − F instead, and dark bases become
-// darker than their base colour; for white bases both are the same.
+// the coat. So the coat does not darken a dark base. But a surface cannot reflect more light than it receives, so the
+// share is at most the light that the coat lets through. glTF 2.0 (Appendix B) multiplies the base by 1 − F instead, so
+// dark bases become darker than their base colour. For white bases, both rules give the same result.
 vec3 base_under_coat(Surface s, vec3 coat) {
     return min(s.diffuse, vec3(max(1.0 - max(coat.r, max(coat.g, coat.b)), 0.0)));
 }

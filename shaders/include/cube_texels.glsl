@@ -14,7 +14,7 @@ vec3 face_direction(uint face, vec2 at) {
     }
 }
 
-// Returns the face that a direction meets, and in `at` the point there, from −1 to 1.
+// Returns the face that a direction meets, and in `at` the position on this face, from −1 to 1.
 uint face_of_direction(vec3 d, out vec2 at) {
     const vec3 size = abs(d);
     if (size.x >= size.y && size.x >= size.z) {

@@ -30,8 +30,8 @@ struct Decimal {
     int places;
 };
 
-// Rounds to three significant digits or to an integer, whichever keeps more digits. Uses fewer decimal places if
-// the error is at most 0.05 % (0.5 has one place), and at most six.
+// Rounds to three significant digits or to an integer, whichever keeps more digits. Uses at most six decimal places,
+// and fewer if the error is at most 0.05 % (0.5 has one place).
 Decimal decimal_of(float number) {
     float scaled = abs(number);
     int places = 0;

@@ -1,8 +1,8 @@
-// Directional albedo of the specular reflection: F0 · scale + F90 · bias is the share of the light from everywhere
-// that a surface reflects by single reflections at its microfacets (GGX, height-correlated Smith, Schlick). The port `dfg` is
-// the table of graphs/modules/dfg.json. Without the port, a fitted function replaces the table. Light that microfacets
-// reflect several times is added as a factor: Turquin 2019, "Practical multiple scattering compensation for microfacet
-// models".
+// Directional albedo of the specular reflection. If equal light comes from all directions, a surface reflects the share
+// F0 · scale + F90 · bias of it by single reflections at its microfacets (GGX, height-correlated Smith, Schlick). The
+// port `dfg` is the table of graphs/modules/dfg.json. Without the port, a fitted function replaces the table. Light
+// that microfacets reflect several times is added as a factor: Turquin 2019, "Practical multiple scattering
+// compensation for microfacet models".
 #ifndef WEFT_DFG
 #define WEFT_DFG
 #include "brdf.glsl"
@@ -17,9 +17,10 @@ vec2 dfg_uv(float roughness, float nv) {
     return (vec2(sqrt(nv), roughness) * (size - 1.0) + 0.5) / size;
 }
 
-// Returns scale and bias. The sum of both and the bias are polynomials of z = n·v / (n·v + 0.8 α) and r, the roughness.
-// They were fitted to the integrals on a grid of 50 × 41 values, with weights that were adapted until the largest error
-// was smallest (Lawson 1961). Largest errors for n·v from 0.02 to 1 and all roughnesses: 0.0097 (scale), 0.0055 (bias).
+// Returns scale and bias. Their sum, and the bias divided by (1 − n·v)⁵, are polynomials of z = n·v / (n·v + 0.8 α) and
+// of the roughness r. The polynomials were fitted to the integrals on a grid of 50 × 41 values, with weights that were
+// adapted until the largest error was smallest (Lawson 1961). Largest errors for n·v from 0.02 to 1 and all
+// roughnesses: 0.0097 (scale), 0.0055 (bias).
 vec2 fitted_dfg(float r, float nv) {
     const float z = nv / (nv + max(0.8 * r * r, 1e-4));
     const float sum = ((((-3.4414 * z + (2.2524 * r + 6.8158)) * z + ((-3.5227 * r - 1.5134) * r - 4.1366)) * z +

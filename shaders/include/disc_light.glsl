@@ -2,10 +2,10 @@
 //
 // The half vectors of all directions to the disc fill an ellipse in the plane of slopes, in which a half vector h has
 // the position h.xy / h.z (in the frame of the surface, in units of α). The GGX distribution of slopes is
-// 1 / (π (1 + |m|²)²), which is also the density of irradiance divided by π that a plane at the distance 1 sends to a
-// parallel receiver. So its integral over the ellipse is the form factor of an elliptical disc (as in Heitz and Hill
-// 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed Cosines"). For an ellipse with the centre m
-// and the matrix C (the ellipse is m + √C · unit disc) it is
+// 1 / (π (1 + |m|²)²). A parallel receiver gets the same density of irradiance divided by π from a plane at the
+// distance 1. So the integral of the distribution over the ellipse is the form factor of an elliptical disc (as in
+// Heitz and Hill 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed Cosines"). For an ellipse with
+// the centre m and the matrix C (the ellipse is m + √C · unit disc) it is
 //     √det C · μ · c² / √det(1 + μC)   with   1 / μ = 1 + m·w,   1 / c² = 1 + w·w,   w = (1 + μC)⁻¹ m.
 // w is the mean slope of the facets that mirror the disc. Fresnel term and masking-shadowing are those of this slope.
 #ifndef WEFT_DISC_LIGHT
@@ -36,7 +36,7 @@ SlopeEllipse slopes_of_disc(vec3 eye, vec3 light, float radius) {
 }
 
 // Returns (w, form factor): see above. μ is between 1 / (1 + m·m) and 1. Seven bisections of the logarithm of μ and two
-// steps of Newton's method find it.
+// steps of Newton's method find μ.
 vec3 form_factor(SlopeEllipse e) {
     const vec2 m = e.center;
     const float cx = e.a.x * e.a.x + e.b.x * e.b.x, cy = e.a.y * e.a.y + e.b.y * e.b.y;

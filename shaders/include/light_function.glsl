@@ -1,5 +1,5 @@
-// Computes the light function of a light: one factor per colour channel for the light towards a point. Doors, a picture
-// or a falloff curve shape it. For lights without a light function, all factors are 1.
+// Computes the light function of a light: one factor per colour channel for the light towards a point. Barn doors, a
+// picture or a falloff curve determine the factors. For lights without a light function, all factors are 1.
 #ifndef WEFT_LIGHT_FUNCTION
 #define WEFT_LIGHT_FUNCTION
 #include "frame_set.glsl"
@@ -66,7 +66,7 @@ PictureSpot picture_ahead(LightFunction f, vec2 at, float pixel, bool endless) {
     return PictureSpot(0.5 + 0.5 * vec2(place.x, -place.y), footprint, weight);
 }
 
-// `pixel_m`: width at the position, in metres, of the area over which the picture of the light is averaged.
+// `pixel_m`: the picture of the light is averaged over an area with this width at `position`, in metres.
 vec3 light_function(Light light, vec3 position, float pixel_m) {
     if (light.function == 0u) return vec3(1.0);
     const LightFunction f = light_functions.items[light.function - 1u];

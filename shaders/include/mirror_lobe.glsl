@@ -18,11 +18,11 @@ struct MirrorParts {
 };
 
 // The polynomials of n·v and the roughness r were fitted to the exact lobe for n·v from 0.1 to 1 and r from 0.2 to 1.
-// The integral of |sum of the parts − lobe| over all directions was minimised, with the parts as the mips of the cube show
-// them. Directions more than 35° off the mirrored direction counted up to three times as much, so that the sum keeps the
-// tails of the lobe. The mean of the integral without these weights is 0.21; for a single part it is 0.40. Below the
-// roughness 0.2, the parts move towards each other. They become one at kLeastParted, because the cube has no narrower
-// lobe.
+// The fit minimised the integral of |sum of the parts − lobe| over all directions. Each part was the lobe that the mips
+// of the cube give for it. Directions more than 35° off the mirrored direction counted up to three times as much, so
+// that the sum keeps the tails of the lobe. The mean of the integral without these weights is 0.21; for a single part
+// it is 0.40. Below the roughness 0.2, the parts move towards each other. They become one at kLeastParted, because the
+// cube has no narrower lobe.
 MirrorParts mirror_parts(float r, float nv) {
     const float m = 0.5 - nv, s = r - 0.5;
     const float apart = clamp(10.0 * r - 1.0, 0.0, 1.0);

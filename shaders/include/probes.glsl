@@ -1,13 +1,14 @@
-// The diffuse light of the irradiance probes around a point. Units: cd/m². Ports, all optional, but only together:
-// `probeSh` (light of the probes), `probeMoments` (what blocks the view of the probes) and `probeMap` (where they
-// stand). If HAS_probeSh is false, there are no probes, and the functions must not be called.
+// The diffuse light of the irradiance probes around a point. Units: cd/m². The ports are optional, but only all
+// together: `probeSh` (light of the probes), `probeMoments` (what blocks the view of the probes) and `probeMap` (where
+// they stand). If HAS_probeSh is false, there are no probes, and the functions must not be called.
 //
 // A point gets the light of the eight probes at the corners of the finest cell around it. The weight of a probe is the
 // product of three factors: the place of the point in the cell (trilinear), the side of the surface on which the probe
 // is, and whether the probe sees the point. Sources: Majercik et al. 2019, "Dynamic Diffuse Global Illumination with
 // Ray-Traced Irradiance Fields", and 2021, "Scaling Probe-Based Real-Time Dynamic Global Illumination for Production".
-// Both test the view with two moments of the distance. Here the test uses the plane of the surface that the probe sees
-// in a direction, and the deviation of the surface from it. So walls seen at grazing angles need no tolerance.
+// Both papers test with two moments of the distance whether a probe sees a point. Here the test uses the plane of the
+// surface that the probe sees in a direction, and the deviation of the surface from this plane. So walls seen at
+// grazing angles need no tolerance.
 #ifndef WEFT_PROBES
 #define WEFT_PROBES
 #include "environment_cube.glsl"
@@ -20,37 +21,39 @@ layout(constant_id = 27) const bool HAS_probeMoments = false;
 layout(constant_id = 28) const bool HAS_probeMap = false;
 layout(std430) readonly buffer ProbeSh { vec4 items[]; } probeSh;
 // One layer for each probe: an octahedral map with a border of one texel; see probes/moments.comp. rgb: the plane that
-// the probe sees; a point p as seen from the probe is on the plane if dot(rgb, p) = 1. 0 for the sky. a: standard
-// deviation of the inverse distance from that of the plane.
+// the probe sees, or 0 for the sky. A point is on the plane if dot(rgb, vector from the probe to the point) = 1. a:
+// standard deviation of the inverse distance of the surface from that of the plane.
 uniform sampler2DArray probeMoments;
 layout(std430) readonly buffer ProbeMap { uvec4 items[]; } probeMap;
 
 const uint kNoItem = 0xffffffffu;
 
-// Light fades from a cell to the next coarser level over this part of the cell, next to places without a cell of the
-// same level.
+// Next to a place without a cell of the same level, the light fades to the next coarser level over this part of the
+// cell.
 const float kProbeFade = 0.25;
-// Light of the coarsest cells reaches this far beyond them, in spacings, and fades.
+// Beyond the coarsest cells, their light fades to 0 over this distance, in spacings.
 const float kProbeReach = 0.5;
-// The point moves by this many spacings along the normal, and as far towards the eye, before a probe looks at it. So a
-// surface does not hide itself. The offset ends at a spacing of kMostBiasSpacing_m.
+// Before the test whether a probe sees the point, the point moves by this many spacings along the normal, and as far
+// towards the eye. So a surface does not hide itself. For spacings above kMostBiasSpacing_m, the offset stays the same.
 const float kProbeBias = 0.1, kMostBiasSpacing_m = 1.0;
-// The probes of a cell are trusted fully if they see the point with this share of their weights.
+// The probes of a cell count fully if at least this share of their weights is left after the test whether they see the
+// point.
 const float kProbeTrust = 0.02;
-// Smallest trilinear factor along an axis. So even a point at a side of the cell gets light from the probes at the other
-// side if those at its side are missing or do not see it.
+// Smallest trilinear factor along an axis. So even a point at one side of the cell gets light from the probes at the
+// opposite side, if the probes at its own side are missing or do not see the point.
 const float kLeastCloseness = 0.01;
-// A surface faces to one side along an axis if its normal has at least this component.
+// A surface faces to one side along an axis if the component of its normal along this axis is at least this large.
 const float kFacingAxis = 0.25;
 // A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
 const float kTexelHides = 32.0;
-// An object hides softly if the point is at least this many times as far away: not yet at the first number, fully at the
-// second. Beside the object, the probe must see a surface near the point: its inverse distance differs from that of the
-// point by less than the second share, and fully counts up to the first one.
+// An object hides softly if the point is many times as far from the probe as the object: not yet at kLeastEdge times,
+// fully at kMostEdge times. Also, the probe must see a surface near the point beside the object. The difference between
+// the inverse distances of this surface and of the point, as a share of that of the point, counts fully up to kLeastOff
+// and not at all from kMostOff on.
 const float kLeastEdge = 1.6, kMostEdge = 3.0;
 const float kLeastOff = 0.4, kMostOff = 0.7;
-// Limits of the standard deviation of the inverse distance, as shares of it. The upper limit keeps light out where a
-// texel sees a rough or a curved surface.
+// Limits of the standard deviation of the inverse distance, as shares of the inverse distance. The upper limit prevents
+// light leaks where a texel shows a rough or a curved surface.
 const float kLeastDeviation = 0.015, kMostDeviation = 0.06;
 
 // The light of the probes. facing, mirrored: irradiance / π for the normal and for a second direction. validity: 0 if no
@@ -61,7 +64,7 @@ struct ProbeLight {
     float outside;
 };
 
-// What a lookup needs to know about the point.
+// The data of a point that a lookup needs.
 struct ProbeQuery {
     vec3 position, normal, to_eye;
     float facing_basis[9], mirrored_basis[9];
@@ -87,8 +90,8 @@ uint find_probe_cell(ivec3 at, uint level) {
 }
 
 // Returns 0 next to a place without a cell of the same level, and 1 at a distance of kProbeFade cells. `t`: place in the
-// cell, from 0 to 1. A bit of `neighbours` is set for each cell around it that exists. Only cells at the nearer sides
-// can be near enough.
+// cell, from 0 to 1. `neighbours` has one set bit for each existing cell around the cell. Only the neighbours at the
+// nearer sides are tested, because all others are too far away.
 float probe_cell_share(uint neighbours, vec3 t) {
     const ivec3 side = ivec3(greaterThanEqual(t, vec3(0.5))) * 2 - 1;
     const vec3 away = min(t, 1.0 - t);
@@ -104,9 +107,9 @@ float probe_cell_share(uint neighbours, vec3 t) {
 
 // Returns how well a probe sees a point: 1 if nothing is between them, nearly 0 for a point behind a surface. Each of
 // the four nearest texels of the map has a plane. Where two walls meet in a corner, the texel that hides most decides:
-// the nearer wall hides the point. A texel far from the direction hides less, so that the result is continuous. But
-// where the probe sees the surroundings of the point beside the edge of a nearer object, such as a column, the mean of
-// the texels decides: a sharp edge would look like a shadow of light that comes from the probe.
+// the nearer wall hides the point. A texel far from the direction hides less, so that the result is continuous. There
+// is one exception: where the probe sees a surface near the point beside the edge of a nearer object, such as a column,
+// the mean of the texels decides. Otherwise the edge would look like a sharp shadow, as if the probe were a lamp.
 float probe_visibility(uint probe, vec3 to_point) {
     const vec2 at = (octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
     const vec2 low = floor(at), high_share = at - low;
@@ -152,7 +155,8 @@ ProbeCorner probe_corner(ProbeQuery q, uint cell, uint corner, vec3 t, float spa
     found.lit = probeSh.items[kProbeShStride * found.probe].w > 0.0;
     if (!found.lit) return found;
     const vec3 seen_at = q.position + (q.normal + q.to_eye) * (kProbeBias * min(spacing_m, kMostBiasSpacing_m));
-    // The least value is above 0. So if all probes are hidden, the ones that see the point best give the light.
+    // The least value is above 0. So if the point is hidden from all probes, the probes from which it is hidden least
+    // give the light.
     found.visible = max(probe_visibility(found.probe, seen_at - place), 1e-12);
     return found;
 }
@@ -164,8 +168,8 @@ struct ProbeSum {
 };
 
 // Adds the light of the probes of a cell, with the weight `share`. Returns how well these probes see the point, from 0
-// to 1, or −1 if the cell has no probe. Hidden probes count little, so that a coarser cell with visible probes decides.
-// `t`: place of the point in the cell.
+// to 1, or −1 if the cell has no probe. If the probes hardly see the point, the cell counts little, so that a coarser
+// cell whose probes see the point decides. `t`: place of the point in the cell.
 float add_probe_cell(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float spacing_m, float share) {
     vec3 facing = vec3(0.0), mirrored = vec3(0.0);
     float lit = 0.0, all = 0.0, weights = 0.0;
@@ -226,8 +230,8 @@ uint probe_cell_at(vec3 grid, uint level, bool coarsest, out vec3 t, out float s
 }
 
 // Adds the light of the cells around a cell, for a point that the probes of its own cell do not see: for example next to
-// a thin wall, with all probes of the cell behind the wall. Only the seven cells on one side along each axis count: on
-// the side to which the surface faces, or else on the nearer side.
+// a thin wall, with all probes of the cell behind the wall. Along each axis, only the cells on one side count: the side
+// to which the surface faces or, if it faces to neither side, the side nearer to the point. These are seven cells.
 void add_cells_around(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float spacing_m, float share) {
     const uvec4 key = probeMap.items[cell];
     const uint neighbours = probeMap.items[cell + 3u].x;

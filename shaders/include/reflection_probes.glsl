@@ -1,11 +1,12 @@
-// The light that a surface mirrors, from the reflection probes around a point. Units: cd/m², metres. Ports, all optional,
-// but only together: `reflectionCubes`, `reflectionSh` and `reflectionMap` of graphs/modules/reflection_probes.json. If HAS_reflectionCubes is false, the functions must not be called.
+// The light that a surface mirrors, from the reflection probes around a point. Units: cd/m², metres. The ports are
+// optional, but only all together: `reflectionCubes`, `reflectionSh` and `reflectionMap` of
+// graphs/modules/reflection_probes.json. If HAS_reflectionCubes is false, the functions must not be called.
 //
 // A cube shows what its probe sees. A point next to the probe sees the same surfaces in other directions. So a ray from
-// the point is followed to the surface that it meets, and the cube is read in the direction of this surface. Inside of a
-// box, the ray ends at the box: Lagarde and Zanuttini 2012, "Local Image-based Lighting With Parallax-corrected Cubemap".
-// Without a box, the ray ends at the surface that the distances in the cube describe: Szirmay-Kalos et al. 2005,
-// "Approximate Ray-Tracing on the GPU with Distance Impostors".
+// the point is followed to the surface that it meets, and the cube is read in the direction from the probe to this
+// place. Inside of a box, the ray ends at the box: Lagarde and Zanuttini 2012, "Local Image-based Lighting With
+// Parallax-corrected Cubemap". Without a box, the ray ends at the surface that the distances in the cube describe:
+// Szirmay-Kalos et al. 2005, "Approximate Ray-Tracing on the GPU with Distance Impostors".
 #ifndef WEFT_REFLECTION_PROBES
 #define WEFT_REFLECTION_PROBES
 #include "environment_cube.glsl"
@@ -20,25 +21,26 @@ layout(constant_id = 31) const bool HAS_reflectionMap = false;
 // probe in 1/m, 0 for the sky. The inverse distance is a linear function on a plane, so it can be interpolated.
 uniform samplerCubeArray reflectionCubes;
 layout(std430) readonly buffer ReflectionSh { vec4 items[]; } reflectionSh;  // As probeSh.
-// For each probe: its position, and the rows of the matrix from world space to its box, which reaches from −1 to 1. A
-// probe without a box has rows of 0.
+// For each probe: its position, and the rows of the matrix from world space to the space of its box. In this space, the
+// box reaches from −1 to 1. A probe without a box has rows of 0.
 layout(std430) readonly buffer ReflectionMap { vec4 items[]; } reflectionMap;
 
-// The probes that a point asks whether they see it: those that are best by their distance and their boxes.
+// The number of probes for which it is tested whether they see the point. They are the best ones by their distances and
+// boxes.
 const int kReflectionCandidates = 4;
 // The weight of a probe with a box, relative to one without a box at a distance of 1 m.
 const float kBoxWeight = 1000.0;
-// Outside of its box, the weight of a probe falls to 0 over this part of half the size of the box. So the walls of a room
-// whose box ends at the walls are inside.
+// Outside of a box, the weight of its probe falls to 0 over this part of half the size of the box. So if a box ends at
+// the walls of a room, the walls still count as inside.
 const float kBoxFade = 0.1;
-// A ray that meets no surface is followed so far.
+// A ray that meets no surface is followed up to this distance.
 const float kFarReflection_m = 10000.0;
-// Smallest standard deviation of the inverse distance, as a share of it.
+// Standard deviation of the inverse distance, as a share of the inverse distance.
 const float kReflectionDeviation = 0.03;
 
 // The light of the probes around a point. share: 0 if no probe sees what the point mirrors, 1 if the probes give all of
-// the light. sky: the part of the share for which the ray meets no surface. irradiance_over_pi: that of the probes
-// themselves, for the direction in the middle of the lobe.
+// the light. sky: the part of the share for which the ray meets no surface. irradiance_over_pi: irradiance / π at the
+// places of the probes, for a normal in the middle direction of the lobe.
 struct ReflectionLight {
     vec3 radiance, irradiance_over_pi;
     float share, sky;
@@ -56,8 +58,8 @@ vec3 to_reflection_box(uint probe, vec4 point) {
                 dot(reflectionMap.items[row + 2u], point));
 }
 
-// Returns the weight of a probe at a point before it is known whether it sees the point (x), and how far the point is
-// inside of its box (y): 1 in the box and without a box, 0 far enough outside.
+// Returns in x the weight of a probe at a point, without the test whether the probe sees the point. Returns in y how
+// far the point is inside of the box of the probe: 1 in the box or without a box, 0 far enough outside.
 vec2 reflection_weight(uint probe, vec3 position) {
     const vec3 way = position - reflection_place(probe);
     const float near = 1.0 / (dot(way, way) + 0.25);
@@ -89,9 +91,10 @@ float distance_to_sphere(vec3 from, vec3 direction, float inverse_radius) {
     return max(sqrt(max(b * b - c, 0.0)) - b, 0.0);
 }
 
-// Follows a ray to the surface that it meets. Returns the way from the probe to this place. `agreement`: 1 if the probe
-// sees the place, 0 if another surface hides it. The function g = distance · inverse distance in the cube − 1 is below
-// 0 in front of the surface, 0 on it, and linear along the ray if the surface is a plane. So secants find its root.
+// Follows a ray to the surface that it meets. Returns the vector from the probe to this place or, if the ray meets no
+// surface, `direction`. `agreement`: 1 if the probe sees the place, 0 if another surface hides it. The function g =
+// distance from the probe · inverse distance in the cube − 1 is below 0 in front of the surface, 0 on it, and linear
+// along the ray if the surface is a plane. So the secant method finds the root of g.
 vec3 followed_reflection(uint probe, vec3 from, vec3 direction, out float agreement) {
     agreement = 1.0;
     float before = distance_to_sphere(from, direction, reflection_inverse_distance(probe, direction));
@@ -115,7 +118,7 @@ vec3 followed_reflection(uint probe, vec3 from, vec3 direction, out float agreem
     return place;
 }
 
-// Returns the way from the probe to the place at which a ray from inside of the box of the probe ends.
+// Returns the vector from the probe to the place at which a ray from inside of the box of the probe ends.
 vec3 boxed_reflection(uint probe, vec3 position, vec3 direction) {
     const vec3 from = to_reflection_box(probe, vec4(position, 1.0)), along = to_reflection_box(probe, vec4(direction, 0.0));
     const vec3 ends = (mix(vec3(-1.0), vec3(1.0), greaterThanEqual(along, vec3(0.0))) - from) /
@@ -130,7 +133,7 @@ void add_reflection(inout ReflectionLight sum, uint probe, vec3 position, vec3 d
     float agreement = 1.0;
     const vec3 way = has_reflection_box(probe) ? boxed_reflection(probe, position, direction)
                                                : followed_reflection(probe, from, direction, agreement);
-    // The lobe is narrower on a near surface than where the probe sees it from afar.
+    // If the surface is nearer to the point than to the probe, the lobe is narrower as seen from the probe.
     const float nearer = clamp(distance(way, from) / max(length(way), 1e-4), 0.0, 1.0);
     const float blur = way == direction ? roughness : mix(roughness * nearer, roughness, roughness);
     const float lod = min(lod_of_roughness(blur), kLastFiltered), w = weight * agreement;
@@ -173,9 +176,9 @@ ReflectionCandidates reflection_candidates(vec3 position) {
     return best;
 }
 
-// Returns the light that a surface with this roughness mirrors. `direction` is the middle of its lobe. The light is that
-// of the two probes with the largest weights, from which the third weight is subtracted: so a probe fades before another
-// one takes its place.
+// Returns the light that a surface with this roughness mirrors. `direction` is the middle of its lobe. The light is
+// that of the two probes with the largest weights. The third largest weight is subtracted from both, so that a probe
+// fades before another one takes its place.
 ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness) {
     const ReflectionCandidates best = reflection_candidates(position);
     ReflectionLight sum = ReflectionLight(vec3(0.0), vec3(0.0), 0.0, 0.0);

@@ -12,7 +12,8 @@ const float kShadowMostSlope = 2.0;
 // that 2 × 2 texels share to their centres. Units: texels.
 const float kShadowReach = 2.0, kShadowQuadReach = 0.5;
 // Offset along the light, in texels, for rounding errors and for normals that differ from the real surface. With 0.5,
-// planes under a low sun get darker stripes. With 1, none of the built-in scenes has stripes; the rest is a reserve.
+// planes under a low sun get darker stripes. With 1, none of the built-in scenes has stripes; the remaining 0.5 is a
+// reserve.
 const float kShadowBiasTexels = 1.5;
 
 // A map of one light. It is a parallel projection along the light.
@@ -32,9 +33,9 @@ struct ShadowPlace {
 };
 
 // Finds the place of a point in a map. `across` is the part of the normal along the rows and columns of the map. On a
-// plane, depth changes by -across / cos_light per metre. An offset along the normal of d raises the depth by
-// d / cos_light. The slope is clamped for steep planes. The offset makes up for the clamping, and for the differences
-// within 2 × 2 texels, so that a plane does not shadow itself.
+// plane, depth changes by -across / cos_light per metre. An offset of d along the normal raises the depth of the plane
+// by d / cos_light. The slope is clamped for steep planes. The offset makes up for the clamping, and for the
+// differences within 2 × 2 texels, so that a plane does not shadow itself.
 ShadowPlace place_in_map(ShadowMap map, vec3 to_light, vec3 position, vec3 normal) {
     const float cos_light = max(dot(normal, to_light), 1e-3);
     const float sin_light = sqrt(max(0.0, 1.0 - cos_light * cos_light));
@@ -49,7 +50,7 @@ ShadowPlace place_in_map(ShadowMap map, vec3 to_light, vec3 position, vec3 norma
     return ShadowPlace(vec3(place.xy * map.size, place.z), slope, map.size, map.layer);
 }
 
-// Returns the distance in texels from the nearest edge of the map, less the half width of the filter.
+// Returns the distance in texels from the nearest edge of the map, minus half the width of the filter.
 float inside_of_map(ShadowPlace place) {
     const vec2 inside = min(place.at.xy, place.size - place.at.xy) - kShadowReach;
     return min(inside.x, inside.y);

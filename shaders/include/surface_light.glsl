@@ -1,8 +1,8 @@
-// Computes the light that a surface reflects to the eye from all lights and the sky, without its own emission. Units:
-// cd/m². Deferred and forward shading both use this file. Ports: the buffer `lights`, and optionally those of
-// ambient.glsl, `sunShadow`, and the lists `tileLights`, which contain the lights that reach each tile. With lists,
-// only the lights of the pixel's tile are added, in the same order as without lists. If a list is complete, all other
-// lights would add exactly 0, so the sum has the same bits.
+// Computes the light that a surface reflects to the eye from all lights and the sky, without the light that the surface
+// emits. Units: cd/m². Deferred and forward shading both use this file. Ports: the buffer `lights`, and optionally
+// those of ambient.glsl, `sunShadow`, and the lists `tileLights`, which contain the lights that reach each tile. With
+// lists, only the lights of the pixel's tile are added, in the same order as without lists. If a list is complete, all
+// other lights would add exactly 0, so the sum has the same bits.
 #ifndef WEFT_SURFACE_LIGHT
 #define WEFT_SURFACE_LIGHT
 #include "ambient.glsl"
@@ -16,7 +16,7 @@
 layout(constant_id = 15) const bool HAS_tileLights = false;
 
 // Returns the reflection of all lights: directional lights, then the lights in the list of the tile of `pixel`. Without
-// lists, it adds all other lights.
+// lists: directional lights, then all other lights.
 vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint all = min(frame.light_count, uint(lights.items.length()));
     const uint directional = min(frame.directional_count, all);

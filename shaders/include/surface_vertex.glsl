@@ -14,7 +14,8 @@ layout(set = 3, binding = 0, std430) readonly buffer Instances { Instance instan
 layout(set = 3, binding = 1, std430) readonly buffer VertexColors { uvec2 vertex_colors[]; };  // Format rgba16 unorm.
 layout(set = 3, binding = 2, std430) readonly buffer SecondUvs { vec2 second_uvs[]; };
 
-// All passes then compute exactly the same depth for the same surface, so that a later pass can test for equal depth.
+// With this declaration, all passes compute exactly the same depth for the same surface, so that a later pass can test
+// for equal depth.
 invariant gl_Position;
 
 layout(location = 0) out vec3 world_normal;

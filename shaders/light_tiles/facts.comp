@@ -57,7 +57,7 @@ vec3 place_of(ivec2 pixel) {
 }
 
 // Returns the cosine of the angle between the surface normal and the direction to the eye, at least 0.02. Debug views
-// draw edges where it changes, so that the scene can be recognised.
+// draw edges where this cosine changes, so that the scene can be recognised.
 float facing_eye(ivec2 pixel, ivec2 last, vec3 place) {
     const ivec2 beside = pixel + ivec2(pixel.x < last.x ? 1 : -1, 0), below = pixel + ivec2(0, pixel.y < last.y ? 1 : -1);
     const vec3 normal = cross(place_of(beside) - place, place_of(below) - place);

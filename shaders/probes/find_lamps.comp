@@ -1,5 +1,5 @@
-// Finds the lamps that a light probe sees, and writes them to the buffer `lamps` (probe_lamps.glsl). Each thread
-// tests 32 lamps, and then the next 32 after those of all threads.
+// Finds the lamps that a light probe sees, and writes them to the buffer `lamps` (probe_lamps.glsl). The lights are in
+// groups of 32. Thread t tests the groups t, t + 64, t + 128 and so on.
 #version 460
 #include "frame_set.glsl"
 #include "lamp_share.glsl"

@@ -11,8 +11,9 @@ uniform sampler2DArray probeDistance;  // Six faces: distance in m, 0: nothing t
 // to the probe than the light does not hide the light.
 const float kLampHousing_m = 0.2;
 
-// Returns the share of the directions next to the direction of a point in which the probe sees as far as the point:
-// the mean of 2 × 2 texels, weighted like a linear filter.
+// Returns how much of a point the probe sees, from 0 to 1. Each of the 2 × 2 texels around the direction of the point
+// counts if the probe sees there at least as far as the point, minus `housing_m`. The weights are those of a linear
+// filter.
 float seen_share(vec3 to_point, float housing_m) {
     const float away_m = length(to_point) - housing_m;
     if (away_m <= 0.0) return 1.0;
@@ -32,7 +33,8 @@ float seen_share(vec3 to_point, float housing_m) {
     return share;
 }
 
-// Returns the share of the light's shape that a probe at `probe` sees: of five points of a capsule or a rectangle.
+// Returns the share of a lamp that a probe at the place `probe` sees. For a capsule or a rectangle, this is the mean
+// over five points of its shape.
 float lamp_share(Light light, vec3 probe) {
     const vec3 to_light = light.position - probe;
     if (light.type < kLightCapsule) return seen_share(to_light, kLampHousing_m);
@@ -48,8 +50,8 @@ float lamp_share(Light light, vec3 probe) {
     return share;
 }
 
-// Returns true if the point is on the shape of a lamp or on its housing. Such surfaces show the light of the lamp
-// itself, and the lamp has lit the scene with this light already.
+// Returns true if the point is on the shape of a lamp or on its housing. The emission of such a surface is the light of
+// the lamp. The scene already gets this light from the lamp.
 bool is_on_lamp(Light light, vec3 position) {
     vec3 way = position - light.position;
     float reach_m = kLampHousing_m;

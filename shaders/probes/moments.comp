@@ -1,12 +1,13 @@
-// Makes the octahedral map of what a probe sees, with which lookups find out whether the probe sees a point. The
-// inverse distance is 0 where nothing is. On a plane it is the product of the direction and a vector: the normal
-// divided by the distance of the plane from the probe. Each texel gets the plane of one surface that is seen within
-// it. rgb: the vector, in 1/m; a: standard deviation of the inverse distance of this surface from the plane. A wall
-// has nearly no deviation and the same vector everywhere, even where the probe sees it at a grazing angle. The map has
-// 32 × 32 texels and a border of one texel, which continues the map beyond its edges.
+// Makes the octahedral map of the surfaces that a probe sees. Lookups use the map to find out whether the probe sees a
+// point. The inverse distance is 0 where there is no surface. On a plane, the inverse distance is the dot product of
+// the direction and a vector: the normal divided by the distance of the plane from the probe. Each texel gets the plane
+// of one surface that is seen within the texel. rgb: the vector, in 1/m; a: standard deviation of the inverse distance
+// of this surface from the plane. A wall has nearly no deviation and the same vector everywhere, even where the probe
+// sees it at a grazing angle. The map has 32 × 32 texels and a border of one texel, which continues the map beyond its
+// edges.
 //
-// A plane fitted to all that is seen within a texel would be wrong where the texel covers the edge of a surface: it
-// lies behind the near surface and in front of the far one, so light leaks through walls near their edges.
+// A plane fitted to all surfaces within a texel would be wrong where the texel covers the edge of a surface. The plane
+// would lie behind the near surface and in front of the far one, so light would leak through walls near their edges.
 #version 460
 #include "cube_texels.glsl"
 #include "octahedral.glsl"
@@ -18,19 +19,19 @@ uniform sampler2DArray faces;
 layout(rgba16f) writeonly uniform image2D moments;
 
 const int kSide = int(kProbeMomentSide);
-// Samples per side of a texel. A texel has the size of about 2.4 × 2.4 texels of a face with 32 × 32.
+// Samples per side of a texel. A texel is about as large as 2.4 × 2.4 texels of a face with 32 × 32 texels.
 const int kSamples = 5;
 const int kAll = kSamples * kSamples;
-// A plane behind a surface lets light through it. This counts so many times as much as a plane in front of a surface,
-// which hides places that the probe sees.
+// A plane behind a surface lets light through the surface. A plane in front of a surface hides places that the probe
+// sees. The first error counts this many times as much as the second.
 const float kOpenCost = 2.0;
-// Surfaces that are this near to the plane, as a share of the inverse distance, belong to it.
+// A surface belongs to a plane if their inverse distances differ by at most this share.
 const float kSameSurface = 0.05;
-// At the border of a face there is no third texel that shows whether a change is steady. Such a change counts as this
-// unsteady, as a share.
+// At the border of a face, there is no third texel that shows whether a change from texel to texel is steady. The
+// unsteadiness of such a change is this share of slope_at().
 const float kNoThird = 1e-3;
 
-// Returns the texel of the map whose content a texel has. Texels of the border are copies.
+// Returns the texel of the map that has the content of the texel `at`. Texels of the border are copies of other texels.
 ivec2 wrapped(ivec2 at) {
     if (at.x < 0 || at.x >= kSide) at = ivec2(clamp(at.x, 0, kSide - 1), kSide - 1 - at.y);
     if (at.y < 0 || at.y >= kSide) at = ivec2(kSide - 1 - at.x, clamp(at.y, 0, kSide - 1));
@@ -44,8 +45,8 @@ struct Sight {
     float unsteady;  // How unsteady the inverse distance changes around the texel, from 0 to 1.
 };
 
-// Returns the product of the plane and the unnormalised direction of a texel. It is a linear function of the place on
-// the face where the surface is flat. 0: nothing is there.
+// Returns the dot product of the plane's vector and the unnormalised direction of a texel. Where the surface is flat,
+// the product is a linear function of the place on the face. Returns 0 if there is no surface.
 float slope_at(ivec2 texel, uint face) {
     const int size = textureSize(faces, 0).x;
     const float distance = abs(texelFetch(faces, ivec3(texel, face), 0).r);
@@ -53,8 +54,8 @@ float slope_at(ivec2 texel, uint face) {
     return distance > 0.0 ? sqrt(1.0 + dot(place, place)) / distance : 0.0;
 }
 
-// Returns the change of slope_at() from texel to texel. Takes the side on which the change is steadiest, so that the
-// edge of a surface does not count. Adds to `unsteady` how much the change differs from the next one.
+// Returns the change of slope_at() from texel to texel. Uses the texels of the side on which the change is steadiest,
+// so that the edge of a surface does not count. Adds to `unsteady` the difference between this change and the next one.
 float gradient(ivec2 texel, uint face, ivec2 axis, inout float unsteady) {
     const int size = textureSize(faces, 0).x, at = axis.x * texel.x + axis.y * texel.y;
     float w[5];
@@ -106,17 +107,18 @@ float weights[kAll];
 void look_around(vec2 texel) {
     for (int i = 0; i < kAll; ++i) {
         const vec3 point = octahedron_point(texel + (vec2(i % kSamples, i / kSamples) + 0.5) / float(kSamples));
-        // A piece of the octahedron looks smaller from its middle where it is farther away.
+        // Seen from the middle of the octahedron, pieces of it that are farther away look smaller.
         const float inverse_length = inversesqrt(dot(point, point));
         weights[i] = inverse_length * inverse_length * inverse_length;
         sights[i] = sight_along(point * inverse_length);
     }
 }
 
-// Returns how much nearer than what is seen a plane is, as an inverse distance.
+// Returns the inverse distance of the plane, minus that of the surface that sample i sees, in the direction of the
+// sample.
 float error_of(vec3 plane, int i) { return dot(plane, sights[i].direction) - sights[i].near; }
 
-// Returns the plane of a sample that describes best what all of them see.
+// Returns the plane that describes the surfaces of all samples best. Each sample gives one plane to choose from.
 vec3 best_plane() {
     int best = 0;
     float least = 1e30;
@@ -134,7 +136,7 @@ vec3 best_plane() {
     return sights[best].plane;
 }
 
-// Returns the standard deviation from the plane, of what belongs to it.
+// Returns the standard deviation from the plane of the samples that belong to the plane.
 float deviation_from(vec3 plane) {
     float sum = 0.0, count = 0.0;
     for (int i = 0; i < kAll; ++i) {

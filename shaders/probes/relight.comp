@@ -36,8 +36,9 @@ layout(std430) readonly buffer Lamps { uint items[]; } lamps;
 layout(rgba32f) writeonly uniform image2DArray lit;
 layout(push_constant) uniform Params { int p; } params;  // The number of the probe.
 
-// Limits the light in a closed white room, if the probes never rest. A lookup is a mean of probes, so it adds no light of
-// its own, and the sum of all reflections is at most 100 times the light of the first.
+// Largest albedo for light that other surfaces have reflected. It limits the light in a closed white room if the probes
+// never rest. A lookup is a mean of probes and adds no light. So the sum of all reflections is at most 100 times the
+// light of the first reflection.
 const float kMostAlbedo = 0.99;
 struct Texel {
     vec3 position;
@@ -106,7 +107,7 @@ vec3 lamps_irradiance(Texel t) {
     return sum;
 }
 
-// Returns true if the light of a surface is that of a lamp that the probe sees.
+// Returns true if a surface at this position belongs to a lamp that the probe sees.
 bool is_on_seen_lamp(vec3 position) {
     const uint count = min(frame.light_count, uint(sceneLights.items.length()));
     for (uint word = 0u; 32u * word < count; ++word)
@@ -139,14 +140,14 @@ struct IncidentOverPi {
     vec3 direct, bounced;
 };
 
-// Returns the place of a texel of a block. The first one differs from block to block, so that the mean place of the first
-// texels of many blocks is the middle of the blocks.
+// Returns the place of texel `i` of a block. Different blocks begin with different texels, so that the mean place of
+// the first texels of many blocks is the middle of the blocks.
 ivec3 texel_of_block(ivec3 block, int i) {
     const int at = (i + block.x + 3 * block.y) % (blockSide * blockSide);
     return ivec3(block.xy * blockSide + ivec2(at % blockSide, at / blockSide), block.z);
 }
 
-// Returns the light that reaches the first texel of the block that sees the front of a surface.
+// Returns the light that reaches one texel of the block: the first texel that shows the front of a surface.
 IncidentOverPi incident_on(ivec3 block, vec3 probe) {
     ivec3 first;
     float distance_m = 0.0;

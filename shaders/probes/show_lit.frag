@@ -1,4 +1,4 @@
-// Debug view of the light that the probe sees which was lit last: its faces +x −x +y −y +z −z, two rows of three.
+// Debug view of the probe that was lit last: the light that it sees, as two rows of three faces, +x −x +y −y +z −z.
 #version 460
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;

@@ -12,7 +12,7 @@ void main() {
     const uvec3 at = gl_GlobalInvocationID;
     const ivec3 size = imageSize(sky);
     if (any(greaterThanEqual(ivec3(at), size))) return;
-    // Each sample reads between four texels of the cube, and so it is their mean.
+    // Each sample lies at the corner between four texels of the cube, so the linear filter returns their mean.
     const int side = max(textureSize(cube, 0).x / (2 * size.x), 1);
     const vec2 corner = face_position(at.xy, float(size.x)) - 1.0 / float(size.x);
     vec4 sum = vec4(0.0);

@@ -1,5 +1,5 @@
-// Stores the light that a reflection probe sees, as half floats: in mip 0 of its cube, together with the inverse distance
-// of each texel, and in a cube without distances from which the mips are filtered.
+// Stores the light that a reflection probe sees, as half floats: in mip 0 of its cube, together with the inverse
+// distance of each texel, and in a second cube without distances. The mips are filtered from the second cube.
 #version 460
 #include "half_float.glsl"
 #include "shared/probe_grid.glsl"

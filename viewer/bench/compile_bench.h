@@ -26,7 +26,7 @@ struct CompiledGraph {
     double check_us = 0;               // Time of the checker.
     ReloadTimes reload;                // Measured only for the first graph, else 0.
     MemoryPlan memory;                 // Without placements and alias transitions.
-    // The orders of the passes that the compiler compared.
+    // The candidate orders of the passes, from which the compiler chose one.
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;  // Name of the chosen candidate.
     uint32_t barriers = 0;
@@ -35,9 +35,9 @@ struct CompiledGraph {
     [[nodiscard]] double heap_to_peak() const;
 };
 
-// Compiles one graph for each seed, and returns their measurements. The first graph is also written to files
-// and loaded from them, with `settings`, to measure the front end. After each graph, calls `progress` with
-// the number of graphs compiled so far.
+// Compiles one graph for each seed, and returns the measurements of all graphs. To measure reloads, the first
+// graph is also written to files and loaded from them with `settings`. After each graph, calls `progress`
+// with the number of graphs compiled so far.
 [[nodiscard]] std::vector<CompiledGraph> measure_compile(const BenchOptions& options,
                                                          const LoadSettings& settings,
                                                          const std::function<void(uint32_t)>& progress);

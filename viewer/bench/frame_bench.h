@@ -34,7 +34,8 @@ struct Yardsticks {
 };
 
 struct PassResult {
-    // A pass of a group has the name without the number of the round: the result is the sum of all rounds.
+    // For a pass of a group: the name without the number of the round, because the result is the sum over all
+    // rounds.
     std::string name;
     bool in_group = false;
     uint32_t queue = 0;
@@ -55,7 +56,7 @@ struct PassResult {
     [[nodiscard]] const std::vector<double>& running_ms() const { return awake_ms.empty() ? ms : awake_ms; }
 };
 
-// The time of a pass of a group while the light probes were lit before the first frame.
+// The time of one pass of a group, measured in the frames that lit the light probes before the first frame.
 struct RoundCost {
     std::string pass;
     uint64_t rounds = 0;  // Number of rounds that ran.
@@ -68,7 +69,7 @@ struct GraphResult {
     uint32_t lights = 0;
     std::vector<PassResult> passes;  // The passes in the order in which the plan runs them.
     std::vector<double> trivial_ms;  // Time of the trivial reference pass in each round.
-    // Frame time of each round if all passes run, also those with `rest`. Empty if the graph has none.
+    // Frame time of each round if all passes run, also those that can rest. Empty if no pass can rest.
     std::vector<double> awake_ms;
     std::vector<RoundCost> warm_up;  // Empty without light probes.
 
@@ -106,7 +107,7 @@ struct FrameBench {
     // Divides the frame time of the graph in each round by the frame time of the first graph in the same
     // round. Returns the median of these ratios.
     [[nodiscard]] double ratio_to_first(size_t light, size_t graph, bool with_common) const;
-    // The same, but divides by the time of the trivial reference pass.
+    // The same, but divides the frame time by the time of the trivial reference pass.
     [[nodiscard]] double ratio_to_trivial(size_t light, size_t graph, bool with_common) const;
     [[nodiscard]] std::vector<Crossing> crossings() const;
 };

@@ -55,8 +55,8 @@ class BenchFolder {
     fs::path folder_;
 };
 
-// Loads a graph repeatedly. Each time, it tells the loader that it has the result of the last load, as a
-// session does.
+// Loads a graph repeatedly. Each time, the class tells the loader which result it has from the last load, as
+// a session does.
 class Reloading {
  public:
     Reloading(const DeviceProfile& profile, LoadSettings settings, const std::string& path)
@@ -89,8 +89,7 @@ class Reloading {
         Diagnostics warnings;
         std::set<fs::path> files;
         const Clock::time_point start = Clock::now();
-        const Result<render::LoadedVersion> loaded =
-            loader_.load(request_, nullptr, known_, warnings, files);
+        const Result<render::LoadedVersion> loaded = loader_.load(request_, nullptr, known_, warnings, files);
         const double us = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
         if (!loaded) throw std::logic_error("a generated graph has an error: " + to_text(loaded.errors()));
         known_ = loaded->number;

@@ -30,7 +30,7 @@ struct Contestant {
     std::unique_ptr<render::Session> session;
     render::FrameInput frame;
     std::vector<PassResult> passes;
-    bool awake = false;  // True: no pass rests.
+    bool awake = false;  // True if all passes run in every frame.
     std::vector<RoundCost> warm_up;
 };
 
@@ -101,7 +101,7 @@ class Run {
         render_.request.path = graph_path(graph);
         render_.request.rests = !awake;
         const bool draws_scene = graph != kYardsticks;
-        // The suns of a picture are lights, too.
+        // `scene.lights` also contains the suns of the environment picture.
         const auto all_lights = static_cast<double>(std::max(scene.lights.size(), size_t{1}));
         render_.request.params = draws_scene ? std::map<std::string, double>{{kLightsParam, all_lights}}
                                              : std::map<std::string, double>{};

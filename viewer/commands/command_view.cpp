@@ -127,8 +127,8 @@ ExitCode run_view(const ViewOptions& options) {
     RenderOptions untimed = options.render;
     // Timing adds barriers to the plan, so it would change the frame that the user looks at.
     untimed.stats.clear();
-    // With a number of frames, a script probably started the program. Then an error in the graph ends the
-    // program; without a number, the program waits until the user corrects the file.
+    // If the command line gives a number of frames, a script probably started the program. Then an error in
+    // the graph ends the program. Otherwise, the program waits until the user corrects the file.
     Result<std::optional<OpenSession>> opened = open_when_good(untimed, options.render.frames == 0, end);
     if (!opened) return fail_on_device(opened.errors());
     if (!*opened) return ExitCode::invalid_input;

@@ -178,7 +178,7 @@ class TestRun {
         }
     }
 
-    // Returns the copy of a ring that has the content of the last frame between two frames.
+    // Returns the resource of a ring that has, between two frames, the content of the last frame.
     static ResourceId last_content(const FramePlan& plan, ResourceId ring) {
         if (plan.graph.resources[ring].history == 0) return ring;
         return find_resource(plan.graph, plan.graph.resources[ring].name + "[-1]");

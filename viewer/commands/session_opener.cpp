@@ -22,7 +22,7 @@ namespace {
 // The name of the parameter of modules/exposure.json that turns the automatic exposure on and off.
 constexpr std::string_view kAutoExposure = "autoExposure";
 
-// Returns the parameters with this name: that of the graph and those of its modules.
+// Returns the names of the parameters `autoExposure` of the graph and of its modules.
 std::vector<std::string> auto_exposure_params(const GraphDesc& graph) {
     std::vector<std::string> names;
     for (const auto& [name, param] : graph.params)
@@ -30,9 +30,9 @@ std::vector<std::string> auto_exposure_params(const GraphDesc& graph) {
     return names;
 }
 
-// Warns if the environment picture is so dark or so bright that the picture is black or white. With automatic
-// exposure, this is so only if the values exceed what an image with half floats can store. Texels of the
-// picture are luminances in cd/m².
+// Warns if the environment picture is so dark or so bright that the rendered picture is black or white. With
+// automatic exposure, this happens only if the values exceed what an image with half floats can store. Texels
+// of the environment picture are luminances in cd/m².
 void warn_of_exposure(const scene::Scene& scene, float exposure_ev, bool automatic) {
     constexpr float kMiddleGrey = 0.18f;
     const float most_stops = automatic ? 10 : 6;
@@ -167,7 +167,7 @@ Result<OpenSession> SessionOpener::open_parsed(const ParsedGraph& parsed) {
     render::SessionInput input = input_;
     input.parsed = &parsed;
     if (probes_) input.probes = *probes_;
-    // --exposure fixes the exposure, unless --param says otherwise.
+    // --exposure turns the automatic exposure off. emplace() does not replace a value that --param sets.
     if (options_.exposure_ev)
         for (const std::string& name : automatic) input.request.params.emplace(name, 0);
     Result<std::unique_ptr<render::Session>> session =

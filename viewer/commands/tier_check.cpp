@@ -10,8 +10,8 @@
 namespace weft::viewer {
 namespace {
 
-// Codes of warnings that something is unused, such as a resource. Another tier may use it, so such a warning
-// counts only if all tiers report it.
+// Codes of warnings that something is unused, such as a resource. Another tier may use the same resource. So
+// such a warning is kept only if all variants of the file have it.
 constexpr std::array kUnusedCodes{"W130", "W132", "W133", "W134", "W135", "W136"};
 
 class Findings {

@@ -29,7 +29,8 @@ Json distribution(std::vector<double> values) {
     return {{"min", values.front()}, {"median", quantile(0.5)}, {"p99", quantile(0.99)}};
 }
 
-// Adds the numbers of a frame: `all` gets the number of the pass, `views` those of its views.
+// Adds the numbers of draws that a pass left out in one frame. `all` gets the number of the whole pass, and
+// `views` gets the number of each view.
 void add_draws_left_out(const vk::PassTiming& timing, std::vector<double>& all,
                         std::vector<std::vector<double>>& views) {
     all.push_back(timing.draws_left_out);
@@ -115,7 +116,7 @@ Json cpu_json(const std::vector<vk::FrameTiming>& timings) {
         {"record", distribution(record)}, {"submit", distribution(submit)}, {"frame", distribution(frame)}};
 }
 
-// Returns the number of entries of lists of turns that were ignored in all frames.
+// Returns how many entries of the lists of turns were ignored, summed over all frames.
 uint64_t dropped_turns(const std::vector<vk::FrameTiming>& timings) {
     uint64_t dropped = 0;
     for (const vk::FrameTiming& frame : timings) dropped += frame.dropped_turns;

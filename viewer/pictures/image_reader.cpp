@@ -41,7 +41,7 @@ struct Reading {
 
 // Returns the peak memory for comparing two pictures of this size, in bytes. This is the larger of two sums:
 // the memory while the second picture is read, and the memory of the comparison (texels, map of differences,
-// its sorted copy and the heat map).
+// sorted copy of this map, heat map, and temporary memory of FLIP).
 uint64_t comparing_bytes(const Size& size, const Reading& reading) {
     constexpr uint64_t kPictures = 2 * sizeof(glm::vec3), kMaps = 3 * sizeof(float) + sizeof(float);
     const auto width_px = static_cast<uint32_t>(size.width_px),

@@ -22,8 +22,8 @@ constexpr Color kSomewhere{232, 232, 232}, kSection{110, 110, 110}, kBlack{0, 0,
 // Colours that colour-blind readers can distinguish. Source: Okabe and Ito 2008, "Color Universal Design".
 constexpr std::array<Color, 4> kLevels{{{0, 114, 178}, {0, 158, 115}, {230, 159, 0}, {213, 94, 0}}};
 
-// The part of the scene that the picture shows: the probes and half a coarse spacing around them, and at
-// least one metre.
+// Returns the part of the scene that the picture shows: the box around the probes, with a margin on all
+// sides. The margin is half the spacing of the coarsest level, but at least one metre.
 scene::Bounds shown_part(const scene::Scene& scene, const scene::Probes& probes) {
     const scene::ProbeVolume& volume = probes.volume;
     if (volume.probes.empty() && probes.reflections.empty()) return scene.bounds;
@@ -40,7 +40,7 @@ scene::Bounds shown_part(const scene::Scene& scene, const scene::Probes& probes)
     return {box.min - margin, box.max + margin};
 }
 
-// Returns the middle of the coordinates of the probes along an axis.
+// Returns the median of the coordinates of the probes along an axis; `otherwise` if there are no probes.
 float middle_of(const scene::ProbeVolume& volume, int axis, float otherwise) {
     std::vector<float> values;
     for (const scene::Probe& probe : volume.probes)

@@ -185,7 +185,7 @@ class NameGatherer {
     shader::StageCompiler compiler_;
     PassCatalog custom_;
     const SourceMap* sources_ = nullptr;  // The files of the document whose names are being added.
-    // By type of the pass, name of the shader, and folder of the file that names it.
+    // Key: type of the pass, name of the shader, and folder of the file that names the shader.
     std::map<std::array<std::string, 3>, std::optional<ShaderProgram>> programs_;
     GraphNames names_;
 };

@@ -174,8 +174,8 @@ class AreaCheck {
         if (pass.depth) check(pass.depth->use);
     }
 
-    // After a change of the area, an image that keeps its content must be written again as a whole, by a unit
-    // that runs because of the change.
+    // If the area of an image changes and the image keeps its content, the whole image must be written again.
+    // A rest unit runs again because of the change. So only passes of rest units may write such an image.
     void check_kept(const PassDecl& pass) {
         for (const UseDecl& use : pass.uses) {
             const ResourceDecl& resource = graph_.resources[use.resource];

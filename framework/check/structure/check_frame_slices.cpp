@@ -87,7 +87,7 @@ class SlicedResource {
 
     struct Part {
         std::vector<PassId> writers;
-        bool overwritten = false;  // True if a writer of this part discards its previous content.
+        bool overwritten = false;  // True if a writer of this part discards the part's old content.
         bool sliced = false;       // True if a writer of this part runs only in some frames.
     };
 

@@ -73,8 +73,9 @@ class GroupCheck {
                   " that is recorded in every frame, but depends on the order of the rounds");
     }
 
-    // The accesses of all rounds to a part of a resource that the group writes. Any of them may come before a
-    // write of the part, and any of the reads after it.
+    // The accesses of all rounds to one part of a resource that the group writes, and the reads that see the
+    // result of whichever round ran last. The rounds run in any order. So any of these accesses may come
+    // before a write of the part, and any of these reads may come after the write.
     struct PartUse {
         StageMask readers = stage::kNone;
         AccessMask reads = access::kNone;
@@ -83,7 +84,7 @@ class GroupCheck {
         AccessMask writes = access::kNone;
     };
 
-    // One mip of one layer of one aspect of an image, or a buffer.
+    // One mip of one layer of one aspect of an image, or one piece of a buffer.
     using Part = std::pair<ResourceId, SubresourceRange>;
 
     template <class Visit>
@@ -95,7 +96,7 @@ class GroupCheck {
                     visit(Part{use.resource, {mip, 1, layer, 1, static_cast<AspectMask>(bit)}});
     }
 
-    // Returns the barrier of the round itself on the part, or null.
+    // Returns the barrier on the part that is recorded only in frames in which the round runs, or null.
     [[nodiscard]] static const BarrierDecl* find(const std::vector<BarrierDecl>& list, const Part& part) {
         const auto found = std::ranges::find_if(list, [&](const BarrierDecl& barrier) {
             return barrier.if_pass_runs && barrier.resource == part.first &&
@@ -120,7 +121,7 @@ class GroupCheck {
         if (queue == kGraphicsQueue) add_reads_between();
     }
 
-    // The program reads on queue 0 between two frames, whichever round has run last.
+    // Adds the program's reads on queue 0 between two frames. Any round may have run last before them.
     void add_reads_between() {
         for (auto& [part, all] : parts_) {
             const std::optional<AccessState>& between = plan_.graph.resources[part.first].between;

@@ -7,7 +7,8 @@ namespace {
 
 constexpr const char* kHelp = "this is an error of Weft, not of the graph: please report it";
 
-// Returns true if the offsets ascend and lie inside the buffer. An image has none.
+// Returns true if the offsets at which the pieces begin ascend and lie inside the buffer. An image must have
+// no such offsets.
 bool are_cuts_sound(const ResourceDecl& resource) {
     uint64_t last = 0;
     for (const uint64_t cut : resource.cuts_bytes) {
@@ -17,8 +18,9 @@ bool are_cuts_sound(const ResourceDecl& resource) {
     return true;
 }
 
-// Returns true if the pieces of the use are exactly the bytes that its port names. Every piece is compared,
-// so that the result does not depend on the code that the compiler and the executor share.
+// Returns true if the pieces of the use are exactly the bytes that its port names. The function
+// compares every piece itself. It does not call the code that the compiler and the executor share, because
+// that code may be wrong.
 bool is_use_sound(const ResourceDecl& buffer, const UseDecl& use) {
     std::vector<uint64_t> borders{0};
     borders.insert(borders.end(), buffer.cuts_bytes.begin(), buffer.cuts_bytes.end());

@@ -7,17 +7,17 @@
 namespace weft::check {
 namespace {
 
-// One mip of one layer of one aspect of an image, or a buffer.
+// One mip of one layer of one aspect of an image, or one piece of a buffer.
 struct Part {
     uint32_t unit = kNoId;  // The unit that writes the part.
-    // True if several rounds of one group write the part. Then it has content only while a round runs.
+    // True if several rounds of one group write the part. Then the part has content only while a round runs.
     bool shared = false;
     PassId last = kNoId;  // The last live pass of the schedule that writes the part.
     bool home_known = false;
     Layout home = Layout::undefined;  // Layout of the part outside the steps of its unit.
 };
 
-// The parts of one resource that a rest unit writes. Empty if no unit writes the resource.
+// The parts of one resource. Empty if no rest unit writes the resource.
 class Parts {
  public:
     void create(const ResourceDecl& resource) {
@@ -29,7 +29,7 @@ class Parts {
     void each(const SubresourceRange& range, Visit visit) {
         if (parts_.empty()) return;
         for (size_t a = 0; a < kAspects; ++a) {
-            // A buffer has no aspects; its only part is the first one.
+            // If the resource has no aspects, its parts count as parts of the first aspect.
             if (a == 0 ? whole_.aspects != 0 && !(range.aspects & 1u) : !(range.aspects & (1u << a)))
                 continue;
             for (uint32_t l = range.layer; l < std::min(range.layer + range.layers, whole_.layers); ++l)
@@ -104,7 +104,9 @@ class RestCheck {
         }
     }
 
-    // Returns true if no other resource uses the memory of the resource, in any frame.
+    // Returns true if the resource keeps its content and its memory between frames. A transient resource does
+    // so if it is alive during the whole frame, because then no other resource uses its memory. The result is
+    // also true if the resource is not live.
     [[nodiscard]] bool keeps_content(ResourceId id) const {
         const ResourceDecl& resource = plan_.graph.resources[id];
         if (resource.lifetime == ResourceLifetime::persistent) return resource.history == 0;

@@ -60,7 +60,7 @@ class SwitchedPass {
         if (writes(use.access) || pass_.variants.empty())
             fault(use.loc, "uses " + faults_.resource_name(use.resource) +
                                " only in some combinations of the switches, but has no variants for them");
-        // All combinations of a variant in which the pass runs use the same resources.
+        // A variant must use the same resources in all of its combinations in which the pass runs.
         for (const PassVariant& variant : pass_.variants) {
             const uint32_t runs = variant.combinations & pass_.runs_in;
             if ((runs & use.used_in) != 0 && (runs & ~use.used_in) != 0)

@@ -42,7 +42,8 @@ class LoweringRule {
                     "draw each view by a pass of its own");
     }
 
-    // The views must be view first, first + 1 and so on of one list, because view i is drawn to layer i.
+    // The pass draws its view i to layer i. So its views must follow one another in one list: the views
+    // `first`, `first` + 1 and so on.
     void check_names() {
         if (pass_.views.front() != pass_.view) fault("its first view is not " + pass_.view);
         if (pass_.views.size() == 1) return;

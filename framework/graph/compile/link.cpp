@@ -6,7 +6,7 @@ namespace weft {
 namespace {
 
 // Returns the states of persistent and imported resources between two frames. For an import this is the exit
-// state: the frame leaves the import in it.
+// state, in which the frame leaves the import.
 std::vector<BoundaryState> boundary_states(const ResolvedGraph& graph, const LiveGraph& live,
                                            const SyncTable& sync) {
     std::vector<BoundaryState> states;

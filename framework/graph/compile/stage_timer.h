@@ -14,8 +14,9 @@ class StageTimer {
         if (times_ != nullptr) times_->clear();
     }
 
-    // Records the time since the end of the previous stage as the time of stage `name`. Returns `result`, the
-    // result of the stage, unchanged, so that a call can enclose the stage's expression.
+    // Records the time since the end of the previous stage as the time of stage `name`. `result` is the
+    // result of the stage and is returned unchanged. So the caller can write stage("cull", cull(...)) where
+    // it would otherwise write cull(...).
     template <class T>
     [[nodiscard]] T stage(const char* name, T result) {
         if (times_ == nullptr) return result;

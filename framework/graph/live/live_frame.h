@@ -11,9 +11,9 @@
 
 namespace weft {
 
-// Distance from the edge of an area to the last place at which a linear filter reads only the area. At the
-// centre of the last texel, a filter may read the next texel with the weight 0; the weights have steps of
-// 1/256.
+// Minimum distance between a sample position and the edge of an area such that a linear filter reads only
+// texels of the area. Half a texel is not enough: at the centre of the last texel, a filter may read the next
+// texel with the weight 0. The weights have steps of 1/256.
 inline constexpr double kFilterMargin_px = 0.5 + 1.0 / 256;
 
 // The value of a LiveValue in a frame. For a number, both components are equal. If an expression has no value
@@ -24,8 +24,8 @@ struct LiveNumber {
     bool operator==(const LiveNumber&) const = default;
 };
 
-// Evaluates ResolvedGraph::live_values. Index of the result: as in that list. Uses the memory of `values`
-// again. A scale outside of its range is clamped to the range.
+// Evaluates ResolvedGraph::live_values and stores the results in `values`, in the same order. Reuses the
+// memory of `values`. A scale outside of its range is clamped to the range.
 void evaluate_live(const ResolvedGraph& graph, const Scales& scales, std::vector<LiveNumber>& values);
 
 // Returns the area of the first mip of an image: the value rounded down, from 1 to the extent of the image.

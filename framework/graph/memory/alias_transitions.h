@@ -1,5 +1,5 @@
 // Purpose: finds all alias transitions: the pairs of resources where one takes over memory that the other
-// used before. It goes through the placements of two consecutive frames in time order.
+// used before. The search goes through the placements of two consecutive frames in time order.
 #pragma once
 
 #include <vector>

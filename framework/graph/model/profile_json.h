@@ -1,5 +1,5 @@
 // Purpose: the words of device profile files: the name of each feature, limit and switch, and the member of
-// DeviceProfile that it sets.
+// DeviceProfile that this name sets.
 #pragma once
 
 #include <array>

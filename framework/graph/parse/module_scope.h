@@ -17,7 +17,8 @@ namespace weft {
 [[nodiscard]] std::string name_in_module(const GraphDesc& graph, std::string_view module,
                                          const std::string& name);
 
-// Returns the name of the size of images without "size" in the module of a resource.
+// Returns the name of the size that an image without "size" has, in the module to which the resource
+// belongs.
 [[nodiscard]] std::string render_size_name(const GraphDesc& graph, std::string_view resource);
 
 }  // namespace weft

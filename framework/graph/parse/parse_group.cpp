@@ -20,7 +20,7 @@ void read_rounds(ParseContext& context, const JsonNode& node, GroupDesc& group) 
 
 void read_rounds_per_frame(ParseContext& context, const JsonNode& node, GroupDesc& group) {
     group.per_frame_loc = node.loc;
-    // As for passes, false means all. The number 0 means none.
+    // As in the "perFrame" of a pass, false means all rounds. The number 0 means no rounds.
     const bool is_all = node.kind == JsonKind::boolean && !node.boolean;
     if (!is_all) read_switch(context, node, group.per_frame);
 }
@@ -56,7 +56,7 @@ constexpr std::array<std::string_view, 2> kKeysOfGroups{"perFrame", "rest"};
 constexpr std::array<std::string_view, 6> kKeysOfLasting{"keep",     "history", "firstFrame",
                                                          "onResize", "file",    "textures"};
 
-// Reports keys that need another key, which the group does not have.
+// Reports keys that a group may have only together with "repeat" or "rest", if that other key is missing.
 void check_needs(ParseContext& context, const JsonNode& node) {
     const JsonNode* rest = node.find("rest");
     const bool rests = rest != nullptr && (rest->kind != JsonKind::boolean || rest->boolean);
@@ -72,7 +72,7 @@ void check_needs(ParseContext& context, const JsonNode& node) {
     }
 }
 
-// Calls refuse(member) for each of these keys that a pass or resource in `section` has.
+// Calls refuse(member) for each member of a pass or resource in `section` whose key is one of `keys`.
 template <class F>
 void for_each_key(ParseContext& context, const JsonNode& section, std::span<const std::string_view> keys,
                   F refuse) {
@@ -144,7 +144,7 @@ void check_turns(ParseContext& context, const GroupDesc& group, const JsonNode* 
                   "name an import of kind \"turns\"");
 }
 
-// The places of names of the graph, by name.
+// Key: a name of the graph. Value: its place in the file.
 using Places = std::map<std::string, SourceLoc, std::less<>>;
 
 void add_places(const JsonNode& root, std::string_view section, Places& places) {

@@ -68,7 +68,8 @@ const char* meaning_of(const GraphDesc& graph, const std::string& name) {
     return is_reserved_word(name) ? "a reserved word of expressions" : nullptr;
 }
 
-// Checks the names of the indices of one pass or group. `owner` is its key in the graph file.
+// Checks the names of the indices of one pass or group. `owner` is the key of the pass or group in the graph
+// file.
 void check_names(ParseContext& context, const GraphDesc& graph, std::string_view owner,
                  std::string_view module, std::span<const RepeatDesc> repeats) {
     const PointerScope owner_scope(context, owner);
@@ -82,7 +83,7 @@ void check_names(ParseContext& context, const GraphDesc& graph, std::string_view
     }
 }
 
-// Checks the indices of a group, and those that its passes have in addition.
+// Checks the indices of a group, and the additional indices of its passes.
 void check_group_indices(ParseContext& context, const GraphDesc& graph, const GroupDesc& group) {
     const std::string_view module = module_of(graph, group.name);
     check_names(context, graph, group.name, module, group.repeat);

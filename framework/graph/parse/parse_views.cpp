@@ -78,7 +78,7 @@ constexpr std::array kViewListKeys{
                               read_expressions(c, n, "[x, y, width, height] in pixels", list.rect);
                           }}};
 
-// Reports those of the keys that the list has, because they do not go with `key`.
+// Reports each of `keys` that the list has, because a list with `key` must not have these keys.
 void refuse_keys(ParseContext& context, const JsonNode& list, const char* key,
                  std::initializer_list<const char*> keys, const char* help) {
     for (const char* other : keys) {

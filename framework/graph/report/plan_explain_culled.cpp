@@ -21,7 +21,7 @@ bool writes_ring(const FramePlan& plan, PassId pass, ResourceId ring) {
            });
 }
 
-// Returns true if one of the versions, which belong to the use, is a result of the pass.
+// Returns true if `pass` can have made one of `versions`, which is a list of versions of `use`.
 bool contains_result(const FramePlan& plan, const UseDecl& use, const std::vector<VersionSource>& versions,
                      PassId pass) {
     const ResourceId ring = plan.graph.resources[use.resource].ring;

@@ -20,7 +20,7 @@ class WakeReasons {
         const PassDecl& pass = plan_.graph.passes[id];
         add_params(id);
         if (!pass.shader.empty()) {
-            // A view in a buffer is one of the uses of the pass.
+            // If the view is in a buffer, the buffer is one of the uses of the pass. add_use() lists it.
             const std::string view = pass.view_use == kNoId ? " and view \"" + view_range(pass) + "\"" : "";
             line("a constant of set 0 (frame" + view + ") that shader \"" + pass.shader +
                  "\" reads, if it reads one");

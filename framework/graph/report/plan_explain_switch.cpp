@@ -1,5 +1,5 @@
-// Answers the question `weft explain FILE switch PASS`: when is the pass switched off, and what do the others
-// see then? Which inputs of the pass depend on switches?
+// Answers the question `weft explain FILE switch PASS`: when is the pass switched off? What do readers of its
+// outputs see then? Which inputs of the pass depend on switches?
 #include <algorithm>
 
 #include "graph/report/plan_phrases.h"

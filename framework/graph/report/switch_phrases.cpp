@@ -5,7 +5,7 @@
 namespace weft {
 
 std::string describe_combinations(const ResolvedGraph& graph, CombinationSet set) {
-    // Each text describes some combinations; together they describe all.
+    // Each iteration appends a text for some combinations of the set and removes them from the set.
     std::string all;
     while (set != 0 && set != kEveryCombination) {
         const SwitchValues values = fewest_values(graph.switches, set);

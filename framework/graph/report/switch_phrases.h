@@ -7,7 +7,7 @@
 
 namespace weft {
 
-// Returns the switches with which all combinations of the set are described, such as `"fog" is on`. Returns
+// Describes the combinations of the set by the values of few switches, such as `"fog" is on`. Returns
 // an empty text if the set contains every combination.
 [[nodiscard]] std::string describe_combinations(const ResolvedGraph& graph, CombinationSet set);
 // Returns the names of the live passes that the switch turns on and off; the passes that run while it is off

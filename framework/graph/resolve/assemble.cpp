@@ -53,7 +53,8 @@ void add_block(const PassBlock& block, PassDecl& pass) {
 }
 
 // Returns true if the pass writes an import that the program uses. Exports that live within one frame are
-// imports. For other exports, cull() finds the passes, because a pass with side effects cannot rest.
+// imports. Passes that write other exports are not counted, because a pass with side effects cannot rest;
+// cull() keeps these passes.
 bool writes_for_program(const Declared& declared, const std::vector<ResourceDecl>& resources,
                         const PassDecl& pass) {
     return std::ranges::any_of(pass.uses, [&](const UseDecl& use) {

@@ -87,7 +87,8 @@ bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
-// Returns the number of mips that the port samples. The textures of a table may have several.
+// Returns the number of mips that the port samples. For a table, returns 2, because its textures may have
+// several mips.
 uint32_t sampled_mips(const ResourceDecl& resource, const UseDecl& use) {
     constexpr uint32_t kSeveral = 2;
     return resource.textures > 0 ? kSeveral : element_range(use, 0).mips;

@@ -30,13 +30,15 @@ bool allows(const ParamDesc& param, double value) {
     return !param.range || (value >= (*param.range)[0] && value <= (*param.range)[1]);
 }
 
-// Returns true if the name has the form of a name of a part of the graph, also of a module: "near::radius".
+// Returns true if the name has the form of a name of a part of the graph. The part may belong to a module:
+// "near::radius".
 bool is_part_name(const std::string& name) {
     const size_t owner = name.rfind(kInGroup);
     return is_identifier(owner == std::string::npos ? name : name.substr(owner + kInGroup.size()));
 }
 
-// Returns a help text if the name is a port of a module that "with" replaces, else an empty text.
+// Returns a help text if the name is a port of a module, and "with" replaces this port. Else returns an empty
+// text.
 std::string replaced_port_help(const GraphDesc& graph, const std::string& name) {
     const size_t owner = name.rfind(kInGroup);
     if (owner == std::string::npos) return {};
@@ -228,8 +230,8 @@ class NamedEvaluator {
         return std::nullopt;
     }
 
-    // Returns the value of a live size at scale 1, rounded as the sizes of images are. A value that is not
-    // above 0 stays, so that the image with this size reports it.
+    // Returns the value of a live size at scale 1, rounded in the same way as the sizes of images. A value of
+    // 0 or less is returned unchanged, so that the image with this size reports it.
     static ExprValue whole_pixels(const ExprValue& size) {
         const auto side = [](double px) { return px > 0 ? std::max(1.0, std::floor(px)) : px; };
         return size_value(side(size.x), side(size.y));

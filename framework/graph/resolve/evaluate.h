@@ -14,15 +14,17 @@
 
 namespace weft {
 
-// A list of views that passes may use. View i of the list is view `first` + i of `base`, a list of the plan
-// or a single view: a list without a mirror or a cube is only a part of another one.
+// A list of views that passes may use. View i of the list is view `first` + i of `base`, which is a list of
+// the plan or a single view. A list in the section "views" without a mirror, a cube or a buffer is only a
+// part of another list, and both lists have the same `base`.
 struct ViewList {
     std::string base;
     uint32_t first = 0;
     uint32_t count = 0;
     bool single = false;  // True for a view without a number, such as "camera".
     ViewListDecl decl;    // The list `base`; unused for a single view.
-    // Where the rectangles of the views come from; null: not from there.
+    // The sources of the rectangles of the views: the list in the section "views" of the graph, and the list
+    // of the program. Null if the list does not come from there.
     const ViewListDesc* desc = nullptr;
     const ImportDecl* import = nullptr;
 };

@@ -23,8 +23,8 @@ struct PassDraft {
     std::map<std::string, double> indices = {};
     // Number of this pass within its repeat, from 0.
     uint32_t instance = 0;
-    // Number of views that the pass draws, if it draws several: see PassDecl::views. Else 0. The index "view"
-    // is then 0.
+    // Number of views that the pass draws, if it draws several (see PassDecl::views); its index "view" is 0.
+    // For all other passes: 0.
     uint32_t views = 0;
     // For a pass of a group: the index of the group in Expansion::groups, and the number of the round.
     uint32_t group = kNoId;
@@ -68,7 +68,8 @@ struct Expansion {
     bool too_large = false;
     Suspects suspects;
 };
-// Passes with views that must not be drawn by one pass, by their names in the graph file, with the reason.
+// The key is the name, in the graph file, of a pass whose views must be drawn by one pass each. The value is
+// the reason.
 using SeparateViews = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] Expansion expand(const ResolveInput& input, const Values& values, const Shapes& shapes,
                                Reporter& reporter, const SeparateViews& separate = {});

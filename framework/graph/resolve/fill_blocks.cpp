@@ -181,7 +181,8 @@ class BlockFiller : PassStage<Blocks> {
         return true;
     }
 
-    // Returns true if a pass with "rest" or of a group writes a part of what the port reads.
+    // Returns true if a pass with "rest", or a pass of a group, writes a part of the range that the port
+    // reads.
     bool is_written_by_units(const UseDecl& use) const {
         for (PassId pass(0); pass < graph_.rest_units.size(); ++pass)
             for (const UseDecl& other : graph_.passes[pass].uses)
@@ -191,8 +192,8 @@ class BlockFiller : PassStage<Blocks> {
         return false;
     }
 
-    // Fills a member such as "probesValidBits": one bit for each layer of the port "probes". A layer that no
-    // pass with "rest" or of a group writes has the bit 1.
+    // Fills a member such as "probesValidBits": one bit for each layer of the port "probes". If neither a
+    // pass with "rest" nor a pass of a group writes a layer, the bit of this layer is 1.
     bool from_port_bits(const BlockMember& member, ParamWrite& write) {
         const std::vector<double> none(member.rows, 0);
         if (stands_for_absent(member.name, kBitsSuffix)) {
@@ -259,8 +260,8 @@ class BlockFiller : PassStage<Blocks> {
         return true;
     }
 
-    // Fills a member such as "colorUv" or "colorUvMost"; see follow_areas() for images with a live size. For
-    // all others, the area is the whole image.
+    // Fills a member such as "colorUv" or "colorUvMost" for an image whose area is the whole image. For an
+    // image with a live size, follow_areas() replaces the value later.
     bool from_port_uv(const BlockMember& member, ParamWrite& write) {
         for (const std::string_view suffix : {kUvSuffix, kUvMostSuffix}) {
             if (!member.name.ends_with(suffix)) continue;
@@ -308,8 +309,8 @@ class BlockFiller : PassStage<Blocks> {
         result_.params.push_back(write);
     }
 
-    // Returns the help for a member with the ending of a value of a port, such as "pictureUv", if the pass
-    // has no port of this name. Else returns an empty text.
+    // If the name of a member ends like the name of a value of a port, for example "pictureUv", but the pass
+    // has no such port, returns a help text. Else returns an empty text.
     std::string port_help(const std::string& member) const {
         for (const std::string_view suffix :
              {kUvMostSuffix, kUvSuffix, kSizeSuffix, kBitsSuffix, kValidSuffix, kCountSuffix}) {

@@ -31,12 +31,13 @@ class Reporter {
     // Adds an error, unless an error with the same code was already reported at the same location.
     void add_once(Diagnostic fault);
     // Adds an error of a pass that is not the first pass of its repeat, and returns the error, so that the
-    // caller can add help texts. If the error is already known, it is not added; the returned diagnostic is
-    // then not shown. But the caller still searches for similar names to suggest. `search_steps` is the cost
-    // of that search, and is counted with spend().
+    // caller can add help texts. If the error is already known, it is not added, and the returned diagnostic
+    // is never shown. The caller still searches for similar names for its help text. So the cost of this
+    // search, `search_steps`, is then counted with spend().
     Diagnostic& add_once(Diagnostic fault, SourceLoc loc, uint64_t search_steps);
 
-    // Adds a help text to the last error, if it is one of those after the first `count` errors.
+    // Adds a help text to the last error. Adds nothing if there are at most `count` errors. The caller has
+    // counted the errors earlier, so only a newer error gets the text.
     void help_last(size_t count, std::string help) {
         if (errors_.size() > count) errors_.back().help.push_back(std::move(help));
     }

@@ -27,12 +27,12 @@ ResolvedGraph run_stages(const ResolveInput& input, Reporter& reporter) {
     const size_t warnings = reporter.warning_count();
     Expansion expansion = expand(input, values, shapes, reporter);
     if (expansion.too_large) return {};
-    // Refers to `expansion`, also after a new expansion.
+    // `declared` keeps a reference to `expansion`, so it also sees the new expansion below.
     const Declared declared{input, values, shapes, expansion};
     VersionedGraph graph = connect_passes(declared, reporter);
     if (const SeparateViews mixed = find_mixed_layers(declared, graph, reporter); !mixed.empty()) {
-        // Only now it is known which content each layer begins with. Single views have no mixed layers, so
-        // one repetition is enough.
+        // The content with which each layer begins is known only now. A pass that draws a single view has no
+        // mixed layers, so it is enough to repeat these stages once.
         reporter.drop_warnings(warnings);
         expansion = expand(input, values, shapes, reporter, mixed);
         graph = connect_passes(declared, reporter);

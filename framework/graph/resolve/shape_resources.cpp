@@ -107,8 +107,8 @@ std::set<std::string> observed_names(const ResolveInput& input) {
 }
 
 // Makes resources with "history" or "keep" persistent, and links each earlier frame to the resource of age 0.
-// So are resources of groups that are observed: they can be shown also before a round has run. Called after
-// all resources have their ids.
+// Also makes the observed resources of groups persistent, because they can be shown before a round has run.
+// Called after all resources have their ids.
 void tie_rings(const ResolveInput& input, const Evaluator& evaluator, Shapes& shapes) {
     const std::set<std::string> shown = observed_names(input);
     for (ResourceId id(0); id < shapes.resources.size(); ++id) {

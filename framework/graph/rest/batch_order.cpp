@@ -7,7 +7,8 @@ namespace weft {
 
 namespace {
 
-// Returns true if the wait is for the end of the previous frame, after which the program uses its resources.
+// Returns true if the wait is for the end of the previous frame. The program may use resources between that
+// end and this frame.
 bool is_for_program(const FramePlan& plan, const QueueWait& wait) {
     return wait.previous_frame && wait.dependency < plan.submissions.dependencies.size() &&
            plan.submissions.dependencies[wait.dependency].from == plan.schedule.order.size();

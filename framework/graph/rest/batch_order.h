@@ -1,9 +1,10 @@
 // Purpose: computes what each batch of a frame waits for if some batches are not submitted, because all their
 // passes rest. The order of all other batches is then the same as if each of these batches were submitted
-// with no commands in it: its waits pass on to the next batch of its queue, and a batch that waits for it
-// waits for its waits and for the batch before it on its queue. A batch that waits for the end of the
-// previous frame, because the program uses a resource there, also waits for what the program has submitted
-// since then. Call the functions for each batch in submission order.
+// with no commands in it. Let B be a batch that is not submitted. The next batch on the queue of B also waits
+// for everything for which B would wait. A batch on another queue that would wait for B waits for the same,
+// and for the batch before B on the queue of B. The program may use a resource between two frames. A batch
+// that therefore waits for the end of the previous frame also waits for what the program has submitted since
+// then. Call the functions for each batch in submission order.
 #pragma once
 
 #include <cstdint>
@@ -33,15 +34,15 @@ class BatchOrder {
     [[nodiscard]] QueuePoint end_of(uint32_t batch, uint64_t frame) const;
     // Begins the next frame.
     void begin_frame();
-    // Notes that the batch is submitted, and returns the points that it must wait for: one at most for each
-    // queue and for the program. One of them may be on the batch's own queue, if a batch of another queue
-    // between them is skipped.
+    // Notes that the batch is submitted, and returns the points that it must wait for: at most one for each
+    // queue and one for the program. A point may be on the batch's own queue: instead of a skipped batch
+    // of another queue, the batch waits for the points for which the skipped batch would wait.
     [[nodiscard]] std::vector<QueuePoint> submit(uint32_t batch, uint64_t frame);
     // Notes that the batch is not submitted.
     void skip(uint32_t batch);
 
  private:
-    // Index: queue; the last one is the program. The highest value to wait for; 0: nothing.
+    // Index: queue; the last index is the program. Value: the highest value to wait for; 0: no wait.
     using Values = std::vector<uint64_t>;
     struct Place {
         QueueIndex queue = kGraphicsQueue;
@@ -62,8 +63,8 @@ class BatchOrder {
     std::vector<Values> ends_, previous_ends_;
 };
 
-// Returns true if nothing of the batch is recorded in a frame in which these units rest. Index: unit; 1: it
-// rests.
+// Returns true if nothing of the batch is recorded in a frame in which some units rest. Index of `resting`:
+// unit; 1: the unit rests.
 [[nodiscard]] bool is_empty_batch(const FramePlan& plan, const Batch& batch,
                                   const std::vector<uint8_t>& resting);
 

@@ -1,5 +1,5 @@
-// Purpose: finds the passes that a frame needs if only the results of units count: of passes with "rest" and
-// of the rounds of groups. Such a frame prepares these results before the first picture.
+// Purpose: some frames only prepare results before the first picture: those of passes with "rest" and of the
+// rounds of groups. This file finds the passes that such a frame needs.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,9 @@
 
 namespace weft {
 
-// Index: position in the execution order; 1: the pass belongs to a unit, a unit reads its results, directly
-// or through other passes, or it shares a rendering scope with such a pass.
+// Index: position in the execution order; 1: the pass is needed. Needed are the passes of units, the passes
+// whose results a needed pass reads or overwrites, and the passes that share a rendering scope with a needed
+// pass.
 [[nodiscard]] std::vector<uint8_t> needed_by_units(const FramePlan& plan);
 
 }  // namespace weft

@@ -44,8 +44,8 @@ RestState::RestState(const FramePlan& plan) : units_(plan.graph.rest_unit_count)
     }
 }
 
-// Finds the units that write what the pass reads. If another pass writes it in every frame, the pass can
-// never rest.
+// Finds the units that write what the pass reads. If a pass without a unit writes a part of it, this content
+// may change in every frame, and the unit of the reading pass can never rest.
 void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
     Unit& unit = units_[pass.rest_unit];
     const auto add_writer = [&](PassId writer, bool previous_frame) {
@@ -92,9 +92,9 @@ Wake RestState::own_wake(const Unit& unit, const UnitInput& input) const {
     return {unit.settles > 0 ? WakeReason::settles : WakeReason::rests};
 }
 
-// A unit that runs also wakes the units that read its results in the same frame. A round that would only
-// settle sees a change, so it begins to settle again. `decided`: for each group, 1 if it is known which of
-// its rounds run.
+// A unit that runs also wakes the units that read its results in the same frame. A reader can be a
+// round that would run only to settle. The round sees a change, so it begins to settle again. `decided`: for
+// each group, 1 if it is known which of its rounds run.
 void RestState::wake_readers(std::vector<Wake>& wakes, const std::vector<uint8_t>& decided) const {
     const auto runs = [&](const Source& source) {
         const uint32_t group = units_[source.unit].group;
@@ -182,7 +182,8 @@ void RestState::inherit(const RestState& old, const std::vector<MatchedUnit>& ma
             const auto known = std::ranges::find_if(from.sources, [&](const Source& s) {
                 return s.unit == matches[source.unit].same && s.previous_frame == source.previous_frame;
             });
-            // No unit has this version, so the unit runs if it reads a unit that the older plan did not have.
+            // If the old unit has no matching source, `seen` gets a value that no version has. So the unit
+            // runs.
             source.seen = known == from.sources.end() ? UINT64_MAX : known->seen;
         }
     }

@@ -18,8 +18,8 @@
 
 namespace weft {
 
-// The bytes of everything outside other passes that the result of a unit depends on. nullopt: it may change
-// in every frame, so the unit always runs.
+// The bytes of everything on which the result of a unit depends, except the results of other passes. nullopt:
+// this input may change in every frame, so the unit always runs.
 using UnitInput = std::optional<std::vector<std::byte>>;
 
 // The reason why a unit runs, or does not run.
@@ -62,8 +62,8 @@ class RestState {
     explicit RestState(const FramePlan& plan);
 
     [[nodiscard]] uint32_t unit_count() const { return static_cast<uint32_t>(units_.size()); }
-    // Returns for each unit 1 if choose() looks at its input. It does not for the rounds of a group that are
-    // not in the list of turns of the frame, if no others may run.
+    // Returns for each unit 1 if choose() looks at its input. If a group may run only the rounds in the list
+    // of turns of the frame, choose() does not look at the inputs of its other rounds.
     [[nodiscard]] std::vector<uint8_t> needs_input(const TurnLists& turns) const;
     // Chooses the units that run in the next frame. Index of `inputs`: unit.
     [[nodiscard]] UnitChoice choose(const std::vector<UnitInput>& inputs, const TurnLists& turns = {}) const;
@@ -73,7 +73,7 @@ class RestState {
     // Takes over the last runs of the units of an older plan. `matches`: for each unit, the units of the
     // older plan that match it.
     void inherit(const RestState& old, const std::vector<MatchedUnit>& matches);
-    // Returns true if the unit has run since its results were made or cleared.
+    // Returns true if the unit has run since the resources that it writes were created or cleared.
     [[nodiscard]] bool has_result(uint32_t unit) const { return units_[unit].has_result; }
     // Returns the inputs of the unit's last run.
     [[nodiscard]] const std::vector<std::byte>& last_input(uint32_t unit) const { return units_[unit].input; }
@@ -93,7 +93,7 @@ class RestState {
         bool changing = false;  // True if a pass of the unit reads content that changes in every frame.
         bool has_run = false;
         uint32_t group = kNoId;  // For a round: index into groups_.
-        // True if the unit has run since its results were made or cleared.
+        // True if the unit has run since the resources that it writes were created or cleared.
         bool has_result = false;
         uint32_t settles = 0;      // Number of runs that are left to settle.
         uint64_t waits_since = 0;  // The frame in which the unit began to wait for its turn.

@@ -12,7 +12,7 @@ namespace weft {
 // A round that is awake: it would run if it got a turn.
 struct AwakeRound {
     uint32_t round = 0;
-    bool has_run = false;  // True if the round has run since its results were made or cleared.
+    bool has_run = false;  // True if the round has run since its outputs were created or cleared.
     uint64_t since = 0;    // The frame in which the round began to wait.
 };
 

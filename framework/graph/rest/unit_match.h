@@ -1,5 +1,5 @@
-// Purpose: finds the rest units of a new plan that compute the same as a unit of the plan before it, so that
-// they need not run again after a resize, a reload or a change of the tier.
+// Purpose: finds the rest units of a new plan that compute the same as a unit of the previous plan. These
+// units need not run again after a resize, a reload or a change of the tier.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@ using SamePipelines = std::function<bool(Position old_position, Position new_pos
 
 // The units of an older plan that correspond to a unit of the new plan; kNoId if there is none.
 struct MatchedUnit {
-    uint32_t same = kNoId;  // It has the same passes with the same declarations and pipelines.
-    uint32_t kept = kNoId;  // It has passes with the same names, which may compute something else.
+    uint32_t same = kNoId;  // The old unit with the same passes, declarations and pipelines.
+    uint32_t kept = kNoId;  // The old unit with passes of the same names, which may compute something else.
 };
 
 // Returns the matches of each unit of `new_plan`. The transition copies the results of all matched units

@@ -66,8 +66,8 @@ void UnitValidity::begin_frame(const RestState& state, const UnitChoice& choice)
     for (uint32_t turn = 0; turn < choice.rounds.size(); ++turn) turn_[choice.rounds[turn]] = turn;
 }
 
-// Returns true if the unit has a result when the reader runs: from an earlier frame, or because it runs
-// earlier in this frame.
+// Returns true if the unit has a result when the reader runs: from an earlier frame, or because the unit runs
+// before the reader in this frame.
 bool UnitValidity::has_result(PassId reader, uint32_t unit) const {
     if (had_result_[unit] != 0) return true;
     if (runs_[unit] == 0) return false;

@@ -1,6 +1,6 @@
-// Purpose: tells shaders whether the content of a resource that units write exists: whether each unit that
-// writes it has run since the resource was made or cleared. The values are those of the builtins `unit_valid`
-// and `unit_bits` of Params.
+// Purpose: tells shaders whether the content of a resource that units write exists. The content exists if
+// each unit that writes it has run since the resource was made or cleared. The values are those of the
+// builtins `unit_valid` and `unit_bits` of Params.
 #pragma once
 
 #include <cstdint>

@@ -7,8 +7,8 @@
 namespace weft {
 namespace {
 
-// Sorts blocks topologically. A block is one group, or one pass without a group. Of the blocks that are
-// ready, the one whose first pass comes first in the given order is taken.
+// Sorts blocks topologically. A block is one group, or one pass without a group. If several blocks are ready,
+// takes the block whose first pass comes earliest in the given order.
 class BlockSorter {
  public:
     BlockSorter(const ResolvedGraph& graph, const ScheduleProblem& problem, const std::vector<PassId>& order)

@@ -66,8 +66,8 @@ class Greedy {
     void make_ready(PassId first) {
         ready_[first] = 1;
         if (walk_.problem.live[first]) return push(first);
-        // A culled pass costs nothing and is not added to the order. Passes that waited only for it are now
-        // ready. A live one is pushed; a culled one is treated in the same way as `first`.
+        // A culled pass costs nothing and is not added to the order. The passes that waited only for a culled
+        // pass are now ready. A ready live pass is pushed; a ready culled pass is treated like `first`.
         std::vector<PassId> passed{first};
         while (!passed.empty()) {
             const PassId pass = passed.back();

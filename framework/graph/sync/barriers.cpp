@@ -100,8 +100,9 @@ void wait_for(std::span<const LastUse> last_uses, QueueIndex queue, AccessState&
 }
 
 // Makes the alias barrier wait for the last users of the memory. For users on the same queue, their stages go
-// into the barrier's source scope. A user on another queue needs a semaphore. Within one frame, resources
-// share memory only if semaphores already order them, so only users in the previous frame need a new one.
+// into the barrier's source scope. A user on another queue needs a semaphore wait. Within one frame,
+// resources share memory only if semaphores already order them. So a new semaphore wait is needed only for
+// users in the previous frame.
 void take_over(const SyncTable& sync, std::span<const AliasTransition> owners, QueueIndex queue,
                Position position, BarrierDecl& barrier, std::vector<QueueDependency>& dependencies) {
     barrier.from_previous_frame = true;

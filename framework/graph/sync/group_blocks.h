@@ -22,8 +22,8 @@ struct GroupBlock {
 // Returns the block of each group, in the order of ResolvedGraph::groups.
 [[nodiscard]] std::vector<GroupBlock> group_blocks(const ResolvedGraph& graph, const Schedule& order);
 
-// Moves each dependency to the borders of the blocks: a block waits before its first pass, and other passes
-// wait for its last pass.
+// Moves each dependency to the borders of the blocks. If a pass in a block waits, the first pass of the
+// block waits instead. A pass that waits for a pass in a block waits for the last pass of the block instead.
 [[nodiscard]] std::vector<QueueDependency> outside_blocks(const std::vector<GroupBlock>& blocks,
                                                           std::vector<QueueDependency> dependencies);
 // Moves the barriers that are recorded in every frame to the borders of the blocks: barriers before a pass to

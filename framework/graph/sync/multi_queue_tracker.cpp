@@ -49,8 +49,8 @@ MultiQueueTracker::MultiQueueTracker(const QueueRules& rules, const AccessState&
     if (unflushed_ != 0) return;
     visible_.fill(~access::kNone);
     enters_visible_ = true;
-    // The program may still read the import. A later write or layout change must wait for that, too, even if
-    // passes of this frame read the import before.
+    // The program may still read the import. A later write or layout change must wait for this read, even if
+    // passes of this frame read the import first.
     if (source_ && entry.stages != stage::kNone) readers_.push_back(*source_);
 }
 

@@ -47,7 +47,7 @@ class ClockWalk {
 };
 
 // Finds the necessary semaphore waits by going through two frames. Only the waits of the second frame are
-// kept: it has a previous frame, so every later frame needs the same waits.
+// kept: all later frames need the same waits, because they also have a previous frame.
 class WaitFinder {
  public:
     WaitFinder(const std::vector<QueueIndex>& queue, size_t queue_count,

@@ -39,15 +39,16 @@ struct CellBarrier {
     PassId from = kNoId;          // The pass to wait for; kNoId if there is no single such pass.
     bool previous_frame = false;  // True if the accesses to wait for are in the previous frame.
     uint32_t src_family = 0, dst_family = 0;
-    // Only for an ownership transfer between queue families. It needs two barriers: a release and an acquire.
-    // These are the position and the state of the other one of these two barriers. Barriers of several cells
-    // are merged into one only if these values are equal too. So release and acquire get the same ranges.
+    // Only for an ownership transfer between queue families, which needs two barriers: a release and an
+    // acquire. Each of the two stores here the position and the state of the other. Barriers of several cells
+    // are merged only if these values are equal too. So release and acquire get the same ranges.
     Position pair_position = 0;
     AccessState pair_state;
 };
 
-// Returns all properties of a barrier except its cell and the layout of `pair_state`, which has the same
-// layouts as the barrier itself. Barriers with equal keys are merged into one barrier for all their cells.
+// Returns all properties of a barrier except its cell and the layout of `pair_state`. That layout adds no
+// information, because it is one of the barrier's own two layouts. Barriers with equal keys are
+// merged into one barrier for all their cells.
 [[nodiscard]] inline auto merge_key(const CellBarrier& b) {
     return std::make_tuple(b.position, b.after, b.reason, b.from, b.src.stages, b.src.access, b.src.layout,
                            b.dst.stages, b.dst.access, b.dst.layout, b.previous_frame, b.src_family,
@@ -81,9 +82,10 @@ class SingleQueueTracker {
     // that are not processed yet. The barrier for a read also covers the following reads in the same layout
     // before the next write, so these reads need no barrier.
     void advance(std::span<const AccessEvent> events, CellSync& sync);
-    // Adds the barrier at the end of the frame that brings an import into its exit state. It is needed if the
-    // frame wrote the import, if the layout differs, if the frame changed the layout and back and the exit
-    // state does not see that, or if the next user may overwrite data that this frame read.
+    // Adds the barrier at the end of the frame that brings an import into its exit state. The barrier is
+    // needed in these cases: the frame wrote the import; the layout is not that of the exit state; the frame
+    // changed the layout and restored it, and the content is not visible to the accesses of the exit state;
+    // or the next user may overwrite data that this frame read.
     void release(const AccessState& exit, CellSync& sync);
     // Starts the next frame: all accesses so far belong to the previous frame.
     void next_frame() { previous_frame_ = true; }

@@ -16,7 +16,7 @@ ResourceId whole_ring(const ResolvedGraph& graph, ResourceId resource) {
     return ring == kNoId ? resource : ring;
 }
 
-// Returns the states of all reads that may not happen. The row of a resource is that of its ring.
+// Returns the states of all reads that do not happen in every frame. Index: whole_ring() of the resource.
 Rows<AccessState> skipped_reads(const ResolvedGraph& graph, const BarrierPlan& plan) {
     return make_rows<AccessState>(graph.resources.size(), [&](const auto& add) {
         for (const PassStep& step : plan.steps)

@@ -1,6 +1,7 @@
-// Purpose: names reads that may not happen in the barriers that wait for them. A barrier after a read needs
-// no access in its source scope. But if the pass that reads is switched off, the barrier orders the write
-// before instead, through a chain with the barrier between that write and the read. The validation layer of
+// Purpose: some reads do not happen in every frame. This file adds them to the source scopes of the barriers
+// that wait for them. A barrier after a read needs no access in its source scope. But if the pass that reads
+// is switched off, this barrier must wait for the write before the read. It does so through a chain with the
+// barrier between that write and the read. The validation layer of
 // Vulkan 1.3.239 follows such a chain only if the later barrier names an access to which the earlier barrier
 // has made the write visible.
 #pragma once

@@ -16,15 +16,16 @@ AccessState united(std::span<const AccessEvent> events, QueueIndex queue, bool w
     return state;
 }
 
-// The readers agree on one layout, because resolve() has made them. Without readers, the cell stays in the
+// All readers need the same layout: resolve() has ensured this. Without readers, the cell stays in the
 // layout of its last writer.
 Layout home_layout(std::span<const AccessEvent> events) {
     const auto reader = std::ranges::find(events, false, &AccessEvent::writes);
     return reader == events.end() ? events.back().state.layout : reader->state.layout;
 }
 
-// Adds the semaphore waits between a writer and all accesses on other queues. An access that comes earlier in
-// the frame waits for the writer in the next frame, and a later one is waited for in the next frame.
+// Adds the dependencies between a writer and all accesses on other queues. An earlier access in the frame
+// waits for the writer of the previous frame, and the writer waits for that access. A later access waits for
+// the writer, and the writer of the next frame waits for that access.
 void add_dependencies(const AccessEvent& writer, std::span<const AccessEvent> events, ResourceId resource,
                       CellSync& sync) {
     for (const AccessEvent& other : events) {

@@ -72,8 +72,9 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
             const std::span<const AccessEvent> events(roles[age][cell]);
             if (persistent) state.next_frame();
             trace.entry.push_back(state.layout());
-            // The oldest copy of the ring is reused for this frame, so its content may be dropped, if a pass
-            // uses it. The program alone only reads it.
+            // The oldest copy of the ring is reused for this frame. If a pass uses this copy, its old content
+            // is not needed. If only the program uses the copy, the program reads the content, which
+            // must stay.
             if (roles.size() > 1 && age == 0 && !events.empty() && events.front().pass != kNoId)
                 state.discard();
             CellSync sync;

@@ -28,9 +28,10 @@ bool can_blit(const ResourceDecl& from, const ResourceDecl& to) {
            to.samples == 1 && (to.aspects & aspect::kColor) != 0 && formats;
 }
 
-// Decides how a resource of the new plan gets its first content: from the old plan's resource of the same
-// name, in the same memory, copied, or scaled and converted; or by a clear.
-// An image that had a live size may have content only in its area, so an image without one cannot copy it.
+// Decides how a resource of the new plan gets its first content. Either it continues the content of the old
+// plan's resource: in the same memory, as a copy, or scaled and converted. Or it is cleared.
+// An old image with a live size may have content only in its area. So a new image without a live size cannot
+// copy it.
 ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
                            old_decl.image_kind == decl.image_kind && old_decl.samples == decl.samples;
@@ -151,7 +152,7 @@ class Builder {
         BarrierDecl barrier;
         barrier.resource = id;
         barrier.range = decl.whole();
-        // Frames of the plan before the old one may still use shared memory.
+        // Frames of an even older plan may still use shared memory.
         if (decl.shared) barrier.src = everything(Layout::undefined);
         barrier.dst = written;
         barrier.reason = BarrierReason::prologue;

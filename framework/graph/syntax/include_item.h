@@ -11,7 +11,7 @@
 
 namespace weft {
 
-// The help if "with" gives a number for a port.
+// The help of the error that "with" gives a number for a port.
 inline constexpr const char* kNumberHelp =
     "name a parameter or constant that has this value; or leave the port out of \"with\" and, if the module "
     "declares "

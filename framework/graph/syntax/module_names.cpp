@@ -42,7 +42,8 @@ void remove_ports(JsonNode* section, const ModuleInstance& module) {
                   [&](const JsonMember& member) { return module.with.contains(member.key); });
 }
 
-// The number of frames belongs to a run of the file itself.
+// Returns true for the key "frames". This key applies only if the file is run itself, not if it is
+// included as a module.
 bool is_number_of_frames(const JsonMember& member) {
     return member.key == "frames";
 }

@@ -1,6 +1,6 @@
 // Purpose: the names of the parts of modules. Inside of its own files, a module writes short names such as
-// "cull". In the merged document, the names of all parts are full names such as "glass::cull". The file that
-// contains a name tells to which module it belongs.
+// "cull". In the merged document, the names of all parts are full names such as "glass::cull". A name
+// belongs to the module of the file that contains the name.
 #pragma once
 
 #include <array>
@@ -47,8 +47,9 @@ class ModuleNames {
     // Returns the full name of the value that replaces a port, for use in the module that includes `module`.
     [[nodiscard]] std::string target_value(const ModuleInstance& module, const PortTarget& target) const;
 
-    // Returns the kind of what `name` means in the module: `wanted` if it can be of this kind. Returns
-    // nullopt if it is of no kind, or if the program provides it.
+    // Returns the kind of the part that `name` means in the module. If there is a part of the kind `wanted`
+    // with this name, returns `wanted`. Returns nullopt if no part has this name, or if the program provides
+    // it.
     [[nodiscard]] std::optional<NameKind> kind_of(uint32_t module, std::string_view name,
                                                   NameKind wanted) const;
 

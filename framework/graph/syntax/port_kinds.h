@@ -1,6 +1,6 @@
-// Purpose: finds out which kind of part each port of a module is, from the declaration that "with" replaces
-// and from the places in the module that name the port. So a target of another kind is an error at the
-// "with".
+// Purpose: finds out which kind of part each port of a module is. The kind follows from the declaration that
+// "with" replaces, or from the passes of the module that name the port. If the target in "with" is of another
+// kind, the error is reported at that target.
 #pragma once
 
 #include <map>
@@ -17,7 +17,8 @@ using PortKinds = std::map<uint32_t, std::map<std::string, NameKind>>;
 // qualify_names(), which removes these declarations.
 void find_declared_kinds(const JsonNode& root, const ModuleInstance& module,
                          std::map<std::string, NameKind>& kinds);
-// Finds the kinds of those replaced ports that ports of passes name. They are resources. `merged` is the
+// Finds the replaced ports that the inputs, outputs or depth attachments of passes name. These ports are of
+// the kind `resource`. `merged` is the
 // document after all files were merged.
 void find_used_kinds(const JsonDoc& merged, PortKinds& kinds);
 // Checks that the name in "with" is of the kind of the port. `names` are the names of `merged`. Errors: W240.

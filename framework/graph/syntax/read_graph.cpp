@@ -200,7 +200,8 @@ class IncludeReader {
                                         "\"" + doc_.sources.files[other.file].path + "\" has this name"});
     }
 
-    // Checks an instance that was included before: it is the same instance only if its ports are the same.
+    // `instance` is the instance of the item's name if it was included before. Then both must have the same
+    // "with". If not, reports an error.
     void check_same(const IncludeItem& item, std::optional<uint32_t> instance) {
         if (!instance) return;
         const auto same = [](const auto& a, const auto& b) {

@@ -47,14 +47,14 @@ struct StageTime {
 // memory if the profile has a suitable memory type.
 [[nodiscard]] MemoryNeeds profile_needs(const ResolvedGraph& graph, const DeviceProfile& profile);
 
-// Returns the hash of a plan as 32 hexadecimal digits. It includes all members except places in files
-// (SourceLoc, SourceMap) and ResolvedGraph::frames. compile() does not call it, because it takes about as
-// long as all stages together.
+// Returns the hash of a plan as 32 hexadecimal digits. The hash includes all members except places in files
+// (SourceLoc, SourceMap) and ResolvedGraph::frames. compile() does not call plan_hash(), because that takes
+// about as long as all stages together.
 [[nodiscard]] std::string plan_hash(const FramePlan& plan);
 // Returns the hash of everything in a plan that cannot change while the plan runs: resources, passes,
-// barriers and bindings. The hash leaves out the values of parameters and what a change of them costs, the
-// values of constants, the state of pipelines and PassDecl::flops, because a running executor can exchange
-// these between two frames.
+// barriers and bindings. The hash leaves out the values and costs (ParamCost) of parameters, the values of
+// constants, the state of pipelines and PassDecl::flops, because a running executor can exchange these
+// between two frames.
 [[nodiscard]] std::string structure_hash(FramePlan plan);
 // Returns the hash of the members that structure_hash() leaves out, except the costs of parameters. It
 // depends only on the graph. Two plans with equal structure_hash() and equal values_hash() do the same work.

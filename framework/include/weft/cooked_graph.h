@@ -1,9 +1,9 @@
 // Purpose: a resolved graph and its compiled shaders as bytes, for programs that ship graphs and neither read
 // graph files nor compile GLSL. cook() and `weft plan --format cooked` make the bytes, and read_cooked()
-// reads them; all need no device. The program compiles the graph for its device with compile(), which takes
-// milliseconds. The bytes depend on the version of Weft, on the request (tier, parameters, size) and on the
-// device profile, which decides about formats. Read only bytes from a source that you trust: the SPIR-V is
-// not checked again. Damaged bytes are found by a hash. Error: V427.
+// reads them. None of these needs a device. The program compiles the graph for its device with compile(),
+// which takes milliseconds. The bytes depend on the version of Weft, on the request (tier, parameters, size)
+// and on the device profile, by which formats were chosen. Read only bytes from a source that you trust: the
+// SPIR-V is not checked again. A hash detects damaged bytes. Error: V427.
 #pragma once
 
 #include <cstddef>

@@ -31,8 +31,8 @@ namespace weft {
 
 using PassId = Id<struct PassTable>;
 
-// Names the pass that wrote the content that a read sees in `range`. producer == kNoId: the content is from
-// before the frame (an import, or history).
+// The pass `producer` wrote the content that a read sees in `range`. kNoId: the content is from before the
+// frame (an import, or history).
 struct VersionSource {
     SubresourceRange range;
     PassId producer = kNoId;
@@ -66,8 +66,8 @@ struct UseDecl {
     // The combinations of the switches in which the pass uses the port's resource. In all other combinations,
     // another use of the same port takes its place, or the port has no resource.
     CombinationSet used_in = kEveryCombination;
-    // Only for what a pass with a switch writes: the versions that readers of this write see instead, in
-    // frames in which the pass does not run.
+    // Only for writes of a pass with a switch. In frames in which the pass does not run, the readers of this
+    // write see these versions instead.
     std::vector<VersionSource> passes_on;
     // True for a pass of a group that reads what other rounds of the group write, and for a readback of a
     // resource of a group. Such a pass sees the content at the time when it runs, whichever rounds have run
@@ -116,12 +116,13 @@ struct AttachmentDecl {
 
 // A value that changes from frame to frame. `valid` belongs to a resource with history
 // (ParamWrite::resource): 1 if a frame has written its content, 0 if the content is still the initial value.
-// `unit_valid` and `unit_bits` belong to a port (ParamWrite::use) whose resource units write: 1 if all of
-// these units have run since the resource was made or cleared; `unit_bits` has one bit for each layer of the
-// port. The values from `live` on follow live scales. `live`: each component is a value of the list
-// ResolvedGraph::live_values (ParamWrite::live). The others belong to a port (ParamWrite::use) with a live
-// image. `area_size`: the size of its area in pixels. `area_uv`: the size of the area divided by that of the
-// image. `area_uv_most`: the largest texture coordinate at which a linear filter reads only the area.
+// `unit_valid` and `unit_bits` belong to a port (ParamWrite::use). Units write the resource of this port.
+// `unit_valid`: 1 if all of these units have run since the resource was made or cleared. `unit_bits`: the
+// same, with one bit for each layer of the port. The values from `live` on follow live scales. `live`: each
+// component is a value of the list ResolvedGraph::live_values (ParamWrite::live). The last three belong to a
+// port (ParamWrite::use) with a live image. `area_size`: the size of the area of the image in pixels.
+// `area_uv`: the size of the area divided by the size of the image. `area_uv_most`: the largest texture
+// coordinate at which a linear filter reads only the area.
 enum class Builtin : uint8_t {
     none,
     frame_index,
@@ -224,8 +225,8 @@ struct PassDecl {
     // the pass draws only `view`.
     std::vector<std::string> views;
     ViewLowering lowering = ViewLowering::none;
-    // For a pass with "views" and "into": "layers" in the graph: why Weft has chosen this lowering. Else
-    // empty.
+    // The reason why Weft has chosen this lowering, for a pass with "views" and "into": "layers" in the
+    // graph. Else empty.
     std::string lowering_reason;
     // True: the draw source may leave out direct draws that are outside of the frustum of the view. With
     // multiview: outside of the frustums of all views.
@@ -294,8 +295,8 @@ struct GroupDecl {
     uint32_t first_unit = 0;
     uint32_t rounds = 0;
     uint32_t per_frame = kAll;  // Number of rounds that may run in each frame.
-    uint32_t warm_up = kAll;    // The same, while some rounds have not run yet. The higher number counts.
-    // True: a round runs only if something has changed that its result depends on.
+    uint32_t warm_up = kAll;    // The same while some rounds have not run yet, if this number is larger.
+    // True: a round runs only if something that affects its result has changed.
     bool rests = false;
     uint32_t settle = 0;  // How often a round runs again after a change.
     std::string turns;    // The import with the list of the rounds to run; empty: the rounds run in turn.
@@ -322,7 +323,8 @@ struct ResolvedGraph {
     uint32_t rest_unit_count = 0;      // Number of units; see PassDecl::rest_unit.
     std::vector<GroupDecl> groups;     // Sorted by name. Their units have the highest numbers.
     std::vector<SwitchDecl> switches;  // Sorted by the name of the parameter.
-    // The lists of views that passes use, and the lists that these show in mirrors, sorted by name.
+    // The lists of views that passes use, sorted by name. If such a list shows another list in a mirror, the
+    // other list is included, too.
     std::vector<ViewListDecl> views;
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.

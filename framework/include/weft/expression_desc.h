@@ -46,11 +46,13 @@ struct RefDesc {
     std::string name;
     // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
     std::string pass;
-    uint32_t history = 0;  // N of [-N]: the content at the end of N frames ago; 0: the content of this frame.
-    // The range of mips, as in ".mip(a..b)". If mip_last is absent, the range is the single mip mip_first.
+    uint32_t history = 0;  // N of [-N]: the content at the end of the N-th previous frame; 0: of this frame.
+    // The ranges of mips, of layers, and of the elements of a buffer, as in ".mip(a..b)". If only the first
+    // bound is given, the range is this single mip, layer or element. If both bounds are absent, the range
+    // has all.
     std::optional<Expr> mip_first, mip_last;
-    std::optional<Expr> layer_first, layer_last;      // The range of layers; absent like the range of mips.
-    std::optional<Expr> element_first, element_last;  // The range of elements of a buffer, also absent so.
+    std::optional<Expr> layer_first, layer_last;      // The range of layers.
+    std::optional<Expr> element_first, element_last;  // The range of elements of a buffer.
     AspectMask aspects = 0;  // The selected aspects, as in ".depth" or ".stencil"; 0: all aspects.
     std::string text;
     SourceLoc loc;

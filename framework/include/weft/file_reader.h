@@ -12,8 +12,8 @@ namespace weft {
 // with such a function, so that tests and embedders can provide texts.
 using FileReader = std::function<std::optional<std::string>(const std::string& path)>;
 
-// Returns a reader of files on disk. It reads only regular files. Of a file with more than `most_bytes` bytes
-// it returns more than `most_bytes` zeros, so that the limit on the size of files reports it.
+// Returns a reader of files on disk. It reads only regular files. For a file with more than `most_bytes`
+// bytes, it returns more than `most_bytes` zeros. The parser then reports that the file is too large.
 [[nodiscard]] FileReader disk_reader(uint64_t most_bytes);
 
 }  // namespace weft

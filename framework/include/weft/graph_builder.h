@@ -36,7 +36,7 @@ class GraphValue {
     GraphValue(std::initializer_list<GraphValue> items) : GraphValue(std::vector<GraphValue>(items)) {}
     GraphValue(const std::vector<GraphValue>& items);
     // Makes a value from JSON text, for example {"cull": "none"}. A text with a fault is added unchanged, so
-    // that the error appears at its place when the graph is loaded.
+    // that the error names the place of the fault when the graph is loaded.
     [[nodiscard]] static GraphValue json(const std::string& text);
 
     // Returns the value as JSON text on one line.
@@ -47,8 +47,9 @@ class GraphValue {
 };
 
 // An object of the graph, such as a pass, to which keys are added. The GraphBuilder owns the object. This
-// class only points to it: copies add keys to the same object. It is valid until the builder is destroyed,
-// also if the builder is moved. `Derived` is the class that the functions return.
+// class has only a pointer to the object, so copies of this class add keys to the same object. The pointer
+// stays valid if the builder is moved, until the builder is destroyed. `Derived` is the class that the
+// functions return.
 template <class Derived>
 class GraphKeys {
  public:

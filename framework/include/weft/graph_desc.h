@@ -65,8 +65,8 @@ struct ImportDesc {
     SourceLoc loc;
 };
 
-// A list of views in the section "views". Its views are those of another list or the camera, either as they
-// are or seen in a mirror; or they are the six faces of a cube.
+// A list of views in the section "views". Its views are the views of another list or the camera, unchanged or
+// in a mirror; or the six faces of a cube; or the elements of a buffer.
 struct ViewListDesc {
     std::string name;
     std::string of;  // Name of the other list, or "camera"; empty for a cube and for a buffer.
@@ -241,7 +241,7 @@ struct PassDesc {
     // The key "perFrame": number of passes of the repeat that run in each frame; absent or 0: all.
     Expr per_frame;
     SourceLoc per_frame_loc;
-    // The key "rest": the pass runs only in frames in which something has changed that its result depends on.
+    // The key "rest": the pass runs only in frames in which something that affects its result has changed.
     bool rests = false;
     SourceLoc rest_loc;
     // A port that reads a buffer with the numbers of workgroups of an indirect dispatch, or, for a raster
@@ -290,7 +290,7 @@ struct GroupDesc {
     // Number of rounds per frame while some rounds have not run yet; absent: all.
     Expr warm_up;
     SourceLoc warm_up_loc;
-    bool rests = false;  // A round runs only if something has changed that its result depends on.
+    bool rests = false;  // A round runs only if something that affects its result has changed.
     SourceLoc rest_loc;
     Expr settle;  // How often a round runs again after a change; absent: 0.
     SourceLoc settle_loc;

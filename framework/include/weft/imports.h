@@ -56,7 +56,8 @@ struct ImportDecl {
     // The members `views` and `rects` describe a list of views: the number of its views, and for each view
     // its rectangle in pixels for passes with "into": "rects". If `rects` is empty, the views form a grid.
     uint32_t views = 0;
-    // True: there is no scene, so `views` is not the number of its views, but a number that Weft assumes.
+    // True: `views` is a number that Weft assumes. The real number depends on the scene, and there is no
+    // scene.
     bool assumes_views = false;
     std::vector<RectPx> rects;
 };

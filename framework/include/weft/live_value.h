@@ -1,7 +1,8 @@
-// Purpose: the values of a plan that follow live scales. A live size has a scale, a parameter. The images
-// with this size are allocated for scale 1. In each frame, passes use only their area: the part at the top
-// left whose size follows the scale. The plan contains the expressions of all sizes and numbers that depend
-// on scales; the executor evaluates them once per frame, and decides nothing else. Units: areas in pixels.
+// Purpose: the values of a plan that follow live scales. The scale of a live size is a parameter of the
+// graph. The images with this size are allocated for scale 1. In each frame, passes use only their area: the
+// part at the top left whose size follows the scale. The plan contains the expressions of all sizes and
+// numbers that depend on scales; the executor evaluates them once per frame, and decides nothing else. Units:
+// areas in pixels.
 #pragma once
 
 #include <array>
@@ -30,9 +31,8 @@ struct LiveStep {
 
 // A number or size that may change from frame to frame. It is one of three kinds:
 // - a parameter: `param` is set. If it is a scale, a frame may give it another value in [least, most];
-// - a live size: `scale` is set. `steps` computes a size. The value is this size times the scale, rounded up
-// and
-//   clamped to the range from 1 to this size;
+// - a live size: `scale` is set. `steps` computes a size. The value is this size times the scale, rounded
+//   up, and clamped to the range from 1 to this size;
 // - any other expression: `steps` computes it from values that stand earlier in the list of live values.
 struct LiveValue {
     std::string name;            // Of a parameter, size or constant; empty for an expression without a name.

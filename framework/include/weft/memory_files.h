@@ -1,6 +1,6 @@
 // Purpose: keeps texts of files in memory, for example graphs that a GraphBuilder made. A reader made by
-// reader() finds these texts at their paths, and all other files elsewhere. Shaders cannot be in memory: the
-// shader compiler reads them from disk.
+// reader() returns these texts for their paths. For all other paths, it calls another reader. Shaders cannot
+// be in memory: the shader compiler reads them from disk.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace weft {
 
-// The object must live longer than all its readers, so also longer than the sessions that have one. All
+// The object must live longer than all its readers, and longer than all sessions that have such a reader. All
 // threads may call its functions and its readers at the same time.
 class MemoryFiles {
  public:

@@ -10,7 +10,8 @@ namespace weft {
 // "glass::cull".
 struct ModuleDesc {
     std::string parent;  // Name of the module that includes this one; empty: the graph.
-    // For each port that "with" replaces by a parameter, constant or size of the graph: its full name.
+    // The ports that "with" replaces by a parameter, constant or size of the graph. Key: name of the port.
+    // Value: full name of the parameter, constant or size.
     std::map<std::string, std::string> values;
 };
 

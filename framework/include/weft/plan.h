@@ -273,8 +273,8 @@ struct SubmissionPlan {
 };
 
 // The state of a part of a persistent or imported resource at the start of every frame. For a persistent
-// resource, only the layout in `state` is set. What the program reads between frames is in
-// ResourceDecl::between.
+// resource, only the layout in `state` is set. ResourceDecl::between has the reads of the program between
+// frames.
 struct BoundaryState {
     ResourceId resource = kNoId;
     SubresourceRange range;

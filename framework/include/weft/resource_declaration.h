@@ -106,15 +106,15 @@ struct ResourceDecl {
     std::optional<ImportState> import;
     // For a persistent resource that the program reads between two frames (GraphRequest::exports): these
     // reads. The frame leaves the resource in this state, and the next frame waits for the reads before it
-    // writes the resource. In a ring, only the resource of age 0 has the state.
+    // writes the resource. In a ring, only the resource of age 0 has `between`.
     std::optional<AccessState> between;
     // Name of the file with the content, as in the graph; empty: none. Such a resource is imported: Weft
     // itself provides it, and passes only read it.
     std::string file;
     std::string file_path;  // Path of this file. The plan's hash does not include it.
     // Not 0: the resource is a table of this many 2D textures, which shaders index. A table is an imported
-    // image that passes only sample. Its textures have sizes and mips of their own, so that the members of
-    // an image describe one texel that stands for all of them. All textures have formats of the same kind
+    // image that passes only sample. Its textures have sizes and mips of their own. The members that describe
+    // an image describe one texel, which stands for all textures. All textures have formats of the same kind
     // (float or normalised, int, uint) as `format`.
     uint32_t textures = 0;
     // The files of the textures. Empty: the program provides the table.

@@ -69,7 +69,8 @@ struct ShaderBinding {
     // The members block_bytes and `members` describe buffers.
     uint32_t block_bytes = 0;  // Size of the block, without the elements of a runtime array at its end.
     std::vector<BlockMember> members;
-    // True: the array has no size in the shader, so a table of textures gives it its size. `count` is then 1.
+    // True: the shader declares the array without a size. The size is that of the table of textures. `count`
+    // is then 1.
     bool is_runtime_array = false;
     bool operator==(const ShaderBinding&) const = default;
 };

@@ -31,8 +31,8 @@ struct MaterialTextures {
 
 // Returns all materials of the scene as shaders read them, with the numbers of their textures.
 [[nodiscard]] std::vector<shared::Material> gpu_materials(const scene::Scene& scene);
-// Returns all materials of a scene whose textures are not in the table. Their numbers are those of the first
-// two textures.
+// Returns all materials of a scene for a table without the scene's textures. All numbers of textures are
+// those of the first two textures of the table.
 [[nodiscard]] std::vector<shared::Material> gpu_materials_without_table(const scene::Scene& scene);
 
 }  // namespace weft::render

@@ -34,8 +34,9 @@ UsageMask supported_usage(const OutputFormat& output, const DeviceProfile& profi
     return output.usage != 0 ? mask & output.usage : mask;
 }
 
-// Returns the state between frames for the final layout. The stages are also those for which the next frame
-// waits, so for `present` they must be some stage of the frame's wait for the acquired image.
+// Returns the state between frames for the final layout. The next frame also waits for the stages of this
+// state before it uses the image. So for `present`, the state must have one of the stages that wait for the
+// acquired image.
 AccessState state_between(Layout layout) {
     constexpr StageMask shaders = stage::kFragmentShader | stage::kComputeShader;
     switch (layout) {

@@ -13,7 +13,7 @@
 namespace weft::render {
 namespace {
 
-// The numbers of a catalogue without a scene.
+// Numbers of probes and of cells in a catalogue without a scene.
 constexpr uint32_t kAssumedProbes = 1;
 constexpr size_t kAssumedCells = 1;
 

@@ -3,8 +3,8 @@
 // "probeFaces" is a list of views, the number "irradianceProbes" is the number of probes, and
 // "probeCellSlots" the number of slots in "probeCells". Reflection probes: "reflectionPoints"
 // (shared::ProbePoint) and "reflectionBoxes" (shared::ReflectionBox) are buffers, "reflectionFaces" is a list
-// of views, and "reflectionProbes" is their number. A graph that lets the program choose the rounds of its
-// probes imports "probeTurns" and "reflectionTurns".
+// of views, and the number "reflectionProbes" is the number of probes. If a group has one round for each
+// probe, the imports "probeTurns" and "reflectionTurns" select the rounds that run in a frame.
 // Errors: those of vk::Buffer::create() and upload_buffer().
 #pragma once
 

@@ -82,7 +82,8 @@ ProbeTables probe_tables(const scene::ProbeVolume& volume) {
     for (const scene::ProbeCell& cell : cells)
         for (uint32_t i = 0; i < cell.corners.size(); ++i) {
             const uint32_t corner = cell.corners[i];
-            // A probe that only stands in for another grid point keeps its own spacing.
+            // If the cell uses a probe at another grid point instead, the cell does not change the spacing of
+            // that probe.
             if (corner == scene::ProbeCell::kNoProbe ||
                 volume.probes[corner].at != corner_at(cell, i, volume))
                 continue;

@@ -15,7 +15,7 @@ namespace weft::render {
 // The contents of the imports "probePoints", "probeCells" and "probeGrid".
 struct ProbeTables {
     std::vector<shared::ProbePoint> points;
-    // A hash table with open addressing; see shared::ProbeCell. It always has a slot.
+    // A hash table with open addressing; see shared::ProbeCell. It has at least one slot.
     std::vector<shared::ProbeCell> cells;
     shared::ProbeGrid grid{};
 };

@@ -30,7 +30,8 @@ struct FrameView {
     std::string name;  // "camera", "sun(1)" and so on.
     shared::ViewConstants constants{};
     bool mirrored = false;  // True if the picture is a mirror image.
-    // Not 0: the constants do not change as long as this number stays, and neither do the names of the views.
+    // If not 0: as long as this number stays the same, neither the constants nor the names of the views
+    // change.
     uint64_t fixed = 0;
 };
 
@@ -62,7 +63,7 @@ class FrameViews {
     [[nodiscard]] glm::uvec2 camera_px(const ResolvedGraph& graph, glm::uvec2 output_px) const;
     // Computes all views of the next frame. check() must have accepted the lists of the program.
     void update(const ViewSources& sources, const ResolvedGraph& graph);
-    // Returns the views of the frame. The first is the camera. A view for passes with an area follows the
+    // Returns the views of the frame. The first is the camera. The views for passes with an area follow all
     // other views.
     [[nodiscard]] const std::vector<FrameView>& views() const { return views_; }
     // Returns the views of each pass with multiview. Passes with the same views have one entry.

@@ -38,7 +38,7 @@ scene::Bounds box_in_world(const scene::Bounds& box, const glm::mat4& to_world) 
     return world;
 }
 
-// For each plane, the corner of the box that lies farthest inside decides.
+// For each plane, the function tests only the corner of the box that lies farthest inside.
 bool is_outside(const Frustum& frustum, const scene::Bounds& box, bool depth_clamp) {
     for (size_t i = 0; i < (depth_clamp ? kSidePlanes : frustum.planes.size()); ++i) {
         const glm::dvec4& plane = frustum.planes[i];

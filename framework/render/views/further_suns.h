@@ -1,7 +1,8 @@
 // Purpose: computes the shadow maps of the directional lights 2 to 4, with one map for each. A map covers the
 // sphere around the bounds of the scene, in a parallel projection along the light, so it changes only if the
-// light moves. The map of a large scene is coarse. Light probes use maps of the same kind, of all directional
-// lights from 1 to 4, which cover the objects that do not move. Units: metres, texels.
+// light moves. The map of a large scene is coarse. Light probes use further maps of this kind: one for each
+// of the directional lights 1 to 4. These maps cover only the objects that do not move. Units: metres,
+// texels.
 #pragma once
 
 #include <array>

@@ -9,7 +9,8 @@
 
 namespace weft::render {
 
-// The directions in which the columns and rows of a shadow map count, and the direction to the sun.
+// The directions in which the column number and the row number in a shadow map grow, and the direction to the
+// sun.
 struct LightAxes {
     glm::dvec3 right, down, to_sun;
 

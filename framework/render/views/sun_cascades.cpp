@@ -57,7 +57,7 @@ void set_row(glm::mat4& matrix, int row, const glm::vec3& factors, double offset
     matrix[3][row] = static_cast<float>(offset);
 }
 
-// Returns a point on the line that all points in the middle of a rectangle are on.
+// Returns a point on the line through the middle of the rectangle, in the direction of the light.
 glm::dvec3 middle_of(const LightRect& rect, const LightAxes& axes) {
     const glm::dvec2 middle = (rect.min + rect.max) * 0.5;
     return axes.right * middle.x + axes.down * middle.y;
@@ -123,7 +123,7 @@ double farthest_of(const scene::Bounds& box, const glm::dvec3& eye) {
     return glm::length(glm::max(glm::abs(glm::dvec3(box.min) - eye), glm::abs(glm::dvec3(box.max) - eye)));
 }
 
-// The scene as the camera sees it. It depends on the camera only by the rounded camera.
+// The scene as the result of rounded_camera() sees it. So it changes rarely while the camera moves.
 struct Sight {
     scene::Camera camera;
     SeenScene seen;
@@ -137,7 +137,8 @@ double step_of(const SunScene& scene) {
     return std::clamp(diameter_of(scene.bounds) * 0.5 * kStepShare, kLeastSide_m, kMostStep_m);
 }
 
-// Objects that may be anywhere have shadows up to kMostReach_m from the eye.
+// If objects may be anywhere, extends the bounds of the scene to kMostReach_m around the eye. These objects
+// have no shadows farther away.
 SunScene with_bounds(const SunScene& scene, const glm::vec3& eye) {
     SunScene bounded = scene;
     if (!scene.is_unbounded) return bounded;
@@ -159,8 +160,9 @@ Sight sight_of(const scene::Camera& camera, const SunScene& scene) {
     return sight;
 }
 
-// The rectangle of the last map. It covers all of the scene that has shadows, also what the camera does not
-// see: other views show it, and the rays of visible_patches() miss small objects.
+// The rectangle of the last map. It covers the whole part of the scene that has shadows. This includes
+// objects that the camera does not see, because other views may show them, and small objects, because the
+// rays of visible_patches() miss them.
 LightRect whole_rect(const SunScene& scene, const Sight& sight, const LightAxes& axes) {
     glm::dvec3 least(scene.bounds.min), most(scene.bounds.max);
     if (std::isfinite(sight.end_m)) {

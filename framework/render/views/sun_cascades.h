@@ -1,11 +1,11 @@
 // Purpose: computes the projections of the sun's shadow maps. The sun is the first directional light of a
 // scene. Each map (cascade) is a parallel projection along the light. The last map covers the whole scene, or
-// all of it that has shadows. The other maps fit the surfaces that the camera sees. A map moves by whole
-// texels only, and its texels change their size only in steps, so static shadows do not flicker. In the
-// direction of the sun, every map covers the whole scene, so no shadow caster is missed. Pure functions in
-// double precision. Units: metres, texels. Source: Lauritzen, Salvi, Lefohn 2011, "Sample Distribution Shadow
-// Maps" (maps that fit the visible surfaces); Valient 2007, "Stable Rendering of Cascaded Shadow Maps",
-// ShaderX6 (whole texels).
+// the part of the scene that has shadows. The other maps fit the surfaces that the camera sees. A map moves
+// by whole texels only, and its texels change their size only in steps, so static shadows do not flicker. In
+// the direction of the sun, every map covers the whole scene, so no shadow caster is missed. Pure functions
+// in double precision. Units: metres, texels. Source: Lauritzen, Salvi, Lefohn 2011, "Sample Distribution
+// Shadow Maps" (maps that fit the visible surfaces); Valient 2007, "Stable Rendering of Cascaded Shadow
+// Maps", ShaderX6 (whole texels).
 #pragma once
 
 #include <array>
@@ -77,7 +77,8 @@ class SunCascadesCache {
                                           const SunMaps& maps, uint64_t surfaces_version);
 
  private:
-    // All that the result depends on. Of the camera, it is the rounded camera.
+    // All values on which the result depends, except the surfaces. The values of the camera are those of
+    // rounded_camera().
     std::vector<float> key_;
     uint64_t surfaces_version_ = 0;
     SunCascades cascades_;

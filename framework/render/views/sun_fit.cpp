@@ -13,10 +13,11 @@ namespace {
 constexpr std::array kPlaces{1.0 / 256, 1.0 / 64,  1.0 / 16,  2.0 / 16,  3.0 / 16,   4.0 / 16,  5.0 / 16,
                              6.0 / 16,  7.0 / 16,  8.0 / 16,  9.0 / 16,  10.0 / 16,  11.0 / 16, 12.0 / 16,
                              13.0 / 16, 14.0 / 16, 15.0 / 16, 63.0 / 64, 255.0 / 256};
-// Number of divisions of all patches that are followed further: those that are the best for two maps.
+// The group of all patches can be divided in many ways. Only this number of divisions is tried with further
+// divisions: those with the lowest cost without further divisions.
 constexpr size_t kFollowed = 8;
-// Additional cost of a patch that is left to the map that covers everything, so that only few are: its texels
-// count as four times as wide.
+// Additional cost of a patch that is left to the map that covers everything: the texels of this map count as
+// four times as wide. So only few patches are left to this map.
 const double kOmittedCost = std::log(16.0);
 // Least side of a rectangle, in metres, so that its area is not 0.
 constexpr double kLeastRectSide_m = 1e-3;
@@ -43,8 +44,8 @@ double log_area(const LightRect& rect) {
     return std::log(size.x * size.y);
 }
 
-// The patches that a map covers. The cost is the sum of the logarithm of the width of the map's texels in
-// pixels, without the part that is the same for all maps.
+// The patches that a map covers. Their cost is the sum, over the patches, of the logarithm of the area of the
+// map's texels in pixels. The part of the sum that is the same for all maps is left out.
 class Cost {
  public:
     void add(const VisiblePatch& patch) {
@@ -103,8 +104,9 @@ class Fitter {
         return group;
     }
 
-    // Returns the best fit that was found with at most `count` maps. Divisions are compared as if no further
-    // divisions followed; the first `followed` of them are then divided further.
+    // Returns the best fit that was found with at most `count` maps. The cost of a division is computed as if
+    // no further divisions followed. The `followed` divisions with the lowest cost are then tried with
+    // further divisions.
     [[nodiscard]] Fit best(const PatchGroup& group, uint32_t count, size_t followed = kFollowed) {
         Fit best = undivided(group);
         if (group.size() < 2) return best;

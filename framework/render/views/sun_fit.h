@@ -11,9 +11,10 @@
 namespace weft::render {
 
 // Returns at most `count` rectangles, from the one with the smallest area to the one with the largest. They
-// contain all patches but few; another map, which covers the rectangle `whole`, contains these. Patches are
-// divided by their position along one axis of the plane or by their distance from the eye. Of the divisions
-// that were tried, the result has the largest mean of the logarithm of the texels per pixel.
+// contain nearly all patches. The few other patches are left to another map, which covers the rectangle
+// `whole`. Patches are divided by their position along one axis of the plane or by their distance from the
+// eye. Of the divisions that were tried, the result has the largest mean of the logarithm of the texels per
+// pixel.
 [[nodiscard]] std::vector<LightRect> fit_rects(std::span<const VisiblePatch> patches, uint32_t count,
                                                const LightRect& whole);
 

@@ -1,9 +1,10 @@
 // Purpose: finds roughly where a ray meets the surfaces of a scene, to learn on the CPU what a camera sees.
 // The tree contains a bounding box for each triangle, or for several neighbouring triangles if the scene has
-// very many. A ray ends where it enters the first box. So the result is good for statistics, and no test of
-// visibility. TriangleTree (scene/probes) is no replacement: it stores all triangles, tests them exactly and
-// in double precision, and so would find other ends of rays in more time and memory. Pure data. Units:
-// metres. Source: Lauterbach et al. 2009, "Fast BVH Construction on GPUs" (the order of the boxes).
+// very many. A ray ends where it enters the first box. So the result is good for statistics, but it is no
+// test of visibility. TriangleTree (scene/probes) is no replacement: it stores all triangles and tests them
+// exactly, in double precision. So it needs more time and memory, and its rays end at other points. Pure
+// data. Units: metres. Source: Lauterbach et al. 2009, "Fast BVH Construction on GPUs" (the order of the
+// boxes).
 #pragma once
 
 #include <optional>

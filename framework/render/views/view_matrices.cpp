@@ -13,8 +13,8 @@ constexpr float kLampNear_m = 0.05f;
 // plane.
 constexpr float kLeastHalf_rad = 0.01f, kMostHalf_rad = 1.5f;
 
-// The axes of one face: the directions in which the picture's columns and rows count, and the direction of
-// the view.
+// The axes of one face: the directions in which the column number and the row number in the picture grow, and
+// the direction of the view.
 struct FaceAxes {
     glm::dvec3 right, down, forward;
 };
@@ -92,7 +92,7 @@ std::optional<glm::dvec4> oblique_depth(const glm::dmat4& to_clip, const glm::dm
                                         const glm::dvec4& plane) {
     const glm::dvec4 w = row_of(to_clip, 3);
     if (glm::dvec3(w) == glm::dvec3(0)) return std::nullopt;
-    // The plane grows fastest, in relation to w, in the direction of one of the corners of the picture.
+    // The value of the plane equation, divided by w, is largest in the direction of one of the corners.
     double fastest = 0;
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}})
         fastest = std::max(fastest, std::abs(glm::dot(plane, from_clip * glm::dvec4(corner, 0, 1))));
@@ -157,15 +157,17 @@ shared::ViewConstants mirrored(const shared::ViewConstants& source, const std::a
     const std::optional<glm::dvec4> depth =
         oblique_depth(glm::dmat4(view.view_projection), from_clip, height_m < 0 ? -front : front);
     if (height_m == 0 || !depth) return view;
-    for (glm::mat4* matrix : {&view.view_projection, &view.steady_view_projection, &view.prev_view_projection})
+    for (glm::mat4* matrix :
+         {&view.view_projection, &view.steady_view_projection, &view.prev_view_projection})
         replace_row(*matrix, 2, *depth);
     replace_row(view.projection, 2, *depth * glm::inverse(glm::dmat4(view.view)));
     view.inverse_view_projection = glm::mat4(glm::inverse(glm::dmat4(view.view_projection)));
     return view;
 }
 
-// The rows of the matrix give the directions in which x, y and the distance from the viewer grow. A parallel
-// projection has no w that grows with the distance; there, the distance grows as the reversed depth falls.
+// The rows of the matrix give the directions in which x, y and the distance from the viewer grow. In a
+// parallel projection, w does not grow with the distance. There, the distance grows when the reversed depth
+// falls.
 bool is_mirrored(const glm::mat4& view_projection) {
     const auto row = [&](int i) {
         return glm::dvec3(view_projection[0][i], view_projection[1][i], view_projection[2][i]);

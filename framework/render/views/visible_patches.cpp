@@ -12,10 +12,11 @@ constexpr size_t kColumns = 48, kRows = 27;
 constexpr double kAngleStep_rad = 1.0 / 32;
 // Two neighbouring rays meet the same surface if the farther hit is at most this factor farther away.
 constexpr double kSameSurface = 1.5;
-// A ray that meets no known surface is divided into this number of parts, whose lengths grow like their
-// distances.
+// A ray that meets no known surface is divided into this number of parts. The length of a part is
+// proportional to its distance from the eye.
 constexpr size_t kParts = 4;
-// The first part begins at this share of the distance at which the last part ends, or nearer to that.
+// For the lengths of the parts, the first part begins at least at this share of the distance at which the
+// last part ends. The patch of the first part also covers the ray before this place.
 constexpr double kFirstPartShare = 1.0 / 256;
 
 struct Ray {

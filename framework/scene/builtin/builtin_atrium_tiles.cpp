@@ -151,7 +151,7 @@ void make_tile_materials(Parts& parts) {
     const NoiseBank& bank = parts.noise;
     m.checker = add_material(parts, "checker_marble", checker_floor(bank));
     m.inlay = add_material(parts, "inlaid_border", inlay_border(bank));
-    // A roof covers half of the sky above the border, so only half of the sky's light reaches it.
+    // A roof covers half of the sky above the border, so only half of the sky's light reaches the border.
     shade_by_height(parts, m.inlay, {0.5f, 0.5f}, 0, 1);
     m.azulejo = add_material(parts, "azulejo_tiles", azulejos(bank));
 

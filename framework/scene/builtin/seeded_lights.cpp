@@ -79,7 +79,8 @@ std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t se
         const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
         const float x = nearest * random.unit(), z = nearest * random.unit();
         // The path is an ellipse whose axes are parallel to x and z. Both half axes are at most the distance
-        // from the light to the nearest vertical side of the scene's bounds. So the light stays inside them.
+        // from the light to the nearest vertical side of the scene's bounds. So the light stays inside the
+        // bounds.
         light.path.across = {x * std::cos(turn), 0, z * std::sin(turn)};
         light.path.along = {-x * std::sin(turn), 0, z * std::cos(turn)};
         light.path.turns_per_s = (random.unit() < 0.5f ? -1.0f : 1.0f) / (4 + 8 * random.unit());

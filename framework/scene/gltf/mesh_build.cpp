@@ -33,8 +33,8 @@ constexpr uint64_t kHostBytesPerVertex = 12 + 12 + 16 + 8, kHostBytesPerColor = 
 // Bytes per vertex in total: main memory, the position (16 bytes) and the other attributes (24 bytes) on the
 // GPU, and the staging buffer (24 bytes, because the positions and the attributes are uploaded in turn).
 constexpr uint64_t kBytesPerVertex = kHostBytesPerVertex + 16 + 24 + 24;
-// Main memory and the copy on the GPU: 8 bytes per colour or second uv, 4 bytes per index. The last 2 bytes
-// per index are a reserve.
+// Bytes in total: main memory and the copy on the GPU. The copy has 8 bytes per colour or second uv, and 4
+// bytes per index. The last 2 bytes per index are a reserve.
 constexpr uint64_t kBytesPerColor = kHostBytesPerColor + 8, kBytesPerSecondUv = kHostBytesPerSecondUv + 8,
                    kBytesPerIndex = 4 + 4 + 2;
 
@@ -237,8 +237,8 @@ class Builder {
     }
 
     // Renumbers `indices`, so that they refer only to vertices that the primitive uses. Returns the old
-    // indices of these vertices in ascending order. Otherwise every primitive that uses a part of one large
-    // buffer would copy the whole buffer.
+    // indices of these vertices in ascending order. Without this, several primitives that use parts of one
+    // large buffer would each copy the whole buffer.
     static std::vector<uint32_t> make_compact(std::vector<uint32_t>& indices) {
         const auto [low, high] = std::minmax_element(indices.begin(), indices.end());
         const uint32_t first = *low;

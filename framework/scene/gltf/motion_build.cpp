@@ -84,8 +84,10 @@ bool read_sampler(const SamplerPlace& at, bool rotates, MemoryBudget& memory, Re
     }
     const bool is_integer = at.document.accessors[at.source.output].type != ComponentType::f32;
     if (is_integer && !at.document.accessors[at.source.output].normalized) {
-        report_keys(at, "output", "\"output\" is an accessor of integers that are not normalised; wanted "
-                                  "floats, or integers with \"normalized\": true", report);
+        report_keys(at, "output",
+                    "\"output\" is an accessor of integers that are not normalised; wanted "
+                    "floats, or integers with \"normalized\": true",
+                    report);
         return false;
     }
     const uint64_t bytes = saturating_add(saturating_mul(input->count(), sizeof(float)),
@@ -99,7 +101,7 @@ bool read_sampler(const SamplerPlace& at, bool rotates, MemoryBudget& memory, Re
     return !report.failed();
 }
 
-// Reads the animation without its channels of nodes that are not shown, and without unused samplers.
+// Reads the animation. Leaves out channels of nodes that are not shown, and unused samplers.
 Animation read_animation(const Document& document, const AnimationSource& source,
                          std::span<const uint32_t> moving, MemoryBudget& memory, Report& report) {
     Animation out;
@@ -134,7 +136,8 @@ std::vector<bool> animated_nodes(const Document& document) {
 void build_animations(const Document& document, std::span<const uint32_t> moving, MemoryBudget& memory,
                       Report& report, Motion& motion) {
     for (const AnimationSource& source : document.animations) {
-        const uint64_t bytes = source.channels.size() * 2 * kCopies * sizeof(MotionChannel) + source.name.size();
+        const uint64_t bytes =
+            source.channels.size() * 2 * kCopies * sizeof(MotionChannel) + source.name.size();
         if (!take_memory(memory,
                          {bytes, "S107", "/animations/" + std::to_string(source.index), "the animation"},
                          report))

@@ -7,10 +7,11 @@
 namespace weft::scene::gltf {
 namespace {
 
-// A box with a smaller side, in metres, is flat.
+// A box is flat if one of its sides is shorter than this, in metres.
 constexpr float kFlat_m = 0.01f;
 
-// Returns the box of a node in its own space: that of its mesh, or the cube from −1 to 1.
+// Returns the box of a node in the space of the node: the bounds of the mesh of the node, or the cube from −1
+// to 1 if the node has no mesh.
 Bounds box_of_node(const Node& node, const BuiltMeshes& meshes) {
     if (node.mesh == kNone || meshes.of_gltf_mesh[node.mesh].empty()) return {glm::vec3(-1), glm::vec3(1)};
     Bounds box = meshes.meshes[meshes.of_gltf_mesh[node.mesh].front().mesh].bounds;

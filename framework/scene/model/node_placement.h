@@ -10,7 +10,8 @@ namespace weft::scene {
 // Returns a transform that moves all points to the origin.
 [[nodiscard]] glm::mat4 invisible_transform();
 
-// Returns the quaternion (x, y, z, w) with length 1; (0, 0, 0, 1), no rotation, if it has no direction.
+// Returns the quaternion (x, y, z, w), scaled to length 1. Returns (0, 0, 0, 1), which is no rotation, if its
+// length is nearly 0 or not finite.
 [[nodiscard]] glm::vec4 unit_quaternion(const glm::vec4& xyzw);
 
 // Sets the position, direction and side of a light. The shape of a light extends along the x axis of the

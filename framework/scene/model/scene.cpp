@@ -35,7 +35,7 @@ void grow(Bounds& bounds, const glm::mat4& transform, const glm::vec3& position)
     bounds.max = glm::max(bounds.max, world);
 }
 
-// Returns the bounds of all instances, or without `moving` of those that do not move.
+// Returns the bounds of all instances if `moving` is true, else of those that do not move.
 std::optional<Bounds> bounds_of(const Scene& scene, bool moving) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Bounds bounds{glm::vec3(kInfinity), glm::vec3(-kInfinity)};

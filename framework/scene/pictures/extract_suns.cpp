@@ -12,10 +12,10 @@ namespace {
 constexpr double kMedians = 30;       // A region's texels are brighter than this number of medians.
 constexpr double kLeastShare = 0.02;  // Share of the picture's light that a sun has at least.
 constexpr double kMostRadius_rad = 10 * std::numbers::pi / 180;
-// A region with at most this radius can have any shape that is not elongated, because its highlights are as
-// small. Larger regions must look like a uniform disc.
+// A region with at most this radius may have any shape that is not elongated, because highlights of this size
+// do not show the shape. Larger regions must look like a uniform disc.
 constexpr double kSmallRadius_rad = 2 * std::numbers::pi / 180;
-constexpr double kMostTexels = 2.5;      // The same radius in texels: the shape of fewer texels is not known.
+constexpr double kMostTexels = 2.5;      // The same limit in texels: so few texels do not show the shape.
 constexpr double kMostMisplaced = 0.08;  // Share of the light that a uniform disc has at another place.
 // Largest (radius of the light's spread)² / (radius of a disc with the region's solid angle)². It is 1 for a
 // disc and 0.52 · (k + 1 / k) for a rectangle with the sides' ratio k.
@@ -27,7 +27,7 @@ double luminance_of(const glm::vec3& texel) {
 
 // Integrals over the texels of one row, for the exact sums over a region.
 struct RowShape {
-    double solid_angle = 0;  // Of one texel.
+    double solid_angle = 0;  // Solid angle of one texel.
     double across = 0;  // ∫ sin² θ over the row's polar angles θ, times 2 sin(half the texel's azimuth).
     double up = 0;      // ∫ cos θ over one texel, the y of its direction.
     double sides2 = 0;  // width² + height² of a texel, in rad².
@@ -45,22 +45,22 @@ struct RegionLight {
         const double missing = std::clamp(1 - glm::length(flow) / flux, 0.0, 1.0);
         return 2 * std::asin(std::sqrt(missing));
     }
-    // The radius of the disc before the picture was divided into texels. Half of the square of the radius is
-    // the variance of a disc. Texels add (width² + height²) / 12 to the variance twice: a texel is a mean
-    // over its area, and spread_rad() counts it as light from its whole area. In sources that are hardly
-    // larger than a texel, the variance that texels add depends on their position, so the spread is reduced
-    // at most to a half.
+    // Returns the radius that the disc had before the picture was divided into texels. The variance of a disc
+    // is half of the square of its radius. Texels add (width² + height²) / 12 to the variance twice: a texel
+    // is a mean over its area, and spread_rad() counts it as light from its whole area. In sources that are
+    // hardly larger than a texel, the variance that texels add depends on their position. For this reason,
+    // the result is at least half of spread_rad().
     [[nodiscard]] double radius_rad() const {
         const double spread2 = spread_rad() * spread_rad();
         return std::sqrt(std::max(spread2 - sides2 / flux / 3, spread2 / 4));
     }
 };
 
-// Marks of the texels. A texel with a number from 1 was found in a region of this level; see
+// Marks of the texels. A mark from 1 to kMostLevels is a level: the texel is in a region of this level; see
 // find_candidates().
 constexpr uint16_t kUnseen = 0, kInside = 0xFFFE, kRing = 0xFFFF;
-// The threshold of a level is at least this multiple of the threshold of the level before, and at least this
-// share of the mean luminance of the region.
+// The threshold of the next level is the larger of two values: kLevelStep times the threshold of this level,
+// and kLevelMean times the mean luminance of the region.
 constexpr double kLevelStep = 2, kLevelMean = 0.25;
 constexpr uint16_t kMostLevels = 32;
 
@@ -129,13 +129,13 @@ class SunFinder {
     }
 
     // Calls `visit(i)` for each texel that touches texel i, also across the border and over a pole. All
-    // texels of the first row touch each other, and so do those of the last row. They are visited once in a
-    // fill.
+    // texels of the first row touch each other, and so do all texels of the last row. `poles` stores which of
+    // these two rows was already visited as a whole, so that a fill visits each of them only once.
     template <typename Visit>
     void visit_neighbours(uint32_t i, std::array<bool, 2>& poles, const Visit& visit) const {
         const uint32_t x = i % width_, y = i / width_;
         for (const uint32_t row : {y - 1, y, y + 1}) {
-            if (row >= height_) continue;  // The row above row 0 is a large number.
+            if (row >= height_) continue;  // Above row 0, y - 1 wraps to a large number.
             for (const uint32_t column : {x == 0 ? width_ - 1 : x - 1, x, x + 1 == width_ ? 0 : x + 1})
                 visit(row * width_ + column);
         }
@@ -162,7 +162,7 @@ class SunFinder {
         }
     }
 
-    // Adds up the light of region_, less the radiance `ground` everywhere.
+    // Adds up the light of region_, after the radiance `ground` is subtracted from each texel.
     [[nodiscard]] RegionLight light_of_region(const glm::vec3& ground) const {
         RegionLight light;
         for (const uint32_t i : region_) {
@@ -240,8 +240,8 @@ class SunFinder {
         double threshold = 0;
     };
 
-    // Fills the region of `start`, if there is one that is not found yet. Adds it to the candidates, or to
-    // the regions that are searched again.
+    // Fills the region around start.seed, unless this texel is too dark or its region is already found. Adds
+    // the region to `candidates` if it is a sun. If it has enough light but is no sun, adds it to `searches`.
     void find_region(Candidate start, std::vector<Candidate>& candidates, std::vector<Search>& searches) {
         const auto from = static_cast<uint16_t>(start.level - 1);
         if (marks_[start.seed] != from || luminance_of(radiance_[start.seed]) <= start.threshold) return;

@@ -11,9 +11,9 @@
 //   - it is not elongated: a rectangle of up to about 3.5 : 1 is a sun, a line or a bright horizon is not;
 //   - it looks like a uniform disc, or its radius is at most 2° or 2.5 texels. A light has the highlight of a
 //     disc, so the highlights of other large shapes would be wrong.
-// A region that has enough light but is not a sun may have a sun inside of it. So the regions inside of it
-// are tried that are brighter than higher thresholds. At most 16 suns are taken out, those with the most
-// light. All other regions stay in the picture.
+// A region that has enough light but is not a sun may contain a sun. So higher thresholds are tried for the
+// texels of this region, and the smaller regions that they give are tested in the same way. At most 16 suns
+// are taken out, those with the most light. All other regions stay in the picture.
 #pragma once
 
 #include <cstdint>

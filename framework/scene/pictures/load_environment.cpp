@@ -21,8 +21,8 @@ namespace {
 // made.
 constexpr uint64_t kBytesPerTexel = 2 * sizeof(glm::vec3) + 2 * sizeof(glm::vec3) / 4 + 6;
 
-// Peak memory for the small picture for lighting, in bytes per texel of it: two levels as floats, and 6 for
-// the packed texels of all mips.
+// Peak memory for the small picture for lighting, in bytes per texel of the small picture: two levels as
+// floats, and 6 for the packed texels of all mips.
 constexpr uint64_t kLightBytesPerTexel = 2 * sizeof(glm::vec3) + 6;
 
 Diagnostic fault(const char* code, const std::filesystem::path& file, std::string message, std::string help) {

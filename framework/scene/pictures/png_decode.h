@@ -20,7 +20,7 @@ struct DecodedPng16 {
 };
 // Returns true if the channels of the picture have 16 bits.
 [[nodiscard]] bool is_png_16(std::span<const uint8_t> encoded);
-// Decodes a picture for which is_png_16() is true without loss.
+// Decodes a picture without loss. is_png_16() must be true for the picture.
 [[nodiscard]] DecodedPng16 decode_png_16(std::span<const uint8_t> encoded);
 
 }  // namespace weft::scene

@@ -14,8 +14,9 @@ namespace {
 // directions that surfaces can face.
 constexpr int kParts = 3;
 constexpr size_t kPlaces = size_t{kParts} * kParts * kParts * 6;
-// Places on a polygon are this far away from its centre, as shares of the distance of its corners and of the
-// middles of its edges.
+// Places on a polygon lie on lines from its centre to its corners and to the middles of its edges, at these
+// shares of the length of the line. Lines to corners have places at both shares, lines to the middles of
+// edges only at kNearCorner.
 constexpr double kNearCorner = 0.85, kNearMiddle = 0.5;
 
 using Polygon = std::vector<glm::dvec3>;
@@ -120,7 +121,7 @@ std::vector<glm::vec3> places_before_surfaces(const TriangleTree& tree, const Bo
 CellView view_of_cell(const TriangleTree& tree, const Bounds& box,
                       const std::array<std::optional<glm::vec3>, 8>& probes, const ViewLimits& limits) {
     CellView view;
-    // Returns true if a probe sees the place. Also marks the probes that see it, until all are marked.
+    // Returns true if a probe sees the place. Also marks the probes that see the place in view.useful.
     const auto is_seen = [&](const glm::vec3& place) {
         bool seen = false;
         for (size_t i = 0; i < probes.size(); ++i) {

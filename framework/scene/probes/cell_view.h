@@ -18,12 +18,12 @@ namespace weft::scene {
 
 struct CellView {
     uint8_t useful = 0;           // Bit i: the probe at corner i sees a surface of the cell.
-    bool has_dark_place = false;  // None of the probes sees some free place in front of a surface.
+    bool has_dark_place = false;  // Some free place in front of a surface is seen by no probe.
 };
 
 struct ViewLimits {
     float close_m = 0.1f;       // Places at this distance from their surface must be seen.
-    float far_m = 0.1f;         // A probe that only sees places at this distance is useful, too.
+    float far_m = 0.1f;         // A probe is also useful if it sees only places at this distance.
     float clearance_m = 0.05f;  // A place that is nearer than this to a surface is not free.
 };
 

@@ -1,14 +1,15 @@
 // Chooses a grid for a whole scene. It begins with coarse cells near all surfaces. Then it splits cells into
 // eight. Where possible, all cells of a group are split, so that similar places have similar spacings:
-// 1. Single cells with a free place that sees none of their probes.
-// 2. All cells in rooms whose smallest dimension is less than four spacings, until their spacing fits
-// objects.
-// 3. All cells in the open whose surfaces are not parallel, until their spacing is twice as large.
+// 1. Single cells with a free place that none of their probes sees.
+// 2. All cells in rooms whose smallest dimension is less than four spacings of the cell, until the spacing is
+// small enough for objects.
+// 3. All cells in the open whose surfaces are not parallel, until the spacing is twice that of step 2.
 // 4. All cells in rooms, until the spacing is the finest.
-// 5. Single cells of the groups that needed too many probes, those with the greatest need first.
+// 5. Single cells that still need a smaller spacing, because their whole group needed too many probes. The
+// cells with the greatest need are split first.
 // 6. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
-// 7. Single cells with objects whose spacing is more than a quarter of the distance of the surfaces around
-// them.
+// 7. Single cells with objects, if the spacing of the cell is more than a quarter of the distance of the
+// surfaces around it.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -20,7 +21,7 @@
 namespace weft::scene {
 namespace {
 
-// More cells than this are too many for the grid of a whole scene.
+// If the grid of a whole scene would begin with more cells than this, it begins with larger cells.
 constexpr size_t kMostCells = 600;
 // Splitting ends when this many grid points were examined.
 constexpr size_t kMostExamined = 4096;
@@ -30,11 +31,11 @@ constexpr double kSpacingsPerRoom = 4;
 constexpr double kSmallestRoom = 4;
 // Objects in the open need as many probes as a room of this size, in finest spacings.
 constexpr double kObjectRoom = 8;
-// Cells that need too many probes are left out, until there are this many of them.
+// A cell is not split if its parts need too many probes. After this many such cells, split_worst() ends.
 constexpr uint32_t kMostFailures = 32;
-// Several minor grid points can share a probe. So each counts as a part of a probe at first, in eighths. If
-// there are then too many probes, the fit is repeated with the next value. With the last one, the probes
-// cannot be too many.
+// Several minor grid points can share a probe. At first, each minor grid point counts as one eighth of a
+// probe. If the volume then has too many probes, the fit is repeated with the next number of eighths. With
+// the last number, a minor grid point counts as a whole probe, so the volume cannot have too many.
 constexpr std::array<uint32_t, 6> kMinorEighths{1, 2, 3, 4, 6, 8};
 
 class Fit {
@@ -42,7 +43,8 @@ class Fit {
     Fit(ProbeGrid& grid, const PlacementParams& params, int base)
         : grid_(grid), params_(params), base_(base) {}
 
-    // Adds the cells of the base. Returns false if they are too many.
+    // Adds the cells near surfaces with the stride base_. Returns false if there are too many of them, or if
+    // they need more than three quarters of the probes.
     [[nodiscard]] bool begin() {
         std::optional<std::vector<GridCell>> cells = grid_.cells_near_surfaces(base_, kMostCells);
         if (!cells || !grid_.exchange({}, *cells, params_.most_probes * 3 / 4)) return false;
@@ -85,7 +87,8 @@ class Fit {
         return found;
     }
 
-    // True if the surfaces are not parallel. Edges that only see the sky do not count.
+    // True if the surfaces of the cell are not parallel, and a probe that is not minor sees one of them. So
+    // an edge that only the open sky surrounds does not count.
     [[nodiscard]] bool has_objects(const GridCell& cell) const {
         return grid_.nearness_per_m(cell) > 0 && grid_.is_uneven(cell);
     }
@@ -122,14 +125,14 @@ class Fit {
     struct Need {
         double need = 0;
         GridCell cell;
-        // The cell that is split first is the largest.
+        // The cell with the largest Need in this order is split first.
         bool operator<(const Need& other) const {
             if (need != other.need) return need < other.need;
             return PointOrder{}(other.cell.at, cell.at);
         }
     };
 
-    // Returns how much too large the spacing of the cell is for a room of this size, as a factor.
+    // Returns the spacing of the cell divided by the largest spacing that suits a room of this size.
     [[nodiscard]] double need_in(const GridCell& cell, double room_m) const {
         return kSpacingsPerRoom * double{params_.min_spacing_m} * cell.stride / room_m;
     }
@@ -151,7 +154,8 @@ class Fit {
         return found;
     }
 
-    // Splits the cells with a need above 1, and their parts, those with the greatest need first.
+    // Splits all cells with a need above 1, the one with the greatest need first. The parts of a split cell
+    // are treated in the same way.
     void split_worst(const std::function<double(const GridCell&)>& need_of) {
         std::priority_queue<Need> needs;
         const auto consider = [&](const GridCell& cell) {

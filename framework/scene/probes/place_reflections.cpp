@@ -12,12 +12,13 @@ namespace {
 
 using Seen = std::bitset<kMostIrradianceProbes>;
 
-// A reflection probe must be the first for at least this part of all irradiance probes.
+// A reflection probe must be the first that sees at least 1 / kLeastPart of all irradiance probes. Minor
+// probes count less.
 constexpr double kLeastPart = 16;
-// The value of minor probes. Surfaces near them mostly reflect the sky.
+// A minor probe counts as this part of a probe, because surfaces near it mostly reflect the sky.
 constexpr double kMinorValue = 0.05;
-// Irradiance probes at this distance count half, and those farther than twice this distance do not count, in
-// finest spacings.
+// In finest spacings. An irradiance probe at this distance counts half. An irradiance probe at more than
+// twice this distance does not count.
 constexpr double kHalfDistance = 16;
 
 }  // namespace

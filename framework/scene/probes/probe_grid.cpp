@@ -10,7 +10,8 @@
 namespace weft::scene {
 namespace {
 
-// Cells that are examined together, in parallel, before the number of probes is compared with the limit.
+// Number of cells that are examined together, in parallel. After each such batch, the number of probes is
+// compared with the limit.
 constexpr size_t kBatch = 32;
 // A probe counts as eight eighths.
 constexpr uint32_t kEighths = 8;
@@ -18,8 +19,8 @@ constexpr uint32_t kEighths = 8;
 constexpr float kMargin = 0.25f;
 // Places at this distance from their surface must see a probe, in finest spacings.
 constexpr float kClose = 0.2f;
-// A grid point has no probe if the nearest surface is farther than one spacing along each axis and farther
-// than this, in finest spacings.
+// A grid point has no probe if no surface touches a cube around the point. Half of the side of this cube is
+// the spacing of the largest cell that can have this corner, but at least this many finest spacings.
 constexpr float kFar = 5;
 // The smallest distance between a probe and a surface, in finest spacings.
 constexpr float kClearance = 0.1f;
@@ -138,7 +139,7 @@ int ProbeGrid::coarsest_stride(const glm::ivec3& at) const {
     return stride;
 }
 
-// Settles points that are not known yet.
+// Calls settle_probe() for points that have no result yet, and stores the results.
 void ProbeGrid::settle(const std::vector<glm::ivec3>& points) {
     std::vector<Settled> settled(points.size());
     run_on_threads(points.size(), threads_, [&](size_t i) {
@@ -166,7 +167,8 @@ CellView ProbeGrid::view_of(const GridCell& cell) const {
                         {kClose * spacing_m_, kMargin * size_m, kClearance * spacing_m_});
 }
 
-// Settles the corners of the cells and finds out what they see, unless this is known.
+// Settles the corners of the cells, and finds what the probes at these corners see. Skips corners and cells
+// whose result is already known.
 void ProbeGrid::examine(std::span<const GridCell> cells) {
     std::set<glm::ivec3, PointOrder> unknown;
     for (const GridCell& cell : cells)

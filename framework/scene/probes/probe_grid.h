@@ -1,5 +1,5 @@
-// Purpose: the grid on which a scene's probes are placed: which of its points have a probe, and which of its
-// cells are near a surface.
+// Purpose: the grid on which the probes of a scene are placed. It stores which grid points have a probe, and
+// finds the cells that are near a surface.
 #pragma once
 
 #include <array>
@@ -38,24 +38,24 @@ class ProbeGrid {
     // nullopt if there are more than `most`.
     [[nodiscard]] std::optional<std::vector<GridCell>> cells_near_surfaces(int stride, size_t most) const;
     [[nodiscard]] bool is_near_surface(const GridCell& cell) const;
-    // Returns the eight cells of half the stride that are near a surface.
+    // Splits the cell into eight cells of half the stride. Returns those that are near a surface.
     [[nodiscard]] std::vector<GridCell> parts_of(const GridCell& cell) const;
     [[nodiscard]] bool is_uneven(const GridCell& cell) const;
-    // Returns the size of the smallest room in which a part of the cell is, infinity if there is none. The
-    // parts have the size `pitch`; only those near a surface count.
+    // Divides the cell into parts with the stride `pitch`. Returns the smallest room_size_at() of the middles
+    // of all parts that are near a surface; infinity if none of them is in a room.
     [[nodiscard]] double room_size(const GridCell& cell, int pitch) const;
-    // True if there is a free place in front of a surface of the cell that sees none of the probes at the
-    // corners. The cell must have been added.
+    // True if there is a free place in front of a surface of the cell that no probe at a corner of the cell
+    // sees. The cell must have been added.
     [[nodiscard]] bool has_dark_place(const GridCell& cell) const;
 
-    // Returns the mean of Surroundings::nearness_per_m of the probes that see a surface of the cell; 0 if all
-    // of them are minor. The cell must have been added.
+    // Returns the mean of Surroundings::nearness_per_m of the probes that see a surface of the cell. Returns
+    // 0 if all these probes are minor. The cell must have been added.
     [[nodiscard]] double nearness_per_m(const GridCell& cell) const;
 
     // Removes the cells `gone`, which were added before, and adds the cells `fresh`. If there were then more
     // than `most` probes at the corners of all cells, changes nothing and returns false.
     bool exchange(const std::vector<GridCell>& gone, const std::vector<GridCell>& fresh, uint32_t most);
-    // Returns the number of grid points at which it was tried to place a probe.
+    // Returns the number of grid points for which settle_probe() has looked for a place.
     [[nodiscard]] size_t examined() const { return points_.size(); }
     // Returns the volume. `around_camera` is stored in it.
     [[nodiscard]] ProbeVolume volume(std::vector<uint32_t> strides, bool around_camera) const;
@@ -90,8 +90,8 @@ class ProbeGrid {
     uint64_t eighths_ = 0;  // Number of probes at the corners of all cells, in eighths.
 };
 
-// Returns the volume with a probe at each point of a grid of this size. The probes are fitted to the
-// geometry.
+// Returns the volume with one entry for each point of a grid of this size. settle_probe() keeps, moves or
+// drops the probe of each point.
 [[nodiscard]] ProbeVolume settled_grid(const TriangleTree& tree, const ProbeVolume& volume, glm::ivec3 size,
                                        uint32_t threads);
 

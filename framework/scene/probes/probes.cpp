@@ -15,7 +15,8 @@ constexpr uint64_t kLightTexelBytes = 8;
 constexpr uint64_t kFaces = 6;
 constexpr uint64_t kProbeSide_px = 32;
 constexpr uint64_t kReflectionSide_px = 128;
-// A plane and the deviation from it in four half floats, on an octahedral map with a border of one texel.
+// Bytes for an octahedral map of 32 × 32 texels with a border of one texel. Each texel has a plane and the
+// deviation of the surfaces from this plane, in four half floats.
 constexpr uint64_t kMomentBytes = 34ull * 34 * 8;
 // Nine coefficients of spherical harmonics with three colours, four floats each; see kProbeShStride.
 constexpr uint64_t kHarmonicsBytes = 16ull * 16;

@@ -10,11 +10,12 @@ namespace weft::scene {
 namespace {
 
 constexpr size_t kDirections = 64;
-// More rays than this that end at the inside of a surface mean that the point is inside of an object.
+// If more rays than this end at the inside of a surface, the point is inside of an object.
 constexpr size_t kMostInside = kDirections / 4;
-// As many rays without a surface mean that the point sees much of the sky.
+// If at least this many rays hit no surface, the point sees much of the sky.
 constexpr size_t kLeastSky = kDirections * 7 / 16;
-// Rays along which all surfaces are counted, and the number of them that must agree.
+// is_buried() counts all surfaces along kDepthRays rays. A point is inside of an object if at least
+// kLeastBuried of these rays leave more objects than they enter.
 constexpr size_t kDepthRays = 8;
 constexpr size_t kLeastBuried = 6;
 // Nearer surfaces count as if they had this distance, so that a wall beside a probe does not count too much.
@@ -54,8 +55,9 @@ bool is_buried(const TriangleTree& tree, const glm::vec3& point) {
     return inside >= kLeastBuried;
 }
 
-// Returns the ways out of an object: behind the insides of surfaces that are within reach, the nearest first.
-// The result is empty if the point is not inside of an object.
+// Returns moves that lead out of an object, the shortest first. Each move ends a little behind the inside of
+// a surface, and none is longer than limits.reach_m. The result is empty if the point is not inside of an
+// object.
 std::vector<Move> exits_from(const TriangleTree& tree, const glm::vec3& point, const SettleLimits& limits) {
     const double behind_m = 2.0 * double{limits.clearance_m};
     std::vector<Move> exits;
@@ -73,7 +75,8 @@ std::vector<Move> exits_from(const TriangleTree& tree, const glm::vec3& point, c
     return exits;
 }
 
-// Returns moves along the axes and the diagonals: away from a surface that is too near.
+// Returns moves along the axes and the space diagonals. One of them may lead away from a surface that is too
+// near.
 std::vector<Move> steps_aside(const SettleLimits& limits) {
     std::vector<Move> steps;
     for (const double factor : {2.0, 4.0}) {

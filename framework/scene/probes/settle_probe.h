@@ -1,6 +1,7 @@
-// Purpose: decides whether a probe can stand at a point, and where else it stands if not. A probe from which
-// more than a quarter of the directions end at the inside of a surface is inside of an object. So is a probe
-// that is inside of closed objects which penetrate each other.
+// Purpose: decides whether a probe can stand at a point, and if it cannot, finds another place near the
+// point. A point is inside of an object if more than a quarter of the rays from it end at the inside of a
+// surface. It is also inside if most rays leave more objects than they enter: this finds points in closed
+// objects that penetrate each other.
 #pragma once
 
 #include <span>
@@ -10,11 +11,13 @@
 namespace weft::scene {
 
 struct Surroundings {
-    // Few probes are enough around the point: nothing blocks the view in at least 7/16 of all directions, so
-    // the light varies slowly; or all directions end at backs of surfaces, so the point is in a closed shell.
+    // True if few probes are enough around the point, for one of two reasons. Nothing blocks the view in at
+    // least 7/16 of all directions, so the light varies slowly. Or all directions end at backs of surfaces,
+    // so the point is in a closed shell.
     bool is_minor = false;
-    // The mean of the inverse distance of what is seen, in 1/m. Light varies faster where this is larger.
-    // Source: Ward et al. 1988, "A Ray Tracing Solution for Diffuse Interreflection".
+    // The mean over all directions of 1 / distance to the nearest surface, in 1/m. Distances below 1 m count
+    // as 1 m, and the sky counts as 0. Light varies faster where the mean is larger. Source: Ward et al.
+    // 1988, "A Ray Tracing Solution for Diffuse Interreflection".
     double nearness_per_m = 0;
 };
 
@@ -29,8 +32,10 @@ struct SettleLimits {
     float reach_m = 0;          // A probe moves at most this far.
 };
 
-// Moves the probe as little as possible. From the inside of an object, it leaves along a ray to the inside of
-// a surface, the nearest one first. From a surface, it moves away. It prefers places that are not minor.
+// Keeps the probe at the point if it can stand there. Otherwise tries moves, the shortest first: out of an
+// object along a ray through the inside of a surface, and away from a surface that is too near. Takes the
+// first place that is not minor. If there is none, takes the first place where the probe can stand. If there
+// is no such place, drops the probe.
 [[nodiscard]] Settled settle_probe(const TriangleTree& tree, const glm::vec3& point,
                                    const SettleLimits& limits);
 

@@ -11,12 +11,12 @@
 namespace weft::scene {
 namespace {
 
-// A probe can substitute probes that are at most this far away, in spacings of the finest cell of the other
-// probe. The first value that saves enough probes is used.
+// A probe can be the substitute of another probe that is at most this far away, in spacings of the finest
+// cell of the other probe. The values are tried in turn, until one saves enough probes.
 constexpr std::array<float, 5> kReaches{1.1f, 1.5f, 2.1f, 3, 4.2f};
-// At most one of this many places that a probe sees may be hidden from its substitute.
+// At most 1 / kHiddenPart of the places that a probe sees may be hidden from its substitute.
 constexpr size_t kHiddenPart = 10;
-// Number of places of a probe, and number of substitutes for it, that are tried.
+// For each probe, at most kMostPlaces places are compared, and at most kMostCandidates substitutes are tried.
 constexpr size_t kMostPlaces = 64;
 constexpr size_t kMostCandidates = 6;
 // Places at this distance in front of surfaces are compared, in finest spacings of the volume.
@@ -24,7 +24,7 @@ constexpr float kBefore = 0.2f;
 
 struct MinorProbe {
     uint32_t index = 0;             // An index into ProbeVolume::probes.
-    float spacing_m = 0;            // Of the finest cell at whose corner the probe is.
+    float spacing_m = 0;            // Spacing of the finest cell that has the probe at a corner.
     std::vector<glm::vec3> places;  // The places in its cells that the probe sees.
 };
 

@@ -7,8 +7,9 @@
 
 namespace weft::scene {
 
-// Drops minor probes that another probe can substitute, as few as possible and near ones first, until at most
-// `most` probes are left or no more can be dropped. Returns the number of probes that are left.
+// Drops minor probes that have a substitute: another minor probe near them that sees nearly the same places.
+// Tries larger and larger distances of the substitutes, until at most `most` probes are left or the largest
+// distance was tried. Returns the number of probes that are left.
 uint32_t share_minor_probes(const TriangleTree& tree, ProbeVolume& volume, uint32_t most, uint32_t threads);
 
 }  // namespace weft::scene

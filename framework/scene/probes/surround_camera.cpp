@@ -9,7 +9,7 @@ namespace weft::scene {
 namespace {
 
 constexpr int kLevels = 3;
-// The largest distance of a cell from that of the camera along each axis, in cells.
+// The largest distance between a cell and the cell of the camera along each axis, in cells.
 constexpr int kReach = 10;
 constexpr double kSpacingsPerSide = 4;
 
@@ -39,7 +39,7 @@ std::vector<GridCell> cells_around(const ProbeGrid& grid, const GridCell& middle
     return cells;
 }
 
-// Returns the stride of the finest level: finer than objects need it if the camera is in a small room.
+// Returns the stride of the finest level: kObjectStride, or less if the camera is in a small room.
 int finest_stride(const ProbeGrid& grid, const PlacementParams& params) {
     const double room_m = grid.room_size(cell_at(*params.camera, params, kObjectStride), kObjectStride / 2);
     int stride = kObjectStride;
@@ -52,12 +52,14 @@ int finest_stride(const ProbeGrid& grid, const PlacementParams& params) {
 ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& params, uint32_t threads) {
     PlacementParams around = params;
     const Bounds& bounds = tree.bounds();
-    // From far away, the camera sees the nearest part of the scene best.
+    // If the camera is outside of the scene's bounds, the probes surround the nearest point of the bounds.
+    // From far away, the camera sees this part of the scene best.
     around.camera =
         glm::clamp(params.camera.value_or((bounds.min + bounds.max) * 0.5f), bounds.min, bounds.max);
     const uint32_t share = params.most_probes / kLevels;
     const glm::vec3 origin(0.5f * params.min_spacing_m);
-    // The levels differ by a factor of two if the coarsest one then holds the whole scene.
+    // The spacings of neighbouring levels differ by a factor of 2 if the coarsest level then holds the whole
+    // scene, otherwise by a factor of 4.
     const ProbeGrid probe(tree, origin, params.min_spacing_m, kGroundStride, threads);
     const int finest = finest_stride(probe, around);
     const int factor = probe.cells_near_surfaces(finest * 4, share) ? 2 : 4;

@@ -11,8 +11,8 @@
 
 namespace weft::scene {
 
-// A triangle whose front is counter-clockwise. The first corner is the one that is smallest in the order of
-// (x, y, z), so that equal triangles are equal bit for bit.
+// A triangle whose front is counter-clockwise. The first corner is the smallest in the order of (x, y, z), so
+// that the corners of two equal triangles are equal bit for bit.
 struct SolidTriangle {
     std::array<glm::vec3, 3> corners;
     bool blocks = true;  // False for surfaces that let light through: transparent ones and masks with holes.

@@ -14,15 +14,15 @@ namespace {
 using Node = TriangleTree::Node;
 
 constexpr uint32_t kLeafTriangles = 4;
-// Below this depth, a node is cut at the middle of its list instead of the middle of its space, so that the
-// tree ends.
+// From this depth on, the two children of a node get equal numbers of triangles instead of equal parts of its
+// space. This limits the depth of the tree.
 constexpr uint32_t kSpatialDepth = 40;
 constexpr size_t kDeepestStack = 96;
 // Number of subtrees that are built in parallel.
 constexpr size_t kSubtrees = 64;
-// The products of two coordinates of the normals of a plain differ by at most this much.
+// Triangles count as parallel if no product of two coordinates of their normals differs by more than this.
 constexpr double kPlainSpread = 0.35;
-// A box with more triangles than this is uneven in any case, so that the question never takes long.
+// A box with more triangles than this counts as uneven without further tests. This limits the time of a test.
 constexpr uint32_t kDetailed = 4096;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -277,7 +277,8 @@ bool TriangleTree::touches(const Bounds& box) const {
 
 bool TriangleTree::touches_front(const Bounds& box, float reach_m) const {
     bool found = false;
-    // The box moves instead of the triangle.
+    // Returns true if the triangle, moved by `way`, touches the box. Moving the box by -way gives the same
+    // result.
     const auto touches_moved = [&](const SolidTriangle& triangle, const glm::vec3& way) {
         return touches_box(triangle, {box.min - way, box.max - way});
     };
@@ -305,7 +306,8 @@ void TriangleTree::visit(const Bounds& box, const std::function<void(const Solid
 }
 
 bool TriangleTree::is_uneven(const Bounds& box) const {
-    // The products of the coordinates of a normal are the same for both sides of a surface.
+    // Products of two coordinates are compared, because they are equal for the normals of both sides of a
+    // surface.
     glm::dvec3 low_squares(2), high_squares(-2), low_mixed(2), high_mixed(-2);
     bool uneven = false;
     uint32_t touching = 0;

@@ -37,8 +37,8 @@ class TriangleTree {
 
     [[nodiscard]] bool empty() const { return triangles_.empty(); }
     [[nodiscard]] const Bounds& bounds() const { return bounds_; }
-    // Returns the nearest surface that blocks light. If surfaces coincide, the hit is inside, or at the
-    // back, only if it is so for all of them.
+    // Returns the nearest surface that blocks light. If several surfaces are hit at the same distance,
+    // is_inside is true only if it is true for all of them. The same holds for is_back.
     [[nodiscard]] std::optional<RayHit> nearest(const Ray& ray) const;
     // True if a surface that blocks light is on the ray.
     [[nodiscard]] bool is_blocked(const Ray& ray) const;
@@ -48,8 +48,8 @@ class TriangleTree {
     [[nodiscard]] int depth_along(const Ray& ray) const;
     // True if a surface of any kind touches the box.
     [[nodiscard]] bool touches(const Bounds& box) const;
-    // True if the front of a surface of any kind touches the box, or a place at most this far in front of it.
-    // Surfaces without an inside count on both sides.
+    // True if the box contains a place on a surface of any kind, or a place at most `reach_m` in front of it.
+    // Both sides of a surface without an inside count as its front.
     [[nodiscard]] bool touches_front(const Bounds& box, float reach_m) const;
     // Visits all triangles whose boxes touch this box, in an order that depends on the order of the
     // triangles.

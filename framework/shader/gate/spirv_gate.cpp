@@ -113,11 +113,12 @@ class CapabilityCheck {
     std::set<std::string> said_;
 };
 
-// Rejects what needs a feature of the device, although no capability in the SPIR-V tells so: shared variables
-// with an initial value, and arrays of images with an index that is not a constant. For the latter, glslang
-// does not emit the capabilities SampledImageArrayDynamicIndexing and StorageImageArrayDynamicIndexing. An
-// array of sampled images without a size may have any index: it is a table of textures, and resolve() checks
-// that the device has tables.
+// Rejects shared variables with an initial value, and arrays of images with an index that is not a constant.
+// Both need a feature of the device, but the SPIR-V declares no capability for it: for such an index, glslang
+// does not emit the capabilities SampledImageArrayDynamicIndexing and StorageImageArrayDynamicIndexing.
+// Exceptions: an array of sampled images without a size may have any index, because it is a table of
+// textures, and resolve() checks that the device has tables. An array of sampled images with a size may have
+// any index if ShaderTarget::texture_tables is true.
 class FeatureCheck {
  public:
     FeatureCheck(ShaderStage stage, const ShaderTarget& target, InterfaceFaults& faults)
@@ -210,13 +211,13 @@ class FeatureCheck {
     const ShaderTarget& target_;
     InterfaceFaults& faults_;
     std::map<uint32_t, std::string> names_;
-    // Types: sampled images, and arrays of them with and without a size.
+    // Ids of types: sampled images, arrays of sampled images with a size, and such arrays without a size.
     std::set<uint32_t> sampled_, sampled_arrays_, tables_;
     std::set<uint32_t> constants_;
-    // Pointers to images or arrays of images, without those that may have any index. True: an array of
-    // sampled images.
+    // Key: id of a pointer type to an image or an array of images. Arrays that may have any index are left
+    // out. Value: true for an array of sampled images.
     std::map<uint32_t, bool> image_pointers_;
-    // Variables and parameters with such types.
+    // Key: id of a variable or parameter with such a pointer type. Value: as in `image_pointers_`.
     std::map<uint32_t, bool> images_;
     std::set<uint32_t> said_;  // Arrays about which an error was reported.
 };

@@ -19,7 +19,7 @@ bool asks_for_size(uint32_t opcode) {
     return opcode == SpvOpImageQuerySize || opcode == SpvOpImageQuerySizeLod;
 }
 
-// Returns true if the result of the instruction stands for the image in its operand 2.
+// Returns true if the result of the instruction stands for the same image as operand 2 of the instruction.
 bool passes_on(uint32_t opcode) {
     return opcode == SpvOpLoad || opcode == SpvOpAccessChain || opcode == SpvOpInBoundsAccessChain ||
            opcode == SpvOpSampledImage || opcode == SpvOpImage || opcode == SpvOpCopyObject;
@@ -60,7 +60,7 @@ std::set<std::string> sampled_images(std::span<const uint32_t> spirv) {
     ImageUses uses = image_uses(spirv);
     std::set<std::string> found;
     for (const uint32_t variable : uses.sampled)
-        // Parameters of functions are not declared as variables.
+        // `declared` does not contain the parameters of functions, so these are left out.
         if (uses.declared.contains(variable) && !uses.measured.contains(variable) &&
             !uses.passed_to_functions.contains(variable))
             found.insert(uses.names[variable]);

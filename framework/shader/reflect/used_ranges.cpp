@@ -39,7 +39,7 @@ class CallGraph {
 };
 
 // Follows the indices of an access chain through structs, as long as the indices are constants. Returns the
-// range of the last member.
+// range of the member that is reached in this way; `whole` if no member is reached.
 FrameRange member_range(const SpirvInstruction& chain, const std::map<uint32_t, uint32_t>& constants,
                         const std::vector<BlockMember>& members, const FrameRange& whole) {
     FrameRange range = whole;
@@ -74,8 +74,7 @@ std::vector<FrameRange> used_ranges(std::span<const uint32_t> spirv, uint32_t va
         if (chain && i.operand(2) == variable)
             ranges.push_back(member_range(i, constants, members, whole));
         else if (std::ranges::find(i.operands, variable) != i.operands.end())
-            ranges.push_back(
-                whole);  // Perhaps another use of the variable; perhaps a number with this value.
+            ranges.push_back(whole);  // Another use of the variable, or a number that equals its id.
     }
     merge_ranges(ranges);
     return ranges;

@@ -42,8 +42,8 @@ Combination switches_in(const ResolvedGraph& graph, const FrameInput& frame) {
     return on;
 }
 
-// Returns true if a frame has finished after a wait with this result. A lost device runs nothing any more, so
-// its objects can be destroyed.
+// Returns true if `wait`, the result of waiting for a frame, means that the objects of the frame can be
+// destroyed. A lost device runs nothing any more, so it counts as finished.
 bool is_finished(VkResult wait) {
     return wait == VK_SUCCESS || wait == VK_ERROR_DEVICE_LOST;
 }
@@ -179,7 +179,7 @@ void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turn
     name_changed_inputs({*objects_, frame, {objects_->resources, frames_run_, slot}, slot});
 }
 
-// Adds to each unit that runs because of an input which input it is.
+// Stores the name of the changed input for each unit that runs because an input has changed.
 void ReplayExecutor::name_changed_inputs(const UnitInputContext& context) {
     const auto woken = [](const Wake& wake) { return wake.reason == WakeReason::input; };
     if (std::ranges::none_of(chosen_.wakes, woken)) return;
@@ -200,8 +200,8 @@ std::vector<uint8_t> ReplayExecutor::running_units() const {
     return runs;
 }
 
-// Lets the C++ passes prepare their data. Returns the lists of turns: those of the program, and those of the
-// passes.
+// Lets the C++ passes prepare their data. Returns the lists of turns of the frame. They come from the
+// program, but passes may replace them.
 TurnLists ReplayExecutor::prepare_uploads(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     const HostInputs none;
@@ -272,7 +272,8 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     }
 }
 
-// Returns the batches in which nothing was recorded, because all their passes rest. Index: batch.
+// Returns 1 for each batch in which nothing was recorded, because all its passes rest, else 0. Index: batch.
+// An empty list means that no batch is empty.
 std::vector<uint8_t> ReplayExecutor::empty_batches() const {
     if (chosen_.wakes.empty()) return {};
     std::vector<uint8_t> resting, empty;

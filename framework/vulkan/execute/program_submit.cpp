@@ -21,9 +21,10 @@ bool uses_resource(const FramePlan& plan, const Batch& batch, ResourceId resourc
     });
 }
 
-// Returns the first submitted batch with a pass that uses the import. The epilogue does not count, because
-// the plan lets it wait for these passes. Returns kNoId if there is none, or if passes on several queues use
-// the import: a binary semaphore can release only one batch, and the others would not wait.
+// Returns the first submitted batch with a pass that uses the import. A use in the epilogue does not count,
+// because in the plan the epilogue waits for these passes. Returns kNoId if there is none, or if passes on
+// several queues use the import: a binary semaphore can release only one batch, and the others would not
+// wait.
 uint32_t first_batch_with(const FramePlan& plan, const std::string& import,
                           const std::vector<uint8_t>& empty) {
     const ResourceId resource = find_resource(plan.graph, import);

@@ -41,8 +41,8 @@ class QueueTimelines {
     [[nodiscard]] bool awaits_program() const { return program_.get() != VK_NULL_HANDLE; }
     // Returns the point that queue 0 signals before the batches of a frame, after the work of the program.
     [[nodiscard]] TimelinePoint program_done(uint64_t frame) const { return {program_.get(), frame}; }
-    // Returns the next point of the timeline on which the batches of a frame wait for semaphores of the
-    // program.
+    // Returns a new point. It is signalled when the program has signalled its semaphores, and the batches of
+    // a frame wait for this point instead of the semaphores.
     [[nodiscard]] TimelinePoint next_gate() { return {gate_.get(), ++gate_value_}; }
 
  private:

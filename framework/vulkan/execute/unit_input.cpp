@@ -120,8 +120,9 @@ void add_inputs(const UnitInputContext& context, Position position, UnitInput& i
     std::vector<std::byte>& bytes = *input;
     const size_t old = bytes.size();
     bytes.resize(old + pass.params_bytes);
-    // The validity of what the pass reads is left out: a unit whose results become valid has run, and so it
-    // wakes its readers.
+    // The values of Params that tell whether results of units are valid are left out (FrameValues::validity
+    // is null). They need no comparison: when the results of a unit become valid, this unit has run, and it
+    // has woken the passes that read the results.
     write_params(plan.graph, id, {context.frame, context.resources, context.objects.areas},
                  std::span(bytes).subspan(old));
     comparison.part(bytes, [&](size_t at) { return member_at(pass, at); });

@@ -1,6 +1,6 @@
-// Purpose: collects everything outside other passes that the result of a resting pass depends on in a frame,
-// as bytes: its Params, the constants of frame and view that its shader reads, the versions of its draw lists
-// and of its imports. If the bytes are those of the last run, these inputs have not changed.
+// Purpose: collects, as bytes, the inputs of a resting pass in a frame that do not come from other passes:
+// its Params, the constants of frame and view that its shader reads, the versions of its draw lists and of
+// its imports. If the bytes are those of the last run, these inputs have not changed.
 #pragma once
 
 #include <span>

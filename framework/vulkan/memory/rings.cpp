@@ -51,8 +51,8 @@ void Rings::inherit(const Rings& old, uint64_t frames, const TransitionPlan& tra
         const ResourceId ring = all_[carry.to].ring, old_ring = old.all_[carry.from].ring;
         if (transition.keeps_validity[ring] == 0) continue;
         if (old.written_[old_ring] == 0 && old.inherited_[old_ring] == 0) continue;
-        // An old ring of N + 1 copies has the contents of at most N past frames, and a ring of one copy that of
-        // the last frame. If the new history is longer, its higher ages are not valid yet.
+        // An old ring of N + 1 copies has the contents of at most N past frames. A ring of one copy has the
+        // content of the last frame. If the new history is longer, its older frames are not valid yet.
         inherited_[ring] = std::min<uint64_t>(frames + old.inherited_[old_ring],
                                               std::max<uint64_t>(old.roles_[old_ring].size() - 1, 1));
     }

@@ -73,8 +73,8 @@ Status add_binding(DescriptorSources& sources, const PassDecl& pass, const Shade
                    SetWrites& out) {
     const std::vector<const UseDecl*> uses = uses_of(pass, binding);
     const uint32_t count = descriptor_count(sources.plan.graph, pass, binding);
-    // One use with `each`, and a table of textures, fills the whole array. If the array is longer, the last
-    // element is repeated.
+    // If the only use of the binding has `each` or is a table of textures, it fills the whole array. If the
+    // array is longer than the table or the list of parts, its last element is repeated.
     const bool fills_array = uses.size() == 1 && (uses[0]->each != EachPart::none ||
                                                   sources.resources.textures(uses[0]->resource) != nullptr);
     if (!uses.empty() && !fills_array && uses.size() != count)

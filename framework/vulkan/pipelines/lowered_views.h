@@ -3,8 +3,8 @@
 //
 // Multiview: the block of the view in descriptor set 0, binding 1, becomes an array with the constants of all
 // views, and each access to the block selects the element gl_ViewIndex. Layer output: the vertex stage writes
-// gl_Layer, which is the number of the view minus that of the pass's first view; the number is a member of
-// the same block.
+// gl_Layer, which is the number of the view minus the number of the pass's first view. The number of the view
+// is a member of the same block.
 #pragma once
 
 #include <cstdint>

@@ -27,7 +27,8 @@ std::string key_of(const PassDecl& pass) {
     return pass.shader;
 }
 
-// A module without the form that multiview needs stays as it is. make_plan_objects() reports it.
+// A module that cannot be rewritten for multiview (see can_select_view()) stays unchanged.
+// make_plan_objects() reports an error for it.
 ShaderProgram lowered(ShaderProgram program, const PassDecl& pass) {
     for (ShaderModule& module : program.modules) {
         if (pass.lowering == ViewLowering::multiview && can_select_view(module.spirv))

@@ -69,8 +69,8 @@ inline bool is_access_chain(uint32_t opcode) {
     return opcode == kOpAccessChain || opcode == kOpInBoundsAccessChain;
 }
 
-// True for the first instructions after the decorations of a module. All new decorations must come before
-// them.
+// True for the opcodes that can come directly after the decorations of a module. New decorations must come
+// before the first instruction with such an opcode.
 inline bool ends_decorations(uint32_t opcode) {
     return (opcode >= kOpTypeVoid && opcode <= kOpTypeForwardPointer) || opcode == kOpLine;
 }

@@ -11,7 +11,8 @@
 namespace weft::vk {
 
 // Records the barriers of a list with one command; records nothing if there is none to record.
-// `step` tells which of the barriers are recorded, and `is_before` whether the list stands before the pass.
+// `step` decides which of the barriers are recorded. `is_before` is true for the list before the pass, and
+// false for the list after it.
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
                      const FramePlan& plan, const FrameResources& resources, const FrameStep& step = {},
                      bool is_before = true);

@@ -20,9 +20,9 @@ namespace weft::vk {
 // The Vulkan objects needed to record one pass. The kind of the pass determines which members are set.
 struct PreparedPass {
     PassLayout layout;
-    // scopes has one element for each frame of the period of the pass, and so has port_sets for each variant
-    // of the pass, one variant after the other. After one period, the pass uses the same copies of its
-    // resources with history again.
+    // `scopes` has one element for each frame of the period of the pass. `port_sets` has as many elements for
+    // each variant of the pass, one variant after the other. After one period, the pass uses the same copies
+    // of its resources with history again.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
     // Each variant of the pass has the same number of pipelines, one variant after the other.
@@ -96,7 +96,7 @@ struct PlanAmendment final : Amendment {
     // The pipelines of each pass, indexed by the position of the pass in the execution order. Empty if the
     // old pipelines stay.
     std::vector<std::vector<DrawPipeline>> passes;
-    // PreparedPass::frame_ranges of each pass, as in `passes`.
+    // PreparedPass::frame_ranges of each pass, with the same index as `passes`.
     std::vector<std::vector<FrameRange>> frame_ranges;
     PipelineCounts counts;
 

@@ -22,8 +22,8 @@ struct RecordContext {
     Combination switches = kAllSwitchesOn;  // The switches that are on in the frame.
 };
 
-// Counts the views for which the passes record their draws: by position, the number of these views of all
-// earlier passes. The last element is the number of the views of all passes.
+// Counts the views for which the passes record their draws. Element i of the result is the sum over all
+// passes before position i. The last element is the sum over all passes.
 [[nodiscard]] std::vector<uint32_t> count_recorded_views(const FramePlan& plan);
 
 // Records the pass at index `position` of the execution order, without its barriers. Calls one of the

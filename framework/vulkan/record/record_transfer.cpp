@@ -37,8 +37,8 @@ VkOffset3D far_corner(const Extent3D& extent) {
             static_cast<int32_t>(extent.depth)};
 }
 
-// Blits each mip level of the range `from` to the mip level with the same position in the range `to`. Of
-// images with a live size, it reads and writes the area.
+// Blits each mip level of the range `from` to the mip level with the same position in the range `to`. If an
+// image has a live size, only its area in this frame is read or written.
 void blit_images(const RecordContext& context, const UseDecl& from, const UseDecl& to) {
     const FrameAreas& areas = context.objects.areas;
     std::vector<VkImageBlit> blits;

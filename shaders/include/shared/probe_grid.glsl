@@ -9,7 +9,7 @@ const uint kNoProbe = 0xffffffffu;
 const uint kEmptyProbeSlot = 0xffffffffu;
 const uint kMostProbeLevels = 8u;
 // Radiance is stored multiplied by this number, so that the sun on white (25,000 cd/m²) and lamps fit into half floats.
-// A power of two changes no digits.
+// The number is a power of two, so the multiplication does not round.
 const float kProbeRadianceScale = 0.0625;
 
 // One probe, an element of `probePoints`.

@@ -1,7 +1,7 @@
 // Draws a sphere at a probe. With LIGHT, it looks like a white matt ball in the light of the probe. Otherwise its colour
 // tells the level of the grid, as in the picture of `weft scene`: blue, green, yellow, red from fine to coarse. A black
-// ring: the probe was moved. Grey: the probe was not baked yet. Dark below: it has no light yet. Magenta: in this
-// direction the probe sees the inside of an object.
+// ring: the probe was moved. Grey: the probe was not baked yet. Dark lower half: the probe has no light yet. Magenta:
+// in this direction the probe sees the inside of an object.
 #version 460
 #include "cube_texels.glsl"
 #include "environment_cube.glsl"

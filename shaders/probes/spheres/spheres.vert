@@ -14,7 +14,8 @@ void main() {
     const float radius_m = clamp(0.08 * point.spacing_m, 0.03, 0.3);
     const vec2 corners[6] =
         vec2[](vec2(-1.0), vec2(1.0, -1.0), vec2(-1.0, 1.0), vec2(-1.0, 1.0), vec2(1.0, -1.0), vec2(1.0));
-    // Seen from nearby, a sphere looks larger than its section. From a distance of 2 radii, the factor is 1.15.
+    // Seen from nearby, a sphere covers more of the square than its cross-section does: from a distance of 2 radii, a
+    // disc of 1.15 radii. So the square is larger than the sphere.
     const vec2 at = corners[gl_VertexIndex] * radius_m * 1.25;
     const mat3 to_world = transpose(mat3(view.view));
     on_square = point.position + to_world * vec3(at, 0.0);

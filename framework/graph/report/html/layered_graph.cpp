@@ -8,8 +8,9 @@ namespace weft {
 namespace {
 
 constexpr int32_t kLineHeight_px = 6;  // Height of a dummy node.
-// Maximum number of dummy nodes in a graph. If a graph needs more, its longest edges get none: they lead
-// directly from box to box, even across other boxes. Nobody can follow so many lines by eye anyway.
+// Maximum number of dummy nodes in a graph. If a graph needs more, its longest edges get no dummy nodes.
+// These edges lead directly from box to box, even across other boxes. Nobody can follow so many lines by eye
+// anyway.
 constexpr size_t kMostDummyNodes = 6000;
 
 // Assigns a layer to each box: the length of the longest path to it. Exception: a box without incoming edges

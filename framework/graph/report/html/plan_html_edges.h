@@ -42,7 +42,7 @@ using NameChoices = std::vector<std::string>;
 
 // Returns the name of each edge with its place. Earlier edges choose their place first. A name lies on its
 // own path and touches no box, no path with another name, and no other name. A path gets no name if there is
-// no such place, or if the path passes through the equal name of an earlier path.
+// no such place, or if it passes through the same name on an earlier path.
 [[nodiscard]] std::vector<EdgeName> place_edge_names(const std::vector<EdgePath>& paths,
                                                      const std::vector<NameChoices>& names,
                                                      const std::vector<AreaPx>& boxes, PointPx drawing);

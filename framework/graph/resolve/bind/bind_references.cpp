@@ -74,7 +74,7 @@ class ReferenceBinder {
         return false;
     }
 
-    // Returns the names of the resources that the pass may use: those of other groups are not among them.
+    // Returns the names of the resources that the pass may use. Resources of other groups are left out.
     [[nodiscard]] std::vector<std::string> visible_resources(const PassDraft& draft) const {
         std::vector<std::string> names = resource_names(declared_.shapes.resources);
         std::erase_if(names, [&](const std::string& name) {
@@ -85,7 +85,7 @@ class ReferenceBinder {
         return names;
     }
 
-    // Returns a help if a group has a resource of this name, else an empty text.
+    // Returns a help text if a group has a resource of this name, else an empty text.
     [[nodiscard]] std::string group_help(const std::string& name) const {
         for (const ResourceOrigin& origin : declared_.shapes.origins)
             if (origin.desc != nullptr && !origin.desc->group.empty() &&
@@ -194,8 +194,8 @@ class ReferenceBinder {
     }
 
     // Selects the layer of the pass's view, or the layers of its views, if the port is an attachment of a
-    // pass with "views". A reference that selects layers itself keeps them: if the pass draws several views,
-    // it selects the layer of the first one. Returns false after reporting an error.
+    // pass with "views". If the reference itself selects a layer, this layer is kept; for a pass that draws
+    // several views, it is the layer of the first view. Returns false after reporting an error.
     bool select_layer(PassId pass, BoundPort& port) {
         const PassDraft& draft = declared_.expansion.passes[pass];
         const std::string& name = port.use.port;

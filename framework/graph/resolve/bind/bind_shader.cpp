@@ -156,8 +156,8 @@ class ShaderBinder {
                !s.depth_test && !s.stencil_test && !s.scissor && !s.viewport && !s.alpha_to_coverage;
     }
 
-    // Returns true if a pass with "into": "rects" draws a view other than the first. It keeps the rectangles
-    // of the other views, so only the first view clears.
+    // Returns true if a pass with "into": "rects" draws a view other than the first. Such a pass must keep
+    // the rectangles of the earlier views, so only the pass of the first view clears.
     bool is_later_rect() const {
         return desc().view_target == ViewTarget::rects && at_.draft.indices.at(kViewIndex) > 0;
     }

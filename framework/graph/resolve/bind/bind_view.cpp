@@ -11,7 +11,8 @@ namespace {
 constexpr uint32_t kFrameAndViewSet = 0;
 constexpr std::string_view kViewStruct = "ViewConstants";
 
-// Returns true if the resource is a buffer of views. The elements of an import have no name, only a size.
+// Returns true if the resource is a buffer of views. The type of the elements is not known for an import, so
+// only their size is compared.
 bool holds_views(const Declared& declared, ResourceId id) {
     const ResourceDecl& resource = declared.shapes.resources[id];
     if (resource.kind != ResourceKind::buffer) return false;

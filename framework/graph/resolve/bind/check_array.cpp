@@ -51,7 +51,7 @@ bool check_array(PassBinding& pass, const UseDecl& use, const PortDraft& port, c
         return false;
     }
     if (binding.is_runtime_array) {
-        // It is unknown whether a resource with an error would be a table.
+        // The resource has an error, so it is unknown whether the resource is a table.
         if (pass.declared.shapes.suspects.shapes[use.resource]) {
             pass.suspects.passes[pass.id] = 1;
             return false;

@@ -30,7 +30,8 @@ bool report_misuse(PassBinding& pass, const UseDecl& use, const std::string& fau
     return false;
 }
 
-// Returns the array that makes the shader need tables, for messages; null if the shader only declares it.
+// Returns the array of textures that messages about tables name, preferably an array without a size. Returns
+// null if the shader has no array of textures.
 const ShaderBinding* find_array(const ShaderInterface& shader) {
     const auto find = [&](auto&& matches) {
         const auto found = std::ranges::find_if(shader.bindings, [&](const ShaderBinding& b) {
@@ -48,7 +49,8 @@ SourceLoc port_loc(const PassBinding& pass, const ShaderBinding* array) {
     return pass.draft.desc->shader_loc.line != 0 ? pass.draft.desc->shader_loc : pass.draft.decl.loc;
 }
 
-// Returns the number of sampled images in a stage. An array without a size has the elements of its table.
+// Returns the number of sampled images in a stage. An array without a size counts as many images as its table
+// has textures.
 uint64_t count_sampled(const PassBinding& pass, ShaderStageMask stage) {
     uint64_t count = 0;
     for (const ShaderBinding& binding : pass.draft.shader->bindings) {

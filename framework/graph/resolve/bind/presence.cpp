@@ -126,8 +126,8 @@ CombinationSet Presence::present_in(PassId pass, const BoundPort& input) const {
     if (expansion.switches.empty() || declared_.shapes.origins[resource].has_content ||
         suspects_.writers[resource])
         return kEveryCombination;
-    // The named passes, and the other writers of the resource: if the named passes are off, the version of
-    // another writer may stay visible.
+    // The combinations in which the passes that `@pass` names run, and those in which other writers of the
+    // resource run. If the named passes are off, the version of another writer may stay visible.
     CombinationSet named = 0, others = 0;
     std::set<std::string> other_names;
     bool passes_version_on = input.draft.pins.empty(), any = false;

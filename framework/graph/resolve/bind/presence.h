@@ -1,8 +1,9 @@
 // Purpose: handles references to passes that `if` removes. Private to bind(). If a removed pass modifies a
 // resource in place, a reference to the version after that pass sees the previous version instead. If no
 // remaining pass writes the resource that a port reads, the port uses its "else". Without an "else", an
-// optional port stays unbound, and any other port is error W123. If live switches remove the passes, an input
-// has several uses: one for each reference, with the combinations of the switches in which it is read.
+// optional port stays unbound, and any other port is error W123. If switches turn the writers off in some
+// frames, an input has several uses: one for each reference, with the combinations of the switches in which
+// this reference is read.
 // Errors: W123, W234, W235.
 #pragma once
 
@@ -34,14 +35,16 @@ class Presence {
     // Stores in `port` the passes that `@pass` in `ref` names; `ref` must contain an `@pass`. If that pass
     // was removed, stores the passes whose version stays visible in its place, or sets `port.pin_is_gone`.
     void find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const;
-    // Returns false if the input has nothing to read, because the passes that would write it are removed. An
-    // `optional` input then does not read what an earlier frame may have left, either.
+    // Returns false if the input has nothing to read, because the passes that would write the resource are
+    // removed. If the input is `optional`, content that an earlier frame may have left in a resource with
+    // "keep" does not count.
     [[nodiscard]] bool is_present(PassId pass, const BoundPort& input, bool optional) const;
     void report_absent(PassId pass, const PortDesc& port) const;
-    // Returns the combinations of the switches in which the input has something to read. In the others, the
-    // passes that would write it are switched off. `input` must be present.
+    // Returns the combinations of the switches in which the input has something to read. In the other
+    // combinations, the passes that would write the resource are switched off. `input` must be present.
     [[nodiscard]] CombinationSet present_in(PassId pass, const BoundPort& input) const;
-    // Returns true if the port may have other resources, or none, in some combinations of the switches.
+    // Returns true if the port may be bound to different resources, or to none, in different combinations of
+    // the switches.
     [[nodiscard]] bool can_depend(PassId pass, const PortDesc& port) const;
     // Reports that the port cannot depend on switches, or that it has nothing to read in the combinations
     // `absent`.

@@ -25,7 +25,7 @@ PortDesc port(std::string name, const ResourceDesc& resource, uint32_t age) {
     return port;
 }
 
-// The mips and layers of one resource of which the content of the last frame is needed.
+// The parts (a mip of a layer) of one resource for which the content of the last frame is needed.
 class NeededParts {
  public:
     NeededParts(const ResolvedGraph& graph, PassId carry)
@@ -45,7 +45,8 @@ class NeededParts {
         }
     }
 
-    // Returns the smallest range that contains all needed parts. It has no mips if no part is needed.
+    // Returns the smallest range that contains all needed parts: those whose old content a pass sees, and
+    // those of which the other passes do not write all aspects. It has no mips if no part is needed.
     [[nodiscard]] SubresourceRange box() const {
         SubresourceRange box = whole_;
         uint32_t mip_end = 0, layer_end = 0;

@@ -189,7 +189,7 @@ class InterfaceCheck {
     }
 
     void check_dimensions(const UseDecl& use, const ResourceDecl& resource, const ShaderBinding& binding) {
-        // The elements of an array are alike, so that one of them stands for all.
+        // The elements of an array have the same shape, so it is enough to check the first one.
         const SubresourceRange part = element_range(use, 0);
         if (binding.kind == BindingKind::storage_image && part.mips != 1) {
             error(use, "W173",

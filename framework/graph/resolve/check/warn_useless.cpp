@@ -78,8 +78,8 @@ class UselessSearch {
     }
 
     // Warns if the pass `name` is culled; with a repeat, if all its passes `ids` are culled. If a chain of
-    // passes is culled, warns only about the last pass of the chain. Nothing reads the result of the last
-    // pass, so it is the cause.
+    // passes is culled, warns only about the last pass of the chain. This pass is the cause, because nothing
+    // reads its result.
     void judge_pass(const std::string& name, const std::vector<PassId>& ids) {
         const auto is_culled = [&](PassId id) { return live_.live_passes[id] == 0; };
         const auto is_cause = [&](PassId id) { return live_.reasons[id] == CullReason::unused_output; };
@@ -99,8 +99,8 @@ class UselessSearch {
     LiveGraph live_;
     // Names of the resources that passes read, including passes that do not run.
     ResourceNames read_;
-    // Names of the resources that debug views or tests use, or whose use may depend on parameter values: they
-    // are inputs of removed passes, or named in an "else".
+    // Names of the resources that debug views or tests use, and of the resources that inputs of removed
+    // passes or an "else" name. The use of the latter may depend on parameter values.
     ResourceNames at_times_;
     // Indexed by ResourceId: 1 if a pass of the resolved graph, live or culled, needs the earlier content of
     // the resource.

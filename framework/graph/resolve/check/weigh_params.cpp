@@ -27,7 +27,8 @@ class ParamCosts {
         add(graph_.frames, ParamCost::live);
     }
 
-    // A scale of a live size has the value 1 wherever the graph depends on it, so its changes are live.
+    // Returns the cost of a change of the parameter. For a scale of a live size, the cost is at most
+    // ParamCost::live, because the plan is made with the value 1 for all scales.
     ParamCost cost_of(const std::string& name) const {
         const auto found = costs_.find(name);
         if (found == costs_.end()) return ParamCost::nothing;

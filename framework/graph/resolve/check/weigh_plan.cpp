@@ -27,7 +27,8 @@ void weigh_plan(const ResolvedGraph& graph, Reporter& reporter) {
         reporter.spend(kStepsPerSubresource * count_subresources(resource.whole()), resource.loc);
         frames = std::max(frames, kCheckedFrames + resource.history);
     }
-    // For each combination of the switches, the checker simulates all frames again, and one more.
+    // For each combination of the switches after the first, the checker simulates all frames again, and one
+    // frame more.
     const uint64_t combinations = uint64_t{1} << graph.switches.size();
     frames += (combinations - 1) * (frames + 1);
     for (const PassDecl& pass : graph.passes) {

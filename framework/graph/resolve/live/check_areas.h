@@ -6,12 +6,13 @@
 
 namespace weft {
 
-// Checks the declaration of an image with a live size. It cannot keep content from earlier frames, because
-// their area can differ, and it cannot have cube faces.
+// Checks the declaration of an image with a live size. The content of the image must not come from a file,
+// from another tier or (with "history" and "keep") from the last frame, because the area of that content can
+// differ. The image cannot have cube faces.
 void check_live_image(const ResourceDecl& image, const ResourceDesc& desc, Reporter& reporter);
-// Checks that the attachments of a pass have the same area, and so do source and target of a copy. Checks
-// that a blit reads only the area, and that the pass writes the whole area in the frame in which the area
-// changes.
+// Checks that all attachments of a pass have the same area, and that source and target of a copy have the
+// same area. Checks that a blit reads no texels outside of the area. Checks that a change of the area leaves
+// no content that was written for another area.
 void check_pass_areas(const Declared& declared, const VersionedGraph& versioned, PassId pass,
                       const ResolvedGraph& graph, PassReporter& report);
 // Returns the area of the first mip that a port uses. Its `image` is kNoId if the image has no live size.

@@ -19,7 +19,7 @@ constexpr std::array kAreaBuiltins{AreaBuiltin{"Size", Builtin::area_size},
                                    AreaBuiltin{"Uv", Builtin::area_uv},
                                    AreaBuiltin{"UvMost", Builtin::area_uv_most}};
 
-// Finds the numbers of one pass that follow live scales.
+// Finds the numbers of one pass that change with live scales.
 class PassFollower {
  public:
     PassFollower(const Declared& declared, const VersionedGraph& versioned, PassId pass, ResolvedGraph& graph,
@@ -60,8 +60,8 @@ class PassFollower {
         const PassDesc& desc = *draft_.desc;
         if (!desc.groups.empty()) return follow_counts(desc.groups, false);
         if (!desc.threads.empty()) return follow_counts(desc.threads, true);
-        // The outputs of the pass have the same extent, see size_dispatches(). The area that counts is that
-        // of its first output with a live size.
+        // The outputs of the pass have the same extent, see size_dispatches(). The numbers of workgroups
+        // follow from the area of the first output with a live size.
         if (pass_.area.image == kNoId) return;
         const uint32_t value = graph_.resources[pass_.area.image].area;
         for (uint32_t side = 0; side < 2; ++side)
@@ -147,7 +147,8 @@ class PassFollower {
         write.value = {};
     }
 
-    // Returns true if the member has the name of a port with this suffix.
+    // Returns true if the name of the member consists of the name of a port and the suffix of `builtin`. If
+    // the image of this port has a live size, the member then follows the area of this image.
     bool follow_port(const AreaBuiltin& builtin, ParamWrite& write, CombinationSet combinations) {
         std::string_view name = write.member;
         if (!name.ends_with(builtin.suffix)) return false;
@@ -189,7 +190,8 @@ void follow_images(const Declared& declared, const Suspects& suspects, ResolvedG
     }
 }
 
-// Views without rectangles of their own are drawn to a grid of the whole attachments.
+// Reports a pass that draws views without rectangles of their own to attachments with a live size. The grid
+// for such views divides the whole attachments and not only their area.
 void check_grid(const Declared& declared, PassId id, const ResolvedGraph& graph, PassReporter& report) {
     const PassDesc& desc = *declared.expansion.passes[id].desc;
     if (desc.view_target != ViewTarget::rects || graph.passes[id].area.image == kNoId) return;

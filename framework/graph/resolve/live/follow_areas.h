@@ -1,6 +1,6 @@
-// Purpose: the stage of resolve() that finds the numbers that follow live scales: the areas of images, and
-// the workgroups, viewports, scissors and `Params` of passes. All other stages use the sizes at scale 1.
-// Checks that passes agree about their areas. Errors: W236.
+// Purpose: the stage of resolve() that finds the numbers that change with live scales: the areas of images,
+// the numbers of workgroups, viewports, scissors and values in `Params` of passes. All other stages use the
+// sizes at scale 1. Also checks that the areas of the images in each pass fit each other. Errors: W236.
 #pragma once
 
 #include "graph/resolve/version.h"

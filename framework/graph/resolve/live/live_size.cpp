@@ -11,7 +11,8 @@ class ScaleSearch {
  public:
     ScaleSearch(const ResolveInput& input, const Values& values) : graph_(input.graph), values_(values) {}
 
-    // Returns true if the expression names a scale, a live size, or a name whose own expression does.
+    // Returns true if the expression depends on a scale or a live size, directly or through constants and
+    // sizes.
     [[nodiscard]] bool depends(const Expr& expression) {
         return std::ranges::any_of(expression.postfix, [&](const ExprNode& node) {
             return node.op == ExprOp::name && name_depends(node.name);

@@ -1,6 +1,6 @@
 // Purpose: chooses how the views of a pass with "into": "layers" are drawn: by one pass with multiview, by
-// one pass whose vertex stage selects the layer, or by one pass for each view. Part of expand(), because this
-// decides how many passes a description results in.
+// one pass whose vertex stage selects the layer, or by one pass for each view. Part of expand(), because the
+// choice determines how many passes a description results in.
 #pragma once
 
 #include "graph/resolve/shape_resources.h"
@@ -13,9 +13,9 @@ struct ChosenLowering {
     std::string reason;                      // As PassDecl::lowering_reason.
 };
 
-// Returns the lowering of a pass whose views are drawn to layers. By default it is layer output if the pass
-// leaves out draws, else multiview, else one pass for each view; a choice that is not possible is skipped.
-// This function is the only place that decides.
+// Returns the lowering of a pass whose views are drawn to layers. By default, the result is the first
+// possible choice of this list: layer output, if the pass leaves out draws; multiview; one pass for each
+// view. This function is the only place that decides.
 // Errors: W199 (the author's choice is not possible). Reports nothing else: after any other fault it chooses
 // one pass for each view, and a later stage reports the fault.
 [[nodiscard]] ChosenLowering choose_lowering(const ResolveInput& input, const Values& values,

@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kSunViews = "sun";
 constexpr uint32_t kFrameSetNumber = 0;
 
-// The fault is not a question of the lowering: a later stage reports it.
+// Stands for a fault that has nothing to do with the lowering. A later stage reports the fault.
 LoweringObstacle fault() {
     return {};
 }
@@ -33,7 +33,8 @@ std::optional<LoweringObstacle> repeat_obstacle(const PassDesc& desc) {
     return std::nullopt;
 }
 
-// The number of the view differs between the views of one pass only in the shader.
+// Returns an obstacle if anything except view.number in the shader depends on the number of the view. If one
+// pass draws all views, everything else has the same value for all of them.
 std::optional<LoweringObstacle> index_obstacle(const LoweringParts& parts) {
     const std::string remedy =
         "read the number of the view from view.number in the shader, see frame_set.glsl";
@@ -112,8 +113,10 @@ std::optional<LoweringObstacle> attachment_obstacle(const LoweringParts& parts, 
     return std::nullopt;
 }
 
-// Returns true if either all views of the list are mirror images or none of them is, in every frame. The
-// program may change its matrices at any time. Lamps with one view and lamps with six differ in this.
+// Returns true if, in every frame, either all views of the list are mirror images or none of them is. For
+// lists of the program, this is certain only for the views of the sun, because the program may change the
+// matrices of other lists at any time. For example, lamps with one view and lamps with six views differ in
+// whether their views are mirror images.
 bool has_one_winding(const Values& values, const std::string& base) {
     const auto list = values.views.find(base);
     if (list == values.views.end() || list->second.single) return true;

@@ -9,8 +9,8 @@
 
 namespace weft {
 
-// Why a lowering is not possible, and what the author can change. An empty reason: a later stage reports a
-// fault of the pass.
+// The reason why a lowering is not possible, and what the author can change. The reason is empty if the pass
+// has a fault that a later stage reports.
 struct LoweringObstacle {
     std::string reason;
     std::string remedy;

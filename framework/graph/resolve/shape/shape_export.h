@@ -9,8 +9,9 @@
 namespace weft {
 
 // Gives the resource the usage that the program needs. A resource that lives within one frame also gets an
-// object of its own. The states follow from its format: set_export_states(). Returns false after reporting
-// the error W243: nothing in the graph writes the resource, or the program would write a kept resource.
+// object of its own. Its states depend on its format, so set_export_states() sets them later. Returns false
+// after reporting the error W243: nothing in the graph writes the resource, or the program would write a kept
+// resource.
 [[nodiscard]] bool shape_export(const ResourceDesc& desc, const ExportUse& use, ResourceDecl& decl,
                                 Reporter& reporter);
 

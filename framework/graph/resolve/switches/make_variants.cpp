@@ -15,7 +15,8 @@ bool asks_for_validity(const PassDraft& draft, const UseDecl& use) {
                                [&](const BlockMember& member) { return member.name == use.port + "Valid"; });
 }
 
-// The inputs of a pass in one combination: which uses are read, and which have valid content.
+// The inputs of a pass in one combination. Each use has two numbers: 1 if the use is read, and 1 if its
+// content is not valid although the shader asks for the validity.
 using Inputs = std::vector<uint8_t>;
 
 Inputs inputs_in(const PassDraft& draft, const BoundPass& bound, Combination combination) {
@@ -39,8 +40,7 @@ bool depends_on_switches(const PassDraft& draft, const BoundPass& bound) {
     return false;
 }
 
-// Returns true if the port is one of those that are bound only in some combinations, and is not bound in
-// this one.
+// Returns true if the port is bound in some combinations of the switches, but not in this combination.
 bool is_unbound(const BoundPass& bound, std::string_view port, Combination combination) {
     bool known = false;
     for (const UseDecl& use : bound.uses) {
@@ -66,7 +66,8 @@ std::vector<PassVariant> variants_of(const Declared& declared, const VersionedGr
                                      Reporter& reporter) {
     const PassDraft& draft = declared.expansion.passes[pass];
     const BoundPass& bound = versioned.passes[pass];
-    // Combinations in which the pass does not run have no variant of their own.
+    // Combinations in which the pass does not run have no variant of their own. They are added to the first
+    // variant.
     const CombinationSet runs_in = draft.decl.runs_in;
     std::vector<PassVariant> variants;
     std::vector<Inputs> inputs;

@@ -8,8 +8,8 @@
 
 namespace weft {
 
-// Values of some of the switches: bit s of `named` is 1 if the value of switch s is given, in bit s of
-// `values`.
+// Values of some of the switches. If bit s of `named` is 1, bit s of `values` is the value of switch s. If
+// bit s of `named` is 0, the value of switch s is not given.
 struct SwitchValues {
     uint32_t named = 0;
     Combination values = 0;

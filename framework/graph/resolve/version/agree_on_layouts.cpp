@@ -1,4 +1,5 @@
-// Gives one layout to images whose layout must not depend on which units run, and in which order.
+// Gives one layout to all reads of an image if the layout must not depend on which units run, and in which
+// order. A unit is a set of passes with "rest" that run together, or a round of a group.
 #include "graph/resolve/version/connect_versions.h"
 
 namespace weft {
@@ -36,8 +37,8 @@ class LayoutAgreement {
                     visit(pass, use);
     }
 
-    // The rounds of a group run in any order, so no layout may change between two of its reads: if they need
-    // different layouts, all of them use GENERAL.
+    // The rounds of a group run in any order, so all reads of an image in the group must use the same layout.
+    // If the reads need different layouts, all of them use GENERAL.
     void agree_in_group(uint32_t group) {
         Wanted wanted(graph_.resources.size());
         const auto is_member = [&](PassId pass) { return declared_.expansion.passes[pass].group == group; };

@@ -14,8 +14,8 @@ void sort_unique(std::vector<uint32_t>& values) {
 }
 
 // The mips and layers at which a use of the resource begins or ends. They are the borders of the cells.
-// `aspects` has one mask for each cell in that direction: a single mask if all uses have the same aspects,
-// otherwise one bit for each aspect.
+// `aspects` divides the resource into cells by aspect. It has a single mask if all uses have the same
+// aspects, otherwise one mask with a single bit for each aspect.
 struct Cuts {
     std::vector<uint32_t> mips, layers;
     std::vector<AspectMask> aspects;

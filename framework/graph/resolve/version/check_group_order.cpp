@@ -33,8 +33,9 @@ class GroupOrder {
  private:
     [[nodiscard]] uint32_t group_of(PassId pass) const { return declared_.expansion.passes[pass].group; }
 
-    // Returns for each pass a pass of the group from which the edges lead to it; kNoId if there is none. All
-    // passes of another group are reached if one of them is reached.
+    // Returns, for each pass p, a pass of the group from which a path of edges in `next` leads to p; kNoId if
+    // there is no such path. If a path reaches one pass of another group, it reaches all passes of that
+    // group.
     [[nodiscard]] std::vector<PassId> reached(uint32_t group, const Rows<PassId>& next) const {
         std::vector<PassId> from(declared_.expansion.passes.size(), kNoId);
         std::vector<PassId> open;
@@ -74,7 +75,7 @@ class GroupOrder {
 
     const Declared& declared_;
     PassReporter report_;
-    Rows<PassId> after_, before_;  // The passes to which, and from which, the edges of each pass lead.
+    Rows<PassId> after_, before_;  // For each pass: the passes directly after it, and directly before it.
 };
 
 }  // namespace

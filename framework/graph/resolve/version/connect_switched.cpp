@@ -1,5 +1,5 @@
-// A pass with "switch" does not run in some frames. Then its writes do not happen, and the readers of what it
-// writes see the version before.
+// A pass with "switch" does not run in some frames. In these frames, it writes nothing, and the readers of
+// its version of a resource see the version before that version.
 #include <algorithm>
 #include <map>
 
@@ -59,14 +59,16 @@ class SwitchConnector {
         check_end_of_frame(cell);
     }
 
-    // Returns true if the write needs the version before.
+    // Returns true if the write needs the content of the previous version.
     bool sees(const CellUse& writer, const Cell& cell) {
         return std::ranges::any_of(use(writer).sources, [&](const VersionSource& source) {
             return overlaps(source.range, cell.range);
         });
     }
 
-    // Finds the content of a version: that of its writer or, if the writer is off, of the writer before.
+    // Finds the origin of the content of a version: its writer or, if that is off, the last earlier writer
+    // that runs. If `counts_carries` is false, content from before the frame does not count, even if a carry
+    // pass copies it.
     [[nodiscard]] Origin origin(const Cell& cell, int version, Combination combination,
                                 bool counts_carries = true) const {
         for (; version >= 0; --version) {
@@ -110,8 +112,8 @@ class SwitchConnector {
             add_help(d, "or name a replacement with \"else\", or make the port \"optional\": true");
     }
 
-    // Checks what must have content at the end of each frame: the output and other imports whose old content
-    // is dropped, and resources with history.
+    // Checks that a cell has content at the end of each frame if its resource must have content then: the
+    // output and other imports whose old content is dropped, and resources with history.
     void check_end_of_frame(const Cell& cell) {
         const ResourceDecl& resource = graph_.resources[cell.resource];
         const bool import = resource.lifetime == ResourceLifetime::imported && !has_content(cell);
@@ -152,7 +154,7 @@ class SwitchConnector {
     VersionedGraph& graph_;
     PassReporter report_;
     Reporter& reporter_;
-    // For each write of a pass with a switch: the version before, in each cell.
+    // For each write of a pass with a switch: the previous version in each cell.
     std::map<CellUse, std::vector<VersionSource>> passed_on_;
 };
 

@@ -30,7 +30,7 @@ void check_sliced_reads(const Declared& declared, const std::vector<Cell>& cells
 void connect_switched(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                       Reporter& reporter);
 // Finds the sets of passes with "rest" that must run together, and fills in VersionedGraph::rest_units.
-// Checks that a result that is kept from an earlier frame is the right one. Errors: W188.
+// Checks that readers see the right content in frames in which these passes do not run. Errors: W188.
 void find_rest_units(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                      Reporter& reporter);
 

@@ -187,7 +187,7 @@ class RestUnitFinder {
         return report_.error(pass, loc, "W188", "pass " + quote(declared_.author_name(pass)) + " " + fault);
     }
 
-    // Returns the reason why the pass does not run in every frame: it `has "rest"`, or its group.
+    // Returns the reason why the pass does not run in every frame: `has "rest"`, or `belongs to group "g"`.
     [[nodiscard]] std::string reason(PassId pass) const {
         return group_of(pass) ? "belongs to group " + quote(group_of(pass)->name) : "has \"rest\"";
     }
@@ -211,8 +211,8 @@ class RestUnitFinder {
                  "run; or remove \"rest\" from the group");
     }
 
-    // Returns true if no error about these two descriptions and this resource was reported yet. The passes of
-    // a repeat have one description.
+    // Returns true if no error about this resource and the descriptions of these two passes was reported yet.
+    // The passes of a repeat have one description.
     bool is_new(const Cell& cell, PassId a, PassId b) {
         const auto desc = [&](PassId pass) { return declared_.expansion.passes[pass].desc; };
         return reported_.insert({desc(a), desc(b), cell.resource}).second;
@@ -306,8 +306,8 @@ class RestUnitFinder {
                         what(cell) + "; or remove \"rest\" from " + rester(u.pass));
     }
 
-    // After a resize, a group with limited rounds may need several frames until all rounds have run. Until
-    // then their outputs must not be undefined.
+    // After a resize, a group with limited rounds may need several frames until all rounds have run. The
+    // outputs of the rounds must not be undefined until then, so they are cleared.
     void clear_outputs(PassId pass) {
         for (const UseDecl& u : graph_.passes[pass].uses) {
             OnResize& on_resize = graph_.resources[u.resource].on_resize;

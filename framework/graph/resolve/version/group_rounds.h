@@ -1,6 +1,6 @@
-// Purpose: the rules of groups for the versions of resources. Each round of a group sees, of what the group
-// writes, only what the same round wrote before; for all other parts it sees the content at the time when the
-// round runs. Private to version().
+// Purpose: the rules of groups for the versions of resources. Of the parts that its own round writes, a pass
+// of a group sees the versions of this round. Of the parts that other rounds of the group write, the pass
+// sees the content at the time when its round runs. Private to version().
 #pragma once
 
 #include <vector>

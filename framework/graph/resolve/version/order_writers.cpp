@@ -174,7 +174,8 @@ class WriterOrder {
     // without an earlier version (WriteRank::resumes), adds such arcs for that writer.
     void add_base(const Cell& cell) {
         if (cell.writers.size() < 2) return;
-        // A carry pass runs before all other writers. Among the others, there may be a base, too.
+        // A carry pass runs before all other writers. One of the other writers may in turn have to run before
+        // the rest of them.
         std::vector<CellUse> writers = cell.writers;
         const auto carries = [this](const CellUse& w) { return drafts()[w.pass].decl.carries; };
         if (const auto carry = std::ranges::find_if(writers, carries); carry != writers.end()) {

@@ -56,7 +56,7 @@ bool PassOrder::reaches(PassId from, PassId to) {
     search(from, [&](PassId next) {
         found = next == to;
         if (found) return Visit::stop;
-        // Positions are in topological order, so a pass at a later position than the goal cannot lead to it.
+        // Positions are in topological order, so no path leads from a pass at a later position to `to`.
         if (position_[next] > position_[to] || stamp_[next] == search_) return Visit::skip;
         stamp_[next] = search_;
         return Visit::enter;

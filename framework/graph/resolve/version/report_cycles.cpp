@@ -187,8 +187,8 @@ class CycleReport {
                quote(resource + "@" + writer);
     }
 
-    // Returns the place of a read that needs no order if it does not wake its pass: a pass of a group reads
-    // what the same round writes later. Returns null if there is none.
+    // Returns a read in the cycle that would need no order with "wakes": false. In such a read, a pass of a
+    // group reads what another pass of the same round writes. Returns null if there is none.
     const OrderArc* read_in_group(const std::vector<PassId>& knot) const {
         const auto draft = [&](PassId pass) -> const PassDraft& { return declared_.expansion.passes[pass]; };
         const auto found = std::ranges::find_if(order_.arcs(), [&](const OrderArc& arc) {

@@ -56,7 +56,8 @@ class RoundSeparator {
         separated_.push_back(std::move(others));
     }
 
-    // Divides a cell of a resource that belongs to a group. An observer reads the last round.
+    // Divides a cell of a resource that belongs to a group into one cell for each round. An observer reads
+    // the cell of the last round.
     void add_local(const Cell& cell) {
         const std::string group = owner(cell);
         std::map<uint32_t, Cell> rounds;
@@ -93,7 +94,8 @@ class RoundSeparator {
         return true;
     }
 
-    // Returns true if no error about these two descriptions and this resource was reported yet.
+    // Marks the writers of the resource as suspect. Returns true if no error about this resource and the
+    // descriptions of these two passes was reported yet.
     bool is_new(const Cell& cell, PassId a, PassId b) {
         graph_.suspects.writers[cell.resource] = 1;
         return reported_.insert({draft(a).desc, draft(b).desc, cell.resource}).second;

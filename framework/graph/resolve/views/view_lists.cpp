@@ -21,8 +21,8 @@ bool is_single(const ImportCatalog& imports, const std::string& name) {
     return std::ranges::find(imports.views, name) != imports.views.end() && !imports.imports.contains(name);
 }
 
-// Returns the list of views that the program offers under this name and that the graph may use: it is
-// imported, or it needs no import. Otherwise returns null.
+// Returns the list of views that the program offers under this name, if the graph imports the list or the
+// list needs no import. Otherwise returns null.
 const ImportDecl* find_offered(const ResolveInput& input, const std::string& name) {
     const auto offered = input.imports.imports.find(name);
     if (offered == input.imports.imports.end() || offered->second.kind != ImportKind::views) return nullptr;
@@ -103,7 +103,8 @@ class ReferenceCheck {
     }
 
     // Reports a mirror of views from a buffer: the mirrored matrices are computed on the CPU, which does not
-    // know the content of the buffer. `base` is the list at the end of the references of `list`.
+    // know the content of the buffer. `base` is the last list of the chain of references that begins at
+    // `list`.
     void check_mirrors(const ViewListDesc& list, const ViewListDesc& base) {
         if (!base.buffer) return;
         const ViewListDesc* last_mirror = nullptr;
@@ -111,7 +112,7 @@ class ReferenceCheck {
             if (at->plane) last_mirror = at;
         if (last_mirror == nullptr) return;
         faulty_.insert(list.name);
-        // A mirror of a mirror has no message of its own.
+        // Only the mirror that is nearest to the buffer is reported, not the lists that show this mirror.
         if (last_mirror != &list) return;
         Diagnostic& d = reporter_.error(list.of_loc, "W230",
                                         "the list of views " + quote(list.name) + " is a mirror of " +
@@ -122,7 +123,7 @@ class ReferenceCheck {
 
     void report_cycle(const ViewListDesc& list, const std::string& met) {
         faulty_.insert(list.name);
-        // A cycle has one message: that of its first list by name.
+        // Each cycle is reported once, for the first of its lists in the order of names.
         if (met != list.name || reported_.contains(list.name)) return;
         std::string text = quote(list.name);
         std::string at = list.name;

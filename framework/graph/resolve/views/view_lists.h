@@ -23,14 +23,15 @@ namespace weft {
                                              const PassDesc& pass, Reporter& reporter);
 // Returns the name of a view of a list: "sun(1)", or "camera".
 [[nodiscard]] std::string view_name(const ViewList& list, uint32_t number);
-// If the list is a part of a list of the program whose number of views is only assumed, adds a help text
-// about this to the last error, if it is one of those after the first `errors` errors.
+// For a list of the program, or a part of such a list, whose number of views is only assumed: adds a help
+// text about this to the last error. Adds nothing if there are at most `errors` errors. The caller has
+// counted the errors earlier, so only a newer error gets the text.
 void help_with_count(const ViewList& list, size_t errors, Reporter& reporter);
 // Returns the buffer from which passes read the views of the list, as an input of these passes; null if the
 // views do not come from a buffer.
 [[nodiscard]] const PortDesc* find_view_buffer(const ResolveInput& input, const ViewList& list);
-// Returns those lists that the passes of the graph use, sorted by name. With a mirror, this includes the list
-// that it shows.
+// Returns the lists that the passes of the graph use, sorted by name. For a mirror, also includes the list
+// that the mirror shows.
 [[nodiscard]] std::vector<ViewListDecl> used_view_lists(const Values& values,
                                                         const std::vector<PassDecl>& passes);
 

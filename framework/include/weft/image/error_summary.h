@@ -1,8 +1,8 @@
 // Purpose: summarises an error map in a few numbers. Units: those of the map. A quantile is always a value
-// that occurs in the map. The weighted q-quantile is the smallest error e for which the sum of all errors up
-// to e is at least q times the sum of all errors. So a large area without errors does not hide visible
-// errors. Weighted quantiles are 0 for a map without errors. Source: the paper cited in flip.h, section on
-// pooling.
+// that occurs in the map. The weighted q-quantile is the smallest error e for which the sum of all errors
+// that are at most e is at least q times the sum of all errors. Texels without an error add nothing to these
+// sums, so a large area of such texels does not hide visible errors. Weighted quantiles are 0 for a map
+// without errors. Source: the paper cited in flip.h, section on pooling.
 #pragma once
 
 #include <array>

@@ -48,7 +48,7 @@ struct LoadSettings {
     std::filesystem::path shader_worker;
     Limits limits;
     // Folders with graphs and their shaders. Included files are searched there after the folder of the
-    // including file and before `graph_root`. The program trusts these folders like that of the graph.
+    // including file and before `graph_root`. The program trusts these folders like the folder of the graph.
     std::vector<std::filesystem::path> graph_path = {};
 };
 

@@ -29,12 +29,12 @@ struct DrawView {
 class DrawList {
  public:
     virtual ~DrawList() = default;
-    // Records the draws of the list that use `draw.variant` to draw.commands, within a rendering scope. Bound
-    // are the pipeline of the pass and its sets 0 and 1, with dynamic viewport, scissor, cull mode and front
-    // face. The list binds its vertex buffers in the order of the streams in the vertex format, and those of
-    // the sets 2 and 3 that the pipeline layout `draw.layout` has. Viewport and scissor are set. The list
-    // sets the front face, and the cull mode if `draw.cull` is `material`. It may bind a pipeline of its own
-    // for `draw.targets`. Returns the number of draws that were left out.
+    // Records to `draw.commands`, within a rendering scope: all draws of the list that have the variant
+    // `draw.variant`. The pipeline of the pass and its sets 0 and 1 are bound. Viewport, scissor, cull mode
+    // and front face are dynamic state; viewport and scissor are set. The list binds its vertex buffers in
+    // the order of the streams in the vertex format. It binds each of the sets 2 and 3 that the pipeline
+    // layout `draw.layout` has. It sets the front face, and the cull mode if `draw.cull` is `material`. It
+    // may bind a pipeline of its own for `draw.targets`. Returns the number of draws that were left out.
     virtual uint32_t record(const vk::DrawContext& draw, const DrawView& view) const = 0;
     // Returns a number that changes whenever the draws change; nullopt if they may change in every frame.
     [[nodiscard]] virtual std::optional<uint64_t> version() const { return std::nullopt; }

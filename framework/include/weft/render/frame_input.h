@@ -1,6 +1,6 @@
-// Purpose: the values that a program may change from frame to frame. Of the graph's parameters, only those
-// are among them whose change needs no new plan: to change another one, swap the plan (Session::prepare()).
-// Units: metres, seconds; exposure in EV (radiance is stored multiplied by 2^EV).
+// Purpose: the values that a program may change from frame to frame. They include the parameters of the graph
+// whose change needs no new plan. To change another parameter, swap the plan (Session::prepare()). Units:
+// metres, seconds; exposure in EV (radiance is stored multiplied by 2^EV).
 #pragma once
 
 #include <cstdint>
@@ -58,7 +58,7 @@ struct FrameInput {
     double time_s = 0;
     double delta_time_s = 0;  // Time since the previous frame.
     // True: the camera has jumped since the previous frame. Shaders then see no history in this frame:
-    // `<port>Valid` of histories is 0, and the view of the previous frame is that of this frame.
+    // `<port>Valid` of histories is 0, and the view of this frame replaces the view of the previous frame.
     bool camera_cut = false;
     // Lists of turns. Key: the name of an import of kind "turns", which a group of passes uses. Value: the
     // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
@@ -70,10 +70,9 @@ struct FrameInput {
     // Session::swap_in(), resize() or rebind(). Three kinds of parameters can change here, without a new plan
     // and without a Vulkan object:
     // - Parameters of cost `live`, as `weft plan` lists them: the expressions of the graph are evaluated
-    // once.
+    //   once.
     // - Switches: 0 turns the passes with this switch off, any other value turns them on. `Params` blocks
-    // keep
-    //   the value of the selection. The change allocates no memory.
+    //   keep the value with which the graph was prepared. The change allocates no memory.
     // - Scales of live sizes, clamped to the range of the parameter. The change allocates no memory.
     // Error: W242.
     ParameterValues parameters = {};

@@ -4,9 +4,9 @@
 // "opaque" and "masked" whose objects do not move. Further imports: a buffer with the draw commands of each
 // of the first four lists (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes,
 // materials), the buffer sceneLights, the table materialTextures with the textures of all materials, the
-// irradiance probes (render/probes/probe_imports.h), and the output image. The lists of views "sun",
-// "furtherSuns", "sceneSuns" and "lampFaces" have the cascades of the sun, the views of the directional
-// lights 2 to 4, those of the lights 1 to 4 over all objects that do not move, and the views of the scene's
+// irradiance probes (render/probes/probe_imports.h), and the output image. The list of views "sun" has the
+// cascades of the sun. "furtherSuns" has the views of the directional lights 2 to 4. "sceneSuns" has views of
+// the directional lights 1 to 4 over all objects that do not move. "lampFaces" has the views of the scene's
 // lamps. Graphs may also use the view "camera", the element types Light and DrawCommand and those of the
 // buffers, and the numbers directionalLights, environmentPictures, outputIsLinear and irradianceProbes.
 #pragma once
@@ -25,7 +25,8 @@ inline constexpr std::array kDrawLists{"opaque",      "masked",      "transparen
 inline constexpr std::array kCommandLists{"opaque", "masked", "transparent", "anisotropic"};
 // True if the list has no objects that move.
 [[nodiscard]] bool is_still_list(std::string_view list);
-// An instance that only the program may move is in the lists of objects that do not move until it moves.
+// Returns true if the draw list contains the instance. An instance that only the program may move counts as
+// an object that does not move, until the program moves it.
 [[nodiscard]] bool is_in_draw_list(const scene::Instance& instance, const scene::Material& material,
                                    std::string_view list);
 // Returns the index of the pipeline variant (ImportDecl::variants) for draws of the list with this material.

@@ -31,9 +31,9 @@ struct OwnImport {
     ImportObject object;
 };
 
-// Returns an image with one mip and one layer. `between` is the state of the image between frames: before the
-// frame, because the program has just used it so, and after the frame, because the program will use it so.
-// The members of `decl` may be changed, for example for an image whose two states differ.
+// Returns an image with one mip and one layer. `between` is the state of the image between frames: the
+// program uses the image in this way before and after each frame. `between` becomes ImportState::entry and
+// ImportState::exit. If these two states differ, change the members of `decl`.
 [[nodiscard]] OwnImport own_image(VkImage image, Format format, Extent3D extent, UsageMask usage,
                                   AccessState between);
 // Returns a buffer with elements of `stride_bytes`.

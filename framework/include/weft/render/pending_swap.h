@@ -29,8 +29,8 @@ struct Selection {
     // queue find the image written, in the layout GraphRequest::output.final_layout. They may use it as
     // OutputFormat says, and must leave it in this layout. The image must outlive the session.
     VkImage output = VK_NULL_HANDLE;
-    // The Vulkan objects of the program's own imports; see SessionInput::imports. To exchange one, change it
-    // here, and give its size in GraphRequest::import_sizes if that changes, too.
+    // The Vulkan objects of the program's own imports; see SessionInput::imports. To exchange an object,
+    // change it here. If the new object has another size, also change GraphRequest::import_sizes.
     ImportObjects imports = {};
 };
 

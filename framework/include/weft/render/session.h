@@ -45,7 +45,7 @@ struct SessionInput {
     GraphRequest request;
     LoadSettings load;
     // The pass types in C++ that graphs may use: those of registered_passes() and of the program. create()
-    // copies the catalogue. Error: W254 it is null.
+    // copies the catalogue. Error: W254 `passes` is null.
     const PassCatalog* passes = nullptr;
     const ParsedGraph* parsed = nullptr;  // The parsed graph of the request; null: create() parses it.
     VkImage output = VK_NULL_HANDLE;      // The embedder's output image; see Selection::output.
@@ -67,8 +67,8 @@ struct SessionInput {
     OwnDrawSets draw_sets = {};
     // The light probes of the scene: scene::place_probes() or read_probes(). Empty: the scene has none.
     scene::Probes probes = {};
-    // True: FrameInput::transforms may move the instances of the scene. Their buffers are then in memory that
-    // the CPU writes, one for each frame slot.
+    // True: FrameInput::transforms may move the instances of the scene. Then the buffers of the instances are
+    // in memory that the CPU writes, one buffer for each frame slot.
     bool moves_instances = false;
     // Number of logical queues. The device must have been created with at least as many.
     uint32_t queues = 1;
@@ -84,8 +84,8 @@ struct SessionInput {
 // How Session::warm_up_probes() lights the light probes.
 struct ProbeWarmUp {
     uint32_t rounds = 4;  // Number of turns of each irradiance probe. A reflection probe has one turn.
-    // Number of probes that have a turn in one frame, at least 1. With many, a frame takes long; with few,
-    // many frames are rendered.
+    // Number of probes that have a turn in one frame, at least 1. A large number makes each frame long. With
+    // a small number, many frames are rendered.
     uint32_t most_per_frame = 64;
     // Called after each frame with the number of turns so far and of all turns. May be empty.
     std::function<void(uint32_t done, uint32_t all)> progress = {};
@@ -132,8 +132,9 @@ class Session {
     // of create().
     [[nodiscard]] Status resize(Extent3D size, Diagnostics& warnings, VkImage output = VK_NULL_HANDLE);
     // Exchanges the object of one of the program's imports, for example because its size has changed. The
-    // loaded graph is prepared with it and swapped in, as resize() does. `size` may be the old one. Frames in
-    // flight may still use the old object: do not destroy it before two more frames have begun.
+    // loaded graph is prepared with the new object and swapped in, as resize() does. `size` may be the old
+    // size. Frames in flight may still use the old object: do not destroy it before two more frames have
+    // begun.
     [[nodiscard]] Status rebind(const std::string& import, const ImportObject& object, const ImportSize& size,
                                 Diagnostics& warnings);
     // Returns a resource in GraphRequest::exports of the running graph; nullopt if the graph does not have it
@@ -145,12 +146,12 @@ class Session {
     // is the same as in SessionInput. Errors: V409 to V421.
     [[nodiscard]] Result<ScenePart> prepare_part(const scene::Scene& scene,
                                                  bool moves_instances = false) const;
-    // Draws the part from the next frame on. The part belongs to the draw lists of the scene. It allocates no
-    // memory and waits for nothing. Returns the number of the part. Error: W246 SessionInput::draw_sets
-    // replaces descriptor sets that the part needs.
+    // Draws the part from the next frame on. The part belongs to the draw lists of the scene. The call
+    // allocates no memory and waits for nothing. Returns the number of the part. Error: W246
+    // SessionInput::draw_sets replaces descriptor sets that the part needs.
     [[nodiscard]] Result<PartId> add_part(ScenePart part);
-    // Draws the part no longer. Frames in flight still use its memory, which is freed when they have
-    // finished. Error: W247 there is no such part.
+    // Stops drawing the part. Frames in flight still use its memory. The memory is freed when these frames
+    // have finished. Error: W247 there is no such part.
     [[nodiscard]] Status remove_part(PartId part);
     // Returns the number of pipelines that were created after create() returned, on the thread that called
     // create(). This thread renders the frames, so each of these pipelines delayed a frame.
@@ -160,12 +161,12 @@ class Session {
     [[nodiscard]] uint32_t probe_count() const;
     // Returns the number of reflection probes of the scene.
     [[nodiscard]] uint32_t reflection_probe_count() const;
-    // Lights all probes before the first frame. It runs frames with the input of the first frame in which all
-    // probes have turns, whatever rule holds for other frames. They have no picture: only passes with "rest"
-    // and groups run, and the passes whose results they read. Weft submits these frames itself, drops their
-    // readbacks and does not count them, and the first frame sees no history. Returns their times. Does
-    // nothing if the scene has no probes, or if no group of the graph takes its turns from the imports
-    // "probeTurns" and "reflectionTurns".
+    // Lights all probes before the first frame. It runs additional frames with the input `first`. It chooses
+    // the turns of these frames itself, so that all probes have turns. These frames have no picture: only
+    // passes with "rest" and groups run, and the passes whose results these read. Weft submits the frames
+    // itself, drops their readbacks and does not count them, and the first frame sees no history. Returns the
+    // times of the frames. Does nothing if the scene has no probes, or if no group of the graph takes its
+    // turns from the imports "probeTurns" and "reflectionTurns".
     [[nodiscard]] Result<std::vector<vk::FrameTiming>> warm_up_probes(const FrameInput& first,
                                                                       const ProbeWarmUp& settings = {});
     [[nodiscard]] Status render_frame(const FrameInput& input);

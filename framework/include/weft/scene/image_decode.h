@@ -1,7 +1,7 @@
 // Purpose: decodes PNG and JPEG to 8-bit RGBA. The size is read from the header before any pixel is decoded.
-// The decoder allocates no more memory than a picture of this size needs. A PNG file with much more data than
-// its size can need is refused. Source: libpng and libjpeg-turbo. Errors: DecodedImage::error has the reason,
-// and `rgba` is empty.
+// The decoder allocates no more memory than a picture of this size needs. A PNG file is refused if it has
+// much more data than a picture of this size can need. Source: libpng and libjpeg-turbo. Errors:
+// DecodedImage::error has the reason, and `rgba` is empty.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,7 @@ struct Animation {
 // A node that moves, because a channel moves it or one of its parents. Its transform in the world is
 // world(parent) * before * translation * rotation * scale.
 struct MovingNode {
-    uint32_t parent = kNone;  // Index into Motion::nodes, less than the index of this node; kNone: none moves.
+    uint32_t parent = kNone;  // Index into Motion::nodes, below that of this node; kNone: no parent moves.
     glm::mat4 before{1};
     glm::vec3 translation{0};
     glm::quat rotation{1, 0, 0, 0};

@@ -1,7 +1,7 @@
 // Purpose: finds out where the probes of a scene stand. Either this code places them, as a pure function of
 // the geometry, or a file lists them. Errors: S196 a wrong value in the file, S197 too many probes, S199 the
-// placement needs too much memory; W001 to W005 the file is not JSON. The order of meshes, instances and
-// triangles does not change a bit of the result, and neither does the number of threads.
+// placement needs too much memory; W001 to W005 the file is not JSON. The result is the same, bit for bit,
+// for every order of meshes, instances and triangles, and for every number of threads.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Purpose: light probes as plain data. An irradiance probe will give the diffuse light of a place, a
-// reflection probe the specular light. The irradiance probes are points of a grid with several levels. Units:
+// Purpose: light probes as plain data. An irradiance probe gives the diffuse light of a place, a reflection
+// probe gives the specular light. The irradiance probes are points of a grid with several levels. Units:
 // metres, world space.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace weft::scene {
 
 inline constexpr uint32_t kMostIrradianceProbes = 255;
 inline constexpr uint32_t kMostReflectionProbes = 24;
-// The most grid points that a volume lists, together with the dropped ones.
+// The largest number of grid points that a volume lists. Dropped grid points count, too.
 inline constexpr uint32_t kMostGridPoints = 16'384;
 // The largest distance between a probe and its grid point, in spacings of the level of a cell. A probe that
 // is farther away does not belong to this cell.
@@ -31,8 +31,8 @@ struct Probe {
     uint32_t level = 0;  // The coarsest level that has this grid point.
     glm::vec3 offset{0};
     ProbeState state = ProbeState::kept;
-    // With `dropped`: the grid point whose probe gives the light here. cells_of() returns this probe for the
-    // corners of cells at this grid point.
+    // With `dropped`: another grid point, whose probe gives the light here. cells_of() returns the probe of
+    // that other grid point for all corners of cells that are here.
     std::optional<glm::ivec3> substitute = {};
 };
 

@@ -193,7 +193,7 @@ struct Scene {
     // are 0 with `--env none`.
     glm::vec3 sky_zenith{0};
     glm::vec3 sky_horizon{0};
-    Probes probes;                // The probes that the author of the scene placed.
+    Probes probes;            // The probes that the author of the scene placed.
     Environment environment;  // Picture of the surroundings. If the scene has one, it replaces the sky.
     // An exposure in EV that suits this scene; 0 means that radiance is multiplied by 1.
     float exposure_ev = 0;
@@ -204,7 +204,7 @@ struct Scene {
 [[nodiscard]] glm::vec3 position_at(const Light& light, double time_s);
 
 [[nodiscard]] Bounds world_bounds(const Scene& scene);
-// The same for the instances that do not move; nullopt if there are none with a vertex.
+// Returns the world bounds of the instances that do not move; nullopt if none of them has a vertex.
 [[nodiscard]] std::optional<Bounds> fixed_bounds(const Scene& scene);
 
 // Returns a camera for a scene that has none. It looks at the centre of the bounds from the direction (0.9,

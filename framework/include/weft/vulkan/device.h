@@ -112,10 +112,10 @@ class Device {
     [[nodiscard]] MessageCollector& messages() { return messages_; }
     [[nodiscard]] uint64_t timeout_ns() const { return timeout_ns_; }
     [[nodiscard]] const EmbedderCallbacks& callbacks() const { return callbacks_; }
-    // Sends warnings or errors to the program's log function, if there is one.
+    // Sends warnings or errors, from diagnostics[first] on, to the program's log function, if there is one.
     void log(const Diagnostics& diagnostics, size_t first = 0) const;
     // Keeps all objects from being destroyed from now on. It is called after a time-out, because the device
-    // may still use the objects; to destroy them then would be an error.
+    // may still use the objects, and Vulkan forbids the destruction of objects in use.
     void abandon() { abandoned_ = true; }
     [[nodiscard]] bool abandoned() const { return abandoned_; }
     [[nodiscard]] bool validating() const { return messenger_ != VK_NULL_HANDLE; }

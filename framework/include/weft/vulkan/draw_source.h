@@ -68,7 +68,8 @@ struct DrawContext {
     VkDeviceSize draw_count_offset_bytes = 0;
     uint32_t most_draws = 0;
     // True: the source may leave out draws that are outside of the frustum of the view, or of the frustums of
-    // all `views`, if the shader places vertices with the matrix of the view.
+    // all `views`. The source must not do this if the shader does not read the matrix of the view
+    // (frame_ranges), because such a shader may place vertices anywhere.
     bool culls_draws = false;
     bool depth_clamp = false;  // True: draws before the near plane and behind the far plane are drawn too.
     std::span<const FrameRange> frame_ranges;  // The constants of set 0 that the shader reads.
@@ -106,8 +107,9 @@ class DrawSource {
         std::span<const ViewPlace> /*places*/) const {
         return std::unique_ptr<ViewSets>();
     }
-    // Returns set 0 of the same view for a pass that draws or writes images with a live size. Its viewport is
-    // this area of the frame. A source that does not know areas returns frame_set().
+    // Returns descriptor set 0 like frame_set(), for a pass that draws or writes images with a live size. In
+    // the constants of the view, the viewport has the size of this area in the frame. A source that does not
+    // know areas returns frame_set().
     [[nodiscard]] virtual VkDescriptorSet frame_set_of_area(uint32_t frame_slot, std::string_view view,
                                                             const LiveArea& /*area*/) const {
         return frame_set(frame_slot, view);

@@ -13,8 +13,8 @@
 
 namespace weft::vk {
 
-// The objects that a block of memory contains. A block with both must keep VkPhysicalDeviceLimits::
-// bufferImageGranularity to its neighbours, like a block with images.
+// The objects that a block of memory contains. A block with both needs the distance
+// VkPhysicalDeviceLimits::bufferImageGranularity to its neighbours, like a block with images.
 enum class MemoryContent : uint8_t { buffers, images, both };
 
 struct MemoryRequest {
@@ -37,7 +37,7 @@ struct MemoryBlock {
 
 // Allocates the device memory for everything that Weft creates: the heaps of plans, images and buffers. A
 // heap contains images and buffers at offsets of the plan. Threads: Session::prepare() allocates on the
-// thread that calls it, so both functions must be thread-safe if it runs on another thread.
+// thread that calls it. If this is not the thread that renders, both functions must be thread-safe.
 class MemoryAllocator {
  public:
     virtual ~MemoryAllocator() = default;
@@ -55,8 +55,8 @@ struct EmbedderCallbacks {
     std::function<void(VkQueue)> unlock_queue;
     // Receives the warnings of sessions, the errors V407 and V408, and, if VK_EXT_debug_utils is enabled in
     // the instance, the messages of the validation layer with the name of the pass. These messages are about
-    // all Vulkan calls with the instance, also those of the program; then the pass is empty. Any thread may
-    // call it.
+    // all Vulkan calls with the instance, also the calls of the program; for those, Message::pass is empty.
+    // The function may be called on any thread.
     std::function<void(const Message&)> log;
 };
 

@@ -44,7 +44,8 @@ struct PipelineCounts {
 struct ImportBindings {
     std::map<std::string, VkBuffer, std::less<>> buffers;
     // Imports for which each frame slot has its own buffer, so that the program can write the buffer of the
-    // next frame while the GPU reads that of the last one. Index: the slot that begin_frame() returned.
+    // next frame while the GPU reads the buffer of the last frame. Index: the slot that begin_frame()
+    // returned.
     std::map<std::string, std::array<VkBuffer, kFramesInFlight>, std::less<>> slot_buffers = {};
     std::map<std::string, const Image*, std::less<>> images;
     // The tables of textures: for each texture, a view of type VK_IMAGE_VIEW_TYPE_2D. While frames run, the
@@ -59,8 +60,8 @@ struct FrameInput {
     float pre_exposure = 1;
     float prev_pre_exposure = 1;
     bool hides_history = false;  // True: the shader values `<port>Valid` of histories are 0.
-    // True: only the results of passes at rest and of groups count. Of all other passes, only those run whose
-    // results these read.
+    // True: the frame only prepares the results of units (passes with `rest`, and groups). Other passes run
+    // only if units need them, directly or through other passes.
     bool prepares_units = false;
     const HostInputs* host = nullptr;
     // Versions of the contents of imported buffers and images, by name. Give an import a new number whenever

@@ -22,7 +22,7 @@ struct PassTiming {
     // other passes.
     std::string woken_by;
     // Number of draws that were not recorded because they are outside of the frustum of the view. With
-    // several views: the sum of the next member.
+    // several views: the sum of view_draws_left_out.
     uint32_t draws_left_out = 0;
     // The same number for each view of PassDecl::views, if the pass records its draws for each of them. Else
     // empty.
@@ -40,7 +40,7 @@ struct FrameTiming {
 };
 
 // The content of a resource that was read back. For a buffer: its bytes. For an image: its texels without
-// padding, one mip after another. A mip has one aspect after another, and an aspect one layer after another.
+// padding, ordered by mip, then by aspect, then by layer.
 struct ReadbackData {
     std::string pass;  // Name of the readback pass.
     uint64_t frame_index = 0;

@@ -19,8 +19,9 @@ struct SemaphoreWait {
     // The stages of the frame that wait. For a swapchain image that only the last pass writes, as a colour
     // attachment, VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT is enough.
     VkPipelineStageFlags stages = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
-    // Name of an import. If a frame has several submissions, only those from the first use of the import on
-    // wait. Empty, or an import that passes on several queues use: the whole frame waits.
+    // Name of an import. If a frame has several submissions, the wait begins with the submission that first
+    // uses the import; earlier submissions do not wait. Empty, or an import that passes on several queues
+    // use: the whole frame waits.
     std::string import = {};
 };
 

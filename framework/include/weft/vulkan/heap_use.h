@@ -1,4 +1,5 @@
-// Purpose: the device memory that an executor will allocate for a plan, before it exists. Units: bytes.
+// Purpose: computes the device memory that an executor will allocate for a plan, before the executor exists.
+// Units: bytes.
 #pragma once
 
 #include <cstdint>

@@ -30,7 +30,7 @@ struct RawPort {
     // copied, blitted or cleared. The view lives as long as the plan runs.
     VkImageView view = VK_NULL_HANDLE;
     VkFormat format = VK_FORMAT_UNDEFINED;
-    VkExtent3D extent{};  // Of the first mip of the range.
+    VkExtent3D extent{};  // Extent of the first mip of the range.
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
     VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;  // The layout before and after the commands.
     VkImageSubresourceRange range{};

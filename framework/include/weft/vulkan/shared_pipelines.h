@@ -8,7 +8,7 @@ namespace weft::vk {
 class PipelineStore;
 
 // The pipelines of several sessions (render::SessionInput::pipelines). Equal pipelines are created only once.
-// It must outlive the sessions, and must be destroyed before the Device. Thread-safe.
+// The object must outlive the sessions, and must be destroyed before the Device. Thread-safe.
 class SharedPipelines {
  public:
     SharedPipelines();
