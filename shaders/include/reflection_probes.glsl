@@ -30,8 +30,8 @@ layout(std430) readonly buffer ReflectionMap { vec4 items[]; } reflectionMap;
 const int kReflectionCandidates = 4;
 // The weight of a probe with a box, relative to one without a box at a distance of 1 m.
 const float kBoxWeight = 1000.0;
-// Outside of a box, the weight of its probe falls to 0 over this part of half the size of the box. So if a box ends at
-// the walls of a room, the walls still count as inside.
+// Outside of its box, the weight of a probe falls to 0 over a distance of kBoxFade times half the size of the box. So a
+// wall at which the box ends still gets the full weight.
 const float kBoxFade = 0.1;
 // A ray that meets no surface is followed up to this distance.
 const float kFarReflection_m = 10000.0;

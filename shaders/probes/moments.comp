@@ -38,7 +38,8 @@ ivec2 wrapped(ivec2 at) {
     return at;
 }
 
-// The surface in a texel of the faces: its inverse distance along the direction of the middle of the texel, and its plane.
+// The surface that the probe sees in one texel of its six faces: the plane of the surface, and its inverse distance from
+// the probe, in the direction of the middle of the texel.
 struct Sight {
     vec3 direction, plane;
     float near;

@@ -16,8 +16,9 @@ namespace weft::viewer {
 [[nodiscard]] std::string import_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, ImportDecl, std::less<>> parse_imports(
     const std::vector<std::string>& texts);
-// Adds the imports to a catalogue. They replace imports of the same name. If one of them is a draw list, the
-// descriptors of the catalogue become unknown, because the other program may bind its own sets 2 and 3.
+// Adds the imports to a catalogue. They replace imports of the same name. If one of the added imports is a
+// draw list, the descriptors of the catalogue become unknown: the program that provides the list may bind
+// descriptor sets 2 and 3 of its own.
 void add_imports(const std::map<std::string, ImportDecl, std::less<>>& imports, ImportCatalog& catalog);
 
 }  // namespace weft::viewer

@@ -65,7 +65,8 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
             live.live_resources[use.resource] = 1;
             for (const VersionSource& source : use.sources) keep_writer(use.resource, source);
             if (!has_switches) continue;
-            // Readers of this use see the versions in `passes_on` while the pass is switched off.
+            // While the pass is switched off, the readers of its output see the versions in `passes_on`
+            // instead. So the passes that write these versions stay live, too.
             for (const VersionSource& version : use.passes_on) keep_writer(use.resource, version);
         }
     }

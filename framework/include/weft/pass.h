@@ -101,7 +101,7 @@ struct PassContext {
     [[nodiscard]] double param(std::string_view name) const;
 };
 
-// A type of C++ passes as function pointers. The functions keep no state between calls.
+// Describes a type of C++ pass by function pointers. The functions keep no state between calls.
 struct PassType {
     std::string_view name;
     std::vector<PortDecl> ports;

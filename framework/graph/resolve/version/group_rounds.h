@@ -1,6 +1,6 @@
-// Purpose: the rules of groups for the versions of resources. Of the parts that its own round writes, a pass
-// of a group sees the versions of this round. Of the parts that other rounds of the group write, the pass
-// sees the content at the time when its round runs. Private to version().
+// Purpose: the rules of groups for the versions of resources. If the round of a pass writes a part of a
+// resource, the pass sees the version of its round. If another round of the group writes the part, the pass
+// sees the content that the part has when the round of the pass runs. Private to version().
 #pragma once
 
 #include <vector>
