@@ -1,8 +1,6 @@
 #!/usr/bin/env bash
-# Compiles public headers by themselves. The compiler sees only framework/include and system headers. So a header must
-# include everything that it needs, and only headers that are installed. To save time, a header that is the first include
-# of a source is skipped: the build has compiled it by itself, and include_flow.py tests what it includes. With
-# WEFT_EXTENDED, all headers are compiled.
+# Compiles each public header by itself. The compiler sees only framework/include and system headers. So a header must
+# include everything that it needs, and only headers that are installed.
 #   public_headers.sh COMPILER SOURCE_ROOT
 set -euo pipefail
 compiler=$1 root=$2
@@ -22,10 +20,6 @@ fi
 # A header that is compiled by itself always gives the warning "#pragma once in main file". So the compiled file
 # includes the header instead.
 mapfile -t headers < <(find weft -name '*.h' | sort)
-if [[ -z ${WEFT_EXTENDED:-} ]]; then
-  mapfile -t headers < <(printf '%s\n' "${headers[@]}" | grep -vxFf <(find "$root/framework" -name '*.cpp' -exec \
-    awk -F'"' '/^#include/ { print $2; nextfile }' {} +))
-fi
 printf '%s\n' "${headers[@]}" |
   xargs -P "$(nproc)" -I{} sh -c 'echo "#include \"$1\"" | "$2" '"${flags[*]}"' -x c++ - || { echo "$1 does not compile by itself" >&2; exit 255; }' _ {} "$compiler"
 echo "${#headers[@]} public headers compile by themselves"
