@@ -3,7 +3,8 @@
 // graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. Without `environmentCube`, mirrored light
 // comes from the blurred picture or the gradient sky. Without `environmentIrradiance`, diffuse light comes from the
 // harmonics in `environmentSh` or, without `environmentSh` too, from the harmonics in `frame`. With `probeSh`, the
-// light comes from the probes around the point.
+// light comes from the probes around the point. With the ports of near_field.glsl, objects near the point block a part
+// of this light, and reflect their own light to the point.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
 #include "brdf.glsl"
@@ -11,6 +12,7 @@
 #include "environment_cube.glsl"
 #include "frame_set.glsl"
 #include "mirror_lobe.glsl"
+#include "near_field.glsl"
 #include "probes.glsl"
 #include "reflection_probes.glsl"
 #include "sky.glsl"
@@ -116,10 +118,10 @@ vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, fl
 // Replaces the light of the whole surroundings by that of the probes around a point. Irradiance probes know only diffuse
 // light. So where no reflection probe helps, mirrored light changes by the same factor as the irradiance from the mirrored
 // directions. This also darkens reflections where the sky is hidden. A very rough surface mirrors what a diffuse surface
-// reflects.
-AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3 mirrored, float roughness) {
+// reflects. `open`: mean direction from which diffuse light arrives.
+AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 open, vec3 v, vec3 mirrored, float roughness) {
     const vec3 middle = middle_of_lobe(mirrored, n, roughness);
-    const ProbeLight probes = probe_light(position, n, v, middle);
+    const ProbeLight probes = probe_light(position, n, v, open, middle);
     const vec3 change = clamp(probes.mirrored / max(sky_irradiance_over_pi(middle), vec3(1e-9)), 0.0, 2.0);
     const float very_rough = clamp(lod_of_roughness(roughness) - kLastFiltered, 0.0, 1.0);
     vec3 near = light.mirrored * change;
@@ -129,15 +131,26 @@ AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 v, vec3
     return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
 }
 
+// Returns the light of the surroundings on a surface with near objects: they block a part of the light, and their own
+// light comes from there instead.
+AmbientLight with_near_field(AmbientLight light, NearField near, vec3 n, vec3 mirrored, float roughness) {
+    const vec3 near_radiance = near.light / max(1.0 - near.visibility, 1e-3);
+    const float open = near_specular_visibility(near, n, mirrored, roughness);
+    return AmbientLight(light.diffuse * near.visibility + near.light, mix(near_radiance, light.mirrored, open));
+}
+
 // Returns the reflection of the surroundings. with_albedo() must have set `s.albedo` and `s.energy`. An anisotropic
-// surface reflects the sky like an isotropic surface whose highlight has the same peak.
-vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position) {
+// surface reflects the sky like an isotropic surface whose highlight has the same peak. `pixel`: the pixel of the surface.
+vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2 pixel) {
     const vec3 specular = (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy;
     const vec3 across = s.anisotropic ? bent_normal(s, v, roughness) : s.normal;
     const float blur = s.anisotropic ? sqrt(sqrt(s.alphas.x * s.alphas.y)) : roughness;
     const vec3 mirrored = reflect(-v, across);
-    AmbientLight light = AmbientLight(sky_irradiance_over_pi(s.normal), mirrored_radiance(mirrored, s.normal, blur));
-    if (HAS_probeSh) light = with_probes(light, position, s.normal, v, mirrored, blur);
+    NearField near = NearField(s.normal, vec3(0.0), 1.0);
+    if (HAS_nearLight && HAS_nearShape) near = near_field_at(pixel, position, s.normal);
+    AmbientLight light = AmbientLight(sky_irradiance_over_pi(near.open), mirrored_radiance(mirrored, s.normal, blur));
+    if (HAS_probeSh) light = with_probes(light, position, s.normal, normalize(s.normal + near.open), v, mirrored, blur);
+    if (HAS_nearLight && HAS_nearShape) light = with_near_field(light, near, s.normal, mirrored, blur);
     return base_under_coat(s, specular) * light.diffuse + specular * light.mirrored;
 }
 #endif

@@ -56,7 +56,7 @@ const float kLeastOff = 0.4, kMostOff = 0.7;
 // light leaks where a texel shows a rough or a curved surface.
 const float kLeastDeviation = 0.015, kMostDeviation = 0.06;
 
-// The light of the probes. facing, mirrored: irradiance / π for the normal and for a second direction. validity: 0 if no
+// The light of the probes. facing, mirrored: irradiance / π for two directions. validity: 0 if no
 // probe gives light, 1 if the probes give all of it. outside: 1 if no cell is near the point, 0 in a cell.
 struct ProbeLight {
     vec3 facing, mirrored;
@@ -246,10 +246,10 @@ void add_cells_around(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float
     }
 }
 
-// Returns the light of the probes around a point. `to_eye`: unit vector to the eye. `mirrored`: a second direction for
-// which the irradiance is wanted.
-ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
-    const ProbeQuery q = ProbeQuery(position, n, to_eye, harmonic_basis(n), harmonic_basis(mirrored));
+// Returns the light of the probes around a point. `n`: normal of the surface. `to_eye`: unit vector to the eye. `facing`,
+// `mirrored`: the two directions for which the irradiance is wanted; `facing` is usually the normal.
+ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 facing, vec3 mirrored) {
+    const ProbeQuery q = ProbeQuery(position, n, to_eye, harmonic_basis(facing), harmonic_basis(mirrored));
     const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
     const uint levels = probeMap.items[1].x;
     ProbeSum sum = ProbeSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
@@ -284,7 +284,7 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 mirrored) {
 // Returns irradiance / π of the probes (rgb) and their validity (a), from 0 to 1. Where the validity is below 1, mix
 // with the light of the surroundings: mix(surroundings, result.rgb, result.a).
 vec4 probe_irradiance_over_pi(vec3 position, vec3 n, vec3 to_eye) {
-    const ProbeLight light = probe_light(position, n, to_eye, n);
+    const ProbeLight light = probe_light(position, n, to_eye, n, n);
     return vec4(light.facing, light.validity);
 }
 #endif

@@ -7,7 +7,7 @@
 
 // Largest slope of a surface that the comparison of depths follows. The slope is the tangent of the angle between the
 // normal and the direction to the light.
-const float kShadowMostSlope = 2.0;
+const float kShadowMostSlope = 2.5;
 // kShadowReach: half the width of the filter's 4 × 4 texels. kShadowQuadReach: distance in x and in y from the corner
 // that 2 × 2 texels share to their centres. Units: texels.
 const float kShadowReach = 2.0, kShadowQuadReach = 0.5;

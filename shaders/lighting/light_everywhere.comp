@@ -10,7 +10,7 @@ vec3 lit_from_afar(ivec2 pixel, vec3 position) {
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
     const vec3 v = normalize(view.eye - position);
     const Surface s = with_albedo(gbuffer_surface(pixel, material), v);
-    return directional_reflection(s, v, position) + material.r * ambient_reflection(s, v, material.g, position);
+    return directional_reflection(s, v, position) + material.r * ambient_reflection(s, v, material.g, position, pixel);
 }
 
 void main() {

@@ -127,7 +127,7 @@ vec3 bounced_over_pi(Texel t) {
     }
     // Places outside of the volume have the light of the surroundings. In the first rounds, some probes have no light
     // yet, and count as dark. So no light from elsewhere gets into closed rooms.
-    const ProbeLight volume = probe_light(t.position, t.normal, t.to_probe, t.normal);
+    const ProbeLight volume = probe_light(t.position, t.normal, t.to_probe, t.normal, t.normal);
     const vec3 known = volume.facing * volume.validity;
     if (volume.outside <= 0.0) return known;
     const int terms = min(environmentSh.items.length(), 9);

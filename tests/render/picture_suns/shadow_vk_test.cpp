@@ -63,7 +63,7 @@ struct Edges {
 // because this sun is low.
 const std::vector<ColoredSun> kColoredSuns{
     {.channel = 0, .azimuth_deg = 180, .height_deg = 50, .radius_deg = 2, .lx = 20, .number = 1},
-    {.channel = 1, .azimuth_deg = 60, .height_deg = 36, .radius_deg = 0.27, .lx = 5, .number = 2},
+    {.channel = 1, .azimuth_deg = 60, .height_deg = 22, .radius_deg = 0.27, .lx = 5, .number = 2},
     {.channel = 1, .azimuth_deg = 90, .height_deg = 7, .radius_deg = 2, .lx = 4, .number = 3},
     {.channel = 2, .azimuth_deg = -60, .height_deg = 65, .radius_deg = 6, .lx = 30, .number = 4}};
 

@@ -1,0 +1,72 @@
+// The near field at a pixel: how much light from farther away arrives between near objects, and the light of these
+// objects. Ports of graphs/modules/near_field.json: `nearLight` and `nearShape`. Both are optional, but only together.
+#ifndef WEFT_NEAR_FIELD
+#define WEFT_NEAR_FIELD
+#include "frame_set.glsl"
+#include "octahedral.glsl"
+
+layout(constant_id = 33) const bool HAS_nearLight = false;
+layout(constant_id = 34) const bool HAS_nearShape = false;
+uniform sampler2D nearLight;  // rgb: irradiance / π × preExposure, a: visibility.
+uniform sampler2D nearShape;  // xy: mean direction of the light (octahedral), z: distance to the eye in metres.
+
+struct NearField {
+    vec3 open;         // Mean direction of the light from farther away.
+    vec3 light;        // Irradiance / π from near objects, in cd/m².
+    float visibility;  // Share of the irradiance of a uniform sky that arrives.
+};
+
+// Texels on other surfaces count at least this much, so that a surface without texels of its own gets those that fit best.
+const float kLeastAlike = 1e-4;
+// Surfaces up to the first roughness mirror as if nothing were near; from the second on, near objects count fully.
+const float kSmooth = 0.1, kRough = 0.3;
+
+// Returns the near field at a pixel, from the four texels around it. A texel counts less if its point is not in the
+// plane of the surface: at a distance of one pixel, it counts a fourth.
+NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) {
+    const ivec2 size = ivec2(view.viewport_px), last = textureSize(nearLight, 0) - 1;
+    const int side = (size.x + last.x) / (last.x + 1);  // Pixels of a texel.
+    const ivec2 low = pixel / side;
+    const vec2 share = vec2(pixel - low * side) / float(side);
+    const float pixel_m = length(position - view.eye) * 2.0 / (view.projection[0][0] * view.viewport_px.x);
+    vec3 open = vec3(0.0);
+    vec4 light = vec4(0.0);
+    float weights = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        const ivec2 at = min(low + ivec2(i & 1, i >> 1), last);
+        const vec4 shape = texelFetch(nearShape, at, 0);
+        if (shape.z <= 0.0) continue;  // The sky.
+        const vec2 uv = (vec2(at * side) + 0.5) * view.inverse_viewport;
+        const float off = dot(view.eye + ray_direction(uv) * shape.z - position, n) / pixel_m;
+        const vec2 close = mix(1.0 - share, share, vec2(i & 1, i >> 1));
+        const float alike = 1.0 / (1.0 + off * off);
+        const float weight = max(close.x * close.y, 1e-3) * max(alike * alike, kLeastAlike);
+        open += weight * octahedral_decode(shape.xy);
+        light += weight * texelFetch(nearLight, at, 0);
+        weights += weight;
+    }
+    if (weights <= 0.0) return NearField(n, vec3(0.0), 1.0);
+    return NearField(normalize(open + 1e-4 * n), light.rgb / (weights * frame.pre_exposure), light.a / weights);
+}
+
+// Returns the solid angle that two cones share, over 2π. `a`, `b`: cosines of half their opening angles; `apart`: angle
+// between their axes. An approximation: Oat and Sander 2007, "Ambient Aperture Lighting".
+float shared_cone(float a, float b, float apart) {
+    const float angle_a = acos(a), angle_b = acos(b);
+    const float largest = 1.0 - max(a, b), inside = abs(angle_a - angle_b), outside = angle_a + angle_b;
+    return largest * (1.0 - smoothstep(inside, max(outside, inside + 1e-4), apart));
+}
+
+// Returns the share of the mirrored light that near objects do not block. The open directions are a cone around their
+// mean, and the mirrored directions another one: Jimenez et al. 2016, "Practical Realtime Strategies for Accurate
+// Indirect Occlusion". The part of the mirrored cone behind the surface itself is left out. The mean light of the near
+// objects is no picture of them, so smooth surfaces keep the picture of the reflection probes.
+float near_specular_visibility(NearField near, vec3 n, vec3 mirrored, float roughness) {
+    if (roughness <= kSmooth) return 1.0;
+    const float cone = exp2(-3.32193 * roughness * roughness);
+    const float open = sqrt(max(1.0 - near.visibility, 0.0));
+    const float seen = shared_cone(open, cone, acos(clamp(dot(near.open, mirrored), -1.0, 1.0)));
+    const float whole = shared_cone(0.0, cone, acos(clamp(dot(n, mirrored), -1.0, 1.0)));
+    return mix(1.0, clamp(seen / max(whole, 1e-4), 0.0, 1.0), smoothstep(kSmooth, kRough, roughness));
+}
+#endif
