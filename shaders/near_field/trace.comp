@@ -22,7 +22,7 @@ layout(rgba16f) writeonly uniform image2D nearBent;
 
 layout(push_constant) uniform Params {
     float nearSourceValid;  // 1 if a frame has written nearSource, otherwise 0.
-    float nearRadius;       // Largest distance of an object, in metres, where there are no probes.
+    float nearRadius;       // Largest distance of an object, in metres.
     float nearThickness;    // How far an object extends behind its visible surface, as a share of the radius.
     uint nearScale;
     uint nearSlices;        // Number of slices of each point.
@@ -34,6 +34,9 @@ layout(push_constant) uniform Params {
 const float kRandomRadius = 0.4;
 // Smallest cosine between normal and eye that the correction to the slice uses.
 const float kLeastFacing = 0.1;
+// Two neighbouring places of a slice belong to the same object if their distance is at most this many times the distance
+// that the pixels have in a plane perpendicular to the view. Then the object also fills the angles between them.
+const float kJoined = 4.0;
 // Length of the mean direction, weighted by the cosine, of light from the whole hemisphere.
 const float kUniform = 2.0 / 3.0;
 const float kGolden = 0.61803399, kPlastic = 0.75487767;  // Steps of even sequences in one and two dimensions.
@@ -53,8 +56,7 @@ vec3 point_at(ivec2 pixel, float z) {
     return world_position((vec2(pixel) + 0.5) / vec2(textureSize(depth, 0)), z);
 }
 
-// Returns the distance between the probes around a point: they know what is farther away. Without probes there,
-// nearRadius.
+// Returns the distance between the probes around a point, at most nearRadius: the probes know what is farther away.
 float near_radius_m(vec3 position) {
     if (!HAS_probeMap) return params.nearRadius;
     const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
@@ -86,6 +88,19 @@ vec2 noise_of(ivec2 texel) {
     return fract(pattern + vec2(kGolden, kPlastic) * float(frame.frame_index % 1024u));
 }
 
+// Moves the sectors `found` from the open ones to those that show an object with the radiance `light`.
+void hide(inout Gathered sum, Slice slice, uint found, vec3 light) {
+    while (found != 0u) {
+        const uint begin = uint(findLSB(found)), rest = ~(found >> begin);
+        const uint end = rest == 0u ? 32u : min(begin + uint(findLSB(rest)), 32u);
+        const SliceLight part = light_of_sectors(slice, begin, end);
+        sum.light += part.measure * light;
+        sum.visible -= part.measure;
+        sum.direction -= part.direction.x * slice.to_eye + part.direction.y * slice.across;
+        found &= ~bits_between(begin, end);
+    }
+}
+
 // Follows one side of a slice through the picture and adds what is near. `step_px`: pixels for each metre along
 // `across`. Bits of `hidden` are sectors behind an object.
 void follow(inout Gathered sum, inout uint hidden, Point p, Slice slice, float side, vec2 step_px, float radius_m, vec2 noise) {
@@ -97,9 +112,12 @@ void follow(inout Gathered sum, inout uint hidden, Point p, Slice slice, float s
     const float reach_px = min(length(step_px) * radius_m, length(size));
     const vec2 along = side * normalize(step_px);
     const uint steps = uint(clamp(ceil(reach_px), 1.0, float(params.nearSteps)));
+    vec3 last = vec3(0.0);     // Place of the last object, and its first sector.
+    float last_px = -1.0, last_sector = 0.0;
     for (uint i = 0u; i < steps; ++i) {
         const float t = (float(i) + noise.y) / float(steps);
-        const vec2 at = vec2(p.pixel) + 0.5 + along * (1.0 + t * t * max(reach_px - 1.0, 0.0));
+        const float away_px = 1.0 + t * t * max(reach_px - 1.0, 0.0);
+        const vec2 at = vec2(p.pixel) + 0.5 + along * away_px;
         if (any(lessThan(at, vec2(0.0))) || any(greaterThanEqual(at, size))) break;
         const ivec2 pixel = ivec2(at);
         const float z = texelFetch(depth, pixel, 0).r;
@@ -110,15 +128,18 @@ void follow(inout Gathered sum, inout uint hidden, Point p, Slice slice, float s
         if (distance_m > radius_m || distance_m <= 0.0) continue;
         const vec3 back = front + normalize(place - view.eye) * (params.nearThickness * radius_m);
         const float a = sector_of(slice, front / distance_m, side), b = sector_of(slice, normalize(back), side);
-        const uint found = sectors_between(min(a, b), max(a, b), noise.x) & ~hidden;
+        const float gap_m = (away_px - last_px) / length(step_px);
+        const bool joined = last_px >= 0.0 && distance(place, last) < kJoined * gap_m;
+        const float c = joined ? last_sector : a;
+        last = place;
+        last_px = away_px;
+        last_sector = a;
+        const uint found = sectors_between(min(min(a, b), c), max(max(a, b), c), noise.x) & ~hidden;
         if (found == 0u) continue;
         const vec4 light = light_before(pixel);
         if (light.a <= 0.0) continue;
         hidden |= found;
-        const float share = float(bitCount(found)) * slice.weight * slice.whole / float(kSectors);
-        sum.light += share * light.rgb;
-        sum.visible -= share;
-        sum.direction -= share * normalize(front / distance_m + normalize(back));
+        hide(sum, slice, found, light.rgb);
     }
 }
 
@@ -129,13 +150,13 @@ Gathered gather(Point p, vec2 noise) {
     const vec4 clip = view.view_projection * vec4(p.position, 1.0);
     Gathered sum = Gathered(vec3(0.0), vec3(0.0), 0.0, 0.0);
     for (uint i = 0u; i < params.nearSlices; ++i) {
-        const float turn = 3.14159265 * (float(i) + noise.x) / float(params.nearSlices);
+        const float turn = kPi * (float(i) + noise.x) / float(params.nearSlices);
         const Slice slice = make_slice(p.to_eye, cos(turn) * aside + sin(turn) * up, p.normal);
         const vec4 moved = view.view_projection * vec4(slice.across, 0.0);
         const vec2 step_px = 0.5 * size * (moved.xy - clip.xy / clip.w * moved.w) / clip.w;
         const vec2 random = fract(noise + float(i) * vec2(kPlastic, kGolden));
         const float radius_m = p.radius_m * (params.nearNoise == 0u ? 1.0 : 1.0 - kRandomRadius * random.x);
-        sum.whole += slice.weight * slice.whole;
+        sum.whole += light_of_sectors(slice, 0u, kSectors).measure;
         uint hidden = 0u;
         follow(sum, hidden, p, slice, -1.0, step_px, radius_m, random);
         follow(sum, hidden, p, slice, 1.0, step_px, radius_m, random);
