@@ -37,6 +37,7 @@ shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera, bool cut
     const glm::vec2 jitter = jitter_px(frame_index_, jitter_length_) * (glm::vec2(output_px) / area_px);
     shared::ViewConstants view =
         view_constants(camera, view_.steady_view_projection, size_.width, size_.height, jitter);
+    view.mip_bias = mip_bias(jitter_length_);
     if (frame_index_ == 0 || cut) view.prev_view_projection = view.steady_view_projection;
     return view;
 }

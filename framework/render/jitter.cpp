@@ -1,5 +1,8 @@
 #include "render/jitter.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace weft::render {
 namespace {
 
@@ -23,6 +26,13 @@ glm::vec2 jitter_px(uint64_t frame, uint32_t length) {
     glm::dvec2 mean(0);
     for (uint32_t i = 1; i <= length; ++i) mean += halton(i) / static_cast<double>(length);
     return halton(static_cast<uint32_t>(frame % length) + 1) - mean;
+}
+
+float mip_bias(uint32_t length) {
+    // `length` samples in a pixel are √length samples along each axis, so each sample stands for a pixel that is
+    // smaller by this factor. Moving pictures have only about 16 frames to average, so the bias is limited.
+    constexpr float kLeastBias = -2.0f;
+    return length < 2 ? 0.0f : std::max(-0.5f * std::log2(static_cast<float>(length)), kLeastBias);
 }
 
 }  // namespace weft::render

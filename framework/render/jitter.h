@@ -17,4 +17,8 @@ namespace weft::render {
 // centre. Lengths 0 and 1 give (0, 0).
 [[nodiscard]] glm::vec2 jitter_px(uint64_t frame, uint32_t length);
 
+// Returns the number that is added to the mip of textures, so that the mean of `length` frames is as sharp as a picture
+// with more samples. It is at most 0, and 0 for the lengths 0 and 1.
+[[nodiscard]] float mip_bias(uint32_t length);
+
 }  // namespace weft::render

@@ -2,6 +2,7 @@
 // Only fragment stages can use this file.
 #ifndef WEFT_SURFACE_FRAGMENT
 #define WEFT_SURFACE_FRAGMENT
+#include "frame_set.glsl"
 #include "material_set.glsl"
 
 layout(location = 0) in vec3 world_normal;
@@ -18,7 +19,7 @@ vec2 texture_uv(TextureTransform transform) {
 vec4 vertex_color() { return clamp(1.0 - color_lack, 0.0, 1.0); }
 
 vec4 base_color() {
-    return texture(base_color_texture, texture_uv(material.base_color_uv)) * material.base_color * vertex_color();
+    return texture(base_color_texture, texture_uv(material.base_color_uv), view.mip_bias) * material.base_color * vertex_color();
 }
 
 vec3 shading_normal() {
@@ -29,22 +30,22 @@ vec3 shading_normal() {
     if (length2 < 1e-12) return n;
     t *= inversesqrt(length2);
     const vec3 b = cross(n, t) * world_tangent.w * facing;
-    vec3 m = texture(normal_texture, texture_uv(material.normal_uv)).xyz * 2.0 - 1.0;
+    vec3 m = texture(normal_texture, texture_uv(material.normal_uv), view.mip_bias).xyz * 2.0 - 1.0;
     m.xy *= material.normal_scale;
     return normalize(t * m.x + b * m.y + n * m.z);
 }
 
 // Returns r: occlusion, g: perceptual roughness, b: metalness.
 vec3 occlusion_roughness_metalness() {
-    const vec3 mr = texture(metallic_roughness_texture, texture_uv(material.metallic_roughness_uv)).rgb;
-    const float ao = texture(occlusion_texture, texture_uv(material.occlusion_uv)).r;
+    const vec3 mr = texture(metallic_roughness_texture, texture_uv(material.metallic_roughness_uv), view.mip_bias).rgb;
+    const float ao = texture(occlusion_texture, texture_uv(material.occlusion_uv), view.mip_bias).r;
     return vec3(mix(1.0, ao, material.occlusion_strength), material.roughness * mr.g, material.metallic * mr.b);
 }
 
 // Returns the anisotropy of the material (KHR_materials_anisotropy). xyz: the unit vector, perpendicular to `n`, along
 // which the surface is rougher; w: strength.
 vec4 anisotropy(vec3 n) {
-    const vec3 texel = texture(anisotropy_texture, texture_uv(material.anisotropy_uv)).rgb;
+    const vec3 texel = texture(anisotropy_texture, texture_uv(material.anisotropy_uv), view.mip_bias).rgb;
     const vec2 grain = material.anisotropy_textured > 0.0 ? texel.rg * 2.0 - 1.0 : vec2(1.0, 0.0);
     const vec2 turn = material.anisotropy_turn;
     const vec2 turned = mat2(turn, -turn.y, turn.x) * grain;
@@ -61,6 +62,6 @@ vec4 anisotropy(vec3 n) {
 // Returns the luminance that the surface emits, in cd/m².
 vec3 emission() {
     const vec3 tint = mix(vec3(1.0), vertex_color().rgb, material.emission_tint);
-    return texture(emissive_texture, texture_uv(material.emissive_uv)).rgb * material.emissive * tint;
+    return texture(emissive_texture, texture_uv(material.emissive_uv), view.mip_bias).rgb * material.emissive * tint;
 }
 #endif

@@ -10,7 +10,8 @@
 #include "catmull_rom.glsl"
 #include "compressed_color.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+const uint kTileSide = 8u;
+layout(local_size_x = kTileSide, local_size_y = kTileSide) in;
 
 uniform sampler2D hdr;
 uniform sampler2D before;
@@ -20,13 +21,25 @@ layout(rgba16f) writeonly uniform image2D resolved;
 
 layout(push_constant) uniform Params {
     float beforeValid;  // 1 if a frame has written `before`, otherwise 0.
-    float newest;       // Smallest weight of this frame, 0 to 1.
+    float newest;       // Smallest weight of this frame where the picture moves, 0 to 1.
+    float newestStill;  // The same where it stands still.
     float trust;        // Distance from the middle of the clipping box to its sides, in standard deviations.
 } params;
 
 // The clipping box of a still pixel is larger by this factor, so that a thin wire that only some frames hit is kept.
 const float kTrustInStillness = 4.0;
 const float kStillPx = 0.01;  // Movements below this length (in pixels) are rounding errors.
+// A pixel has become brighter or darker if log2(now / history) is far from 0: it counts fully from kChange on. The light
+// of a tile of 8 × 8 pixels has changed if most of its pixels have become brighter, or most of them darker: not at all up
+// to kLeastShare, and so much that the history is useless from kMostShare on. The jitter changes only the pixels at edges,
+// and some of them become brighter and others darker.
+const float kChange = 0.3, kLeastShare = 0.45, kMostShare = 0.65;
+// After this number of frames, the mean contains each position of the usual 16 twice, and a still picture is finished.
+const float kSettled = 32.0;
+// Values below this one count as black. It is a share of white in the final picture.
+const float kBlack = 1e-3;
+
+shared float changes[kTileSide * kTileSide], row_sums[kTileSide];
 
 struct Neighbours {
     vec3 mean;
@@ -35,9 +48,14 @@ struct Neighbours {
     float depth;    // Depth of this neighbour (reversed).
 };
 
+float luma_of(vec3 color) { return dot(color, vec3(0.25, 0.5, 0.25)); }
+
 Neighbours neighbours_of(ivec2 pixel) {
     const ivec2 last = textureSize(hdr, 0) - 1;
-    Neighbours n = Neighbours(vec3(0.0), vec3(0.0), pixel, texelFetch(depth, pixel, 0).r);
+    Neighbours n;
+    n.mean = n.deviation = vec3(0.0);
+    n.nearest = pixel;
+    n.depth = texelFetch(depth, pixel, 0).r;
     for (int i = 0; i < 9; ++i) {
         const ivec2 at = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
         const vec3 color = compressed(texelFetch(hdr, at, 0).rgb);
@@ -69,23 +87,46 @@ vec3 clipped(vec3 color, vec3 middle, vec3 reach) {
     return middle + away / max(1.0, max(beyond.x, max(beyond.y, beyond.z)));
 }
 
+// Returns how much the light of the tile has changed since the history was written: 0 not at all, 1 so much that the
+// history is useless. `ratio`: log2(now / history) of the pixel. All invocations of the workgroup must call this.
+float change_of_light(float ratio, bool counts) {
+    const uint own = gl_LocalInvocationIndex;
+    changes[own] = counts ? clamp(ratio / kChange, -1.0, 1.0) : 0.0;
+    barrier();
+    if (own < kTileSide) {
+        float sum = 0.0;
+        for (uint i = 0u; i < kTileSide; ++i) sum += changes[own * kTileSide + i];
+        row_sums[own] = sum;
+    }
+    barrier();
+    float sum = 0.0;
+    for (uint i = 0u; i < kTileSide; ++i) sum += row_sums[i];
+    return smoothstep(kLeastShare, kMostShare, abs(sum) / float(kTileSide * kTileSide));
+}
+
 void main() {
     const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy), size = imageSize(resolved);
-    if (any(greaterThanEqual(pixel, size))) return;
     const vec2 uv = (vec2(pixel) + 0.5) / vec2(size);
-    const vec3 now = compressed(texelFetch(hdr, pixel, 0).rgb);
-    const Neighbours around = neighbours_of(pixel);
+    const bool drawn = all(lessThan(pixel, size));
+    const vec3 linear = texelFetch(hdr, min(pixel, size - 1), 0).rgb, now = compressed(linear);
+    const Neighbours around = neighbours_of(min(pixel, size - 1));
     const vec2 motion = moved(around, uv), from = uv - motion;
     const float motion_px = length(motion * vec2(size));
-    const vec4 seen = motion_px < kStillPx ? texelFetch(before, pixel, 0) : catmull_rom(before, from);
+    const vec4 seen = motion_px < kStillPx ? texelFetch(before, min(pixel, size - 1), 0) : catmull_rom(before, from);
     const bool inside = all(greaterThanEqual(from, vec2(0.0))) && all(lessThan(from, vec2(1.0)));
     const bool was_there = params.beforeValid > 0.0 && inside;
 
-    const float trust = params.trust * mix(kTrustInStillness, 1.0, clamp(motion_px, 0.0, 1.0));
-    const vec3 history = compressed(max(seen.rgb, vec3(0.0)) * (frame.pre_exposure / frame.prev_pre_exposure));
-    const vec3 believed = clipped(history, around.mean, around.deviation * trust);
-    const float count = was_there ? max(seen.a, 0.0) : 0.0;
-    const float weight = max(1.0 / (count + 1.0), was_there ? params.newest : 1.0);
+    const vec3 old = max(seen.rgb, vec3(0.0)) * (frame.pre_exposure / frame.prev_pre_exposure);
+    const float ratio = log2((luma_of(linear) + kBlack) / (luma_of(old) + kBlack));
+    const float changed = change_of_light(ratio, was_there && drawn);
+    if (!drawn) return;
+    const float moving = max(clamp(motion_px, 0.0, 1.0), changed);
+    const float trust = params.trust * mix(kTrustInStillness, 1.0, moving);
+    const vec3 believed = clipped(compressed(old), around.mean, around.deviation * trust);
+    const float count = was_there ? max(seen.a, 0.0) * (1.0 - changed) : 0.0;
+    const float newest = mix(params.newestStill, params.newest, moving);
+    const float settling = count < kSettled ? 1.0 / (count + 1.0) : 0.0;
+    const float weight = was_there ? max(settling, newest) : 1.0;
     const vec3 color = expanded(mix(believed, now, weight));
     imageStore(resolved, pixel, vec4(nearest_half(clamp(color, 0.0, 65000.0)), min(count + 1.0, 256.0)));
 }

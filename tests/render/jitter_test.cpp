@@ -68,5 +68,14 @@ TEST(Jitter, MovesWhatIsSeenByItselfAtAllDistances) {
     }
 }
 
+// The mean of n frames has √n samples along each axis, so textures become finer by ½ log2(n) mips, at most by 2.
+TEST(Jitter, MakesTexturesFinerByTheNumberOfFrames) {
+    for (const uint32_t length : {0u, 1u}) EXPECT_EQ(mip_bias(length), 0.0f);
+    EXPECT_FLOAT_EQ(mip_bias(4), -1.0f);
+    EXPECT_FLOAT_EQ(mip_bias(8), -1.5f);
+    EXPECT_FLOAT_EQ(mip_bias(16), -2.0f);
+    EXPECT_FLOAT_EQ(mip_bias(64), -2.0f);
+}
+
 }  // namespace
 }  // namespace weft::render

@@ -38,7 +38,7 @@ struct ViewConstants {
     vec2 inverse_viewport;
     vec2 jitter_uv;               // Offset of the picture by the jitter in `projection`; 0 if no "jitter" is set.
     uint number;                  // Number of the view in its list: 2 for "sun(2)". 0 for the camera.
-    uint reserved0;
+    float mip_bias;               // Added to the mip of textures: below 0 if frames with jitter are averaged.
     vec4 reserved1[5];
 };
 
