@@ -3,7 +3,7 @@
 // graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. Without `environmentCube`, mirrored light
 // comes from the blurred picture or the gradient sky. Without `environmentIrradiance`, diffuse light comes from the
 // harmonics in `environmentSh` or, without `environmentSh` too, from the harmonics in `frame`. With `probeSh`, the
-// light comes from the probes around the point. With the ports of near_field.glsl, objects near the point block a part
+// light comes from the probes around the point. With the port `nearField` of near_field.glsl, objects near the point block a part
 // of this light, and reflect their own light to the point.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
@@ -147,10 +147,10 @@ vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2
     const float blur = s.anisotropic ? sqrt(sqrt(s.alphas.x * s.alphas.y)) : roughness;
     const vec3 mirrored = reflect(-v, across);
     NearField near = NearField(s.normal, vec3(0.0), 1.0);
-    if (HAS_nearLight && HAS_nearShape) near = near_field_at(pixel, position, s.normal);
+    if (HAS_nearField) near = near_field_at(pixel, position, s.normal);
     AmbientLight light = AmbientLight(sky_irradiance_over_pi(near.open), mirrored_radiance(mirrored, s.normal, blur));
     if (HAS_probeSh) light = with_probes(light, position, s.normal, normalize(s.normal + near.open), v, mirrored, blur);
-    if (HAS_nearLight && HAS_nearShape) light = with_near_field(light, near, s.normal, mirrored, blur);
+    if (HAS_nearField) light = with_near_field(light, near, s.normal, mirrored, blur);
     return base_under_coat(s, specular) * light.diffuse + specular * light.mirrored;
 }
 #endif

@@ -1,14 +1,14 @@
 // The near field at a pixel: how much light from farther away arrives between near objects, and the light of these
-// objects. Ports of graphs/modules/near_field.json: `nearLight` and `nearShape`. Both are optional, but only together.
+// objects. Optional port of graphs/modules/near_field.json: `nearField`.
 #ifndef WEFT_NEAR_FIELD
 #define WEFT_NEAR_FIELD
 #include "frame_set.glsl"
 #include "octahedral.glsl"
 
-layout(constant_id = 33) const bool HAS_nearLight = false;
-layout(constant_id = 34) const bool HAS_nearShape = false;
-uniform sampler2D nearLight;  // rgb: irradiance / π × preExposure, a: visibility.
-uniform sampler2D nearShape;  // xy: mean direction of the light (octahedral), z: distance to the eye in metres.
+layout(constant_id = 33) const bool HAS_nearField = false;
+// Layer 0: irradiance / π × preExposure (rgb) and visibility (a). Layer 1: mean direction of the light (xy, octahedral)
+// and distance to the eye in metres (z).
+uniform sampler2DArray nearField;
 
 struct NearField {
     vec3 open;         // Mean direction of the light from farther away.
@@ -24,7 +24,7 @@ const float kSmooth = 0.1, kRough = 0.3;
 // Returns the near field at a pixel, from the four texels around it. A texel counts less if its point is not in the
 // plane of the surface: at a distance of one pixel, it counts a fourth.
 NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) {
-    const ivec2 size = ivec2(view.viewport_px), last = textureSize(nearLight, 0) - 1;
+    const ivec2 size = ivec2(view.viewport_px), last = textureSize(nearField, 0).xy - 1;
     const int side = (size.x + last.x) / (last.x + 1);  // Pixels of a texel.
     const ivec2 low = pixel / side;
     const vec2 share = vec2(pixel - low * side) / float(side);
@@ -34,7 +34,7 @@ NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) {
     float weights = 0.0;
     for (int i = 0; i < 4; ++i) {
         const ivec2 at = min(low + ivec2(i & 1, i >> 1), last);
-        const vec4 shape = texelFetch(nearShape, at, 0);
+        const vec4 shape = texelFetch(nearField, ivec3(at, 1), 0);
         if (shape.z <= 0.0) continue;  // The sky.
         const vec2 uv = (vec2(at * side) + 0.5) * view.inverse_viewport;
         const float off = dot(view.eye + ray_direction(uv) * shape.z - position, n) / pixel_m;
@@ -42,7 +42,7 @@ NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) {
         const float alike = 1.0 / (1.0 + off * off);
         const float weight = max(close.x * close.y, 1e-3) * max(alike * alike, kLeastAlike);
         open += weight * octahedral_decode(shape.xy);
-        light += weight * texelFetch(nearLight, at, 0);
+        light += weight * texelFetch(nearField, ivec3(at, 0), 0);
         weights += weight;
     }
     if (weights <= 0.0) return NearField(n, vec3(0.0), 1.0);

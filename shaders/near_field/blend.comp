@@ -1,6 +1,6 @@
 // Smooths the near field over neighbouring points of the same surface, and blends it with that of earlier frames.
-// Outputs: nearLight: like nearTraced. nearShape: xy: mean direction of the light in octahedral encoding, z: distance to
-// the eye in metres, w: number of blended frames, at most 256.
+// Output nearField: layer 0: like nearTraced. Layer 1: xy: mean direction of the light in octahedral encoding, z: distance
+// to the eye in metres, w: number of blended frames, at most 256.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -13,13 +13,11 @@ uniform sampler2D normal;
 uniform sampler2D velocity;
 uniform sampler2D nearTraced;
 uniform sampler2D nearBent;
-uniform sampler2D lightBefore;
-uniform sampler2D shapeBefore;
-layout(rgba16f) writeonly uniform image2D nearLight;
-layout(rgba16f) writeonly uniform image2D nearShape;
+uniform sampler2DArray before;
+layout(rgba16f) writeonly uniform image2DArray nearField;
 
 layout(push_constant) uniform Params {
-    float lightBeforeValid;  // 1 if a frame has written the history, otherwise 0.
+    float beforeValid;  // 1 if a frame has written the history, otherwise 0.
     float nearNewest;   // Smallest weight of this frame, 0 to 1.
     uint nearScale;
     uint nearSmooth;    // 0: no smoothing over neighbours and frames.
@@ -85,34 +83,36 @@ vec3 place_before(ivec2 texel, vec4 own) {
     return vec3(((vec2(pixel) + 0.5) / size - moved) * size / covered + first, own.w * before.w / now.w);
 }
 
+void store(ivec2 texel, vec4 light, vec4 shape) {
+    imageStore(nearField, ivec3(texel, 0), light);
+    imageStore(nearField, ivec3(texel, 1), shape);
+}
+
 void main() {
     const ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(texel, imageSize(nearLight)))) return;
+    if (any(greaterThanEqual(texel, imageSize(nearField).xy))) return;
     const vec4 own = texelFetch(nearBent, texel, 0);
     if (own.w <= 0.0) {
-        imageStore(nearLight, texel, vec4(0.0, 0.0, 0.0, 1.0));
-        imageStore(nearShape, texel, vec4(0.0));
+        store(texel, vec4(0.0, 0.0, 0.0, 1.0), vec4(0.0));
         return;
     }
     Smooth now = Smooth(texelFetch(nearTraced, texel, 0), own.xyz);
     float count = 0.0;
     if (params.nearSmooth != 0u) {
         now = smoothed(texel, own);
-        const vec3 before = place_before(texel, own);
-        const vec4 shape = textureLod(shapeBefore, before.xy, 0.0);
-        const bool inside = all(greaterThanEqual(before.xy, vec2(0.0))) && all(lessThan(before.xy, vec2(1.0)));
-        if (params.lightBeforeValid > 0.0 && inside &&
-            abs(shape.z - before.z) < kSameDistance * before.z) {
+        const vec3 place = place_before(texel, own);
+        const vec4 shape = textureLod(before, vec3(place.xy, 1.0), 0.0);
+        const bool inside = all(greaterThanEqual(place.xy, vec2(0.0))) && all(lessThan(place.xy, vec2(1.0)));
+        if (params.beforeValid > 0.0 && inside && abs(shape.z - place.z) < kSameDistance * place.z) {
             count = shape.w;
             const float weight = max(1.0 / (count + 1.0), params.nearNewest);
-            vec4 light = textureLod(lightBefore, before.xy, 0.0);
+            vec4 light = textureLod(before, vec3(place.xy, 0.0), 0.0);
             light.rgb *= frame.pre_exposure / frame.prev_pre_exposure;
             now.light = mix(light, now.light, weight);
             now.bent = mix(octahedral_decode(shape.xy), normalize(now.bent), weight);
         }
         // Before the first picture, the near field is empty and must not stay in the mean.
-        count = params.lightBeforeValid > 0.0 ? min(count + 1.0, 256.0) : 0.0;
+        count = params.beforeValid > 0.0 ? min(count + 1.0, 256.0) : 0.0;
     }
-    imageStore(nearLight, texel, vec4(nearest_half(now.light.rgb), now.light.a));
-    imageStore(nearShape, texel, vec4(octahedral_encode(now.bent), own.w, count));
+    store(texel, vec4(nearest_half(now.light.rgb), now.light.a), vec4(octahedral_encode(now.bent), own.w, count));
 }

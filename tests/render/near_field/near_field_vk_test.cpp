@@ -93,8 +93,8 @@ class NearField : public SessionTest, public testing::WithParamInterface<size_t>
         camera.transform = glm::inverse(glm::lookAt(test.eye, test.at, glm::vec3(0, 1, 0)));
         camera.fov_y_rad = glm::radians(test.fov_y_deg);
         NearPicture picture;
-        const auto session =
-            start(scene_of(test), camera, kExactGraph, kNearSize, {"depth", "nearLight", "nearShape"});
+        const auto session = start(scene_of(test), camera, kExactGraph, kNearSize,
+                                   {"depth", "nearField.layer(0)", "nearField.layer(1)"});
         if (!session) return picture;
         frame_of(*session).parameters = {
             {"nearSteps", test.steps}, {"nearRadius", test.radius_m}, {"nearThickness", test.thickness}};
@@ -107,7 +107,7 @@ class NearField : public SessionTest, public testing::WithParamInterface<size_t>
             std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
             if (data.pass == "observe:depth")
                 picture.depths = std::move(texels);
-            else if (data.pass == "observe:nearLight")
+            else if (data.pass == "observe:nearField.layer(0)")
                 picture.lights = std::move(texels);
             else
                 picture.shapes = std::move(texels);
