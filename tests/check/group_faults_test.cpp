@@ -124,8 +124,8 @@ TEST_F(GroupFault, AWriteThatWaitsForTooFewStages) {
 TEST_F(GroupFault, AWriteThatNoReaderWaitsFor) {
     step("g::make#1").after.clear();
     expect_fault(
-        "but the barriers of this pass do not order this write and the accesses to the same part in all "
-        "other rounds");
+        "Other rounds access the same part, and the barriers of this pass do not order all of these "
+        "accesses before or after the write");
 }
 
 TEST_F(GroupFault, AWriteThatIsNotVisibleToAReader) {

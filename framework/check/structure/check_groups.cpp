@@ -178,8 +178,8 @@ class GroupCheck {
         if (guarded) return;
         fault("writes " + faults_.part_name(use.resource, use.range) + " in pass " +
               faults_.pass_name(step.pass) +
-              ", but the barriers of this pass do not order this write and the accesses to the same part in "
-              "all other rounds");
+              ". Other rounds access the same part, and the barriers of this pass do not order all of these "
+              "accesses before or after the write");
     }
 
     const FramePlan& plan_;

@@ -72,9 +72,9 @@ class LoweringRule {
             return;
         }
         if (use.range.layers != pass_.views.size() || use.range.mips != 1)
-            fault("its " + std::to_string(pass_.views.size()) +
-                  " views need as many layers of one mip, and " + faults_.part_name(use.resource, use.range) +
-                  " is another part");
+            fault("its " + std::to_string(pass_.views.size()) + " views need " +
+                  std::to_string(pass_.views.size()) + " layers of one mip, but it draws to " +
+                  faults_.part_name(use.resource, use.range));
         if (resource.samples != 1) fault(faults_.resource_name(use.resource) + " is multisampled");
     }
 

@@ -183,7 +183,8 @@ void parse_pass_views(ParseContext& context, const JsonNode& node, PassDesc& pas
     RepeatDesc& repeat = pass.repeat.emplace_back();
     repeat.index = kViewIndex;
     repeat.first = number_expression(0, node.loc);
-    // resolve() counts the views, because some counts are known only to the program.
+    // The parser stores 0. resolve() sets the number of views, because for some lists the program gives this
+    // number.
     repeat.last = number_expression(0, node.loc);
     repeat.loc = repeat.range_loc = node.loc;
 }

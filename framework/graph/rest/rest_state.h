@@ -95,7 +95,7 @@ class RestState {
         uint32_t group = kNoId;  // For a round: index into groups_.
         // True if the unit has run since the resources that it writes were created or cleared.
         bool has_result = false;
-        uint32_t settles = 0;      // Number of runs that are left to settle.
+        uint32_t settles = 0;      // How many more times the unit must run until it has settled.
         uint64_t waits_since = 0;  // The frame in which the unit began to wait for its turn.
         bool waits = false;
         uint64_t version = 0;  // Number of runs.

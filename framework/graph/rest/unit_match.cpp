@@ -9,8 +9,9 @@
 namespace weft {
 namespace {
 
-// Returns a hash of everything in the declaration of a pass on which its result depends, except the values of
-// its Params. Resources and passes are named, because their ids differ between plans.
+// Returns a hash of the declaration of a pass. The hash covers everything that affects the result of the
+// pass, except the values of its Params. It contains the names of resources and passes instead of their ids,
+// because the ids differ between plans.
 std::string declaration_hash(const FramePlan& plan, PassId id) {
     PassDecl pass = plan.graph.passes[id];
     const std::vector<UseDecl> uses = std::exchange(pass.uses, {});

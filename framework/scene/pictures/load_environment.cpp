@@ -13,7 +13,7 @@ namespace weft::scene {
 namespace {
 
 // Peak memory while loading, in bytes per texel of the picture:
-// 24 for the decoded picture (three floats), with and without its suns,
+// 24 for two decoded pictures, one with the suns and one without them (three floats each: 2 * 12),
 // 6 for two mip levels as floats (each has at most a quarter of the texels: 2 * 12 / 4),
 // 6 for the packed texels of all mips (4 bytes * 4 / 3, rounded up).
 // Finding the suns needs at most 9 bytes, before the mips are made.
