@@ -3,8 +3,8 @@
 // graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. Without `environmentCube`, mirrored light
 // comes from the blurred picture or the gradient sky. Without `environmentIrradiance`, diffuse light comes from the
 // harmonics in `environmentSh` or, without `environmentSh` too, from the harmonics in `frame`. With `probeSh`, the
-// light comes from the probes around the point. With the port `nearField` of near_field.glsl, objects near the point block a part
-// of this light, and reflect their own light to the point.
+// light comes from the probes around the point. With the port `nearField` of near_field.glsl, objects near the point
+// block a part of this light, and reflect their own light to the point.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
 #include "brdf.glsl"

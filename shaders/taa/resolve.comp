@@ -52,10 +52,7 @@ float luma_of(vec3 color) { return dot(color, vec3(0.25, 0.5, 0.25)); }
 
 Neighbours neighbours_of(ivec2 pixel) {
     const ivec2 last = textureSize(hdr, 0) - 1;
-    Neighbours n;
-    n.mean = n.deviation = vec3(0.0);
-    n.nearest = pixel;
-    n.depth = texelFetch(depth, pixel, 0).r;
+    Neighbours n = Neighbours(vec3(0.0), vec3(0.0), pixel, texelFetch(depth, pixel, 0).r);
     for (int i = 0; i < 9; ++i) {
         const ivec2 at = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
         const vec3 color = compressed(texelFetch(hdr, at, 0).rgb);
