@@ -18,6 +18,7 @@
 #include "viewer/options/validators.h"
 #include "viewer/output/output.h"
 #include "viewer/output/report.h"
+#include "viewer/pictures/picture_sequence.h"
 #include "viewer/process/driver_cache.h"
 #include "viewer/process/memory_reserve.h"
 #include "viewer/sandbox/sandbox.h"
@@ -70,6 +71,7 @@ struct CommandLine {
 
     CommandLine();
     void finish(const Limits& limits);
+    [[nodiscard]] Status name_pictures();
     [[nodiscard]] std::optional<ExitCode> enter_sandbox();
     [[nodiscard]] bool needs_device() const;
     [[nodiscard]] ExitCode run_command();
@@ -105,6 +107,9 @@ void CommandLine::finish(const Limits& limits) {
     bench.frame_options.size = parse_size(raw.bench_size);
     render_options.request.size = view_options.render.request.size = parse_size(raw.size);
     render_options.request.params = view_options.render.request.params = parse_params(raw.params);
+    const FrameRange range = parse_frames(raw.frames);
+    render_options.frames = range.frames;
+    render_options.first_picture = range.first_picture;
     render_options.turns = view_options.render.turns = parse_turns(raw.turns);
     view_options.fixed_dt = view->count("--fixed-dt") > 0;
     if (view->count("--exposure") > 0) view_options.render.exposure_ev = static_cast<float>(raw.exposure);
@@ -119,6 +124,16 @@ void CommandLine::finish(const Limits& limits) {
     }
 }
 
+// Finds the files of the pictures that `render --frames A..B` writes. Error: X524.
+Status CommandLine::name_pictures() {
+    RenderOptions& o = render_options;
+    if (!render->parsed() || o.first_picture == 0) return Unit{};
+    Result<std::vector<std::string>> files = picture_sequence(o.output, o.first_picture, o.frames);
+    if (!files) return files.take_errors();
+    o.pictures = std::move(*files);
+    return Unit{};
+}
+
 // Enters the sandbox if the command has --sandbox. Returns nullopt if this process must run the command.
 // Otherwise, returns the exit code with which this process must end, because a child process ran the command.
 std::optional<ExitCode> CommandLine::enter_sandbox() {
@@ -128,11 +143,13 @@ std::optional<ExitCode> CommandLine::enter_sandbox() {
         const bool is_file = o.env != "sky" && o.env != "none";
         const bool is_probe_file = o.probes != "auto" && o.probes != "none";
         needs = {{folder_of(o.request.path), folder_of_scene(o.scene), is_file ? o.env : "",
-                  is_probe_file ? o.probes : ""},
+                  is_probe_file ? o.probes : "", o.camera_path},
                  inputs_of(o),
-                 {&o.output, &o.stats},
+                 {&o.stats},
                  true};
-        o.named_output = o.output;
+        o.named_output = o.pictures.size() == 1 ? o.pictures.front() : o.output;
+        if (o.pictures.empty()) needs.outputs.push_back(&o.output);
+        for (std::string& file : o.pictures) needs.outputs.push_back(&file);
     } else if (check->parsed() && check_options.sandbox) {
         for (const std::string& file : check_options.files) needs.read.push_back(folder_of(file));
         needs.read.push_back(check_options.offline.profile);
@@ -202,6 +219,10 @@ int run(int argc, char** argv) {
         return exit_with(exit_code_for(limits.errors()));
     }
     line.finish(*limits);
+    if (const Status named = line.name_pictures(); !named) {
+        report(named.errors());
+        return exit_with(exit_code_for(named.errors()));
+    }
     if (const auto ended = line.enter_sandbox()) return exit_with(*ended);
     if (line.needs_device()) prepare_driver_cache();
     return exit_with(line.run_command());

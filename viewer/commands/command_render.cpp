@@ -23,7 +23,7 @@
 namespace weft::viewer {
 namespace {
 
-// The results of a run: the picture, the times of the frames, and the last resource that was read back.
+// The results of a run: the last picture, the times of the frames, and the last resource that was read back.
 struct RunOutcome {
     vk::ReadbackData output;
     std::vector<vk::FrameTiming> warm_up;  // The frames that lit the probes before the first frame.
@@ -54,8 +54,8 @@ class RenderProgress {
 };
 
 // Takes the results out of the session after each frame; otherwise the session would use more and more memory
-// in a run of many frames. Keeps only the last readback of the observed resource, because the graph may have
-// readback passes of its own, and keeps times only for --stats.
+// in a run of many frames. Keeps only the last readback of the observed resource: other readbacks come from
+// readback passes of the graph. Keeps times only for --stats.
 void collect(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
     std::vector<vk::FrameTiming> timings = session.take_timings();
     if (!options.stats.empty()) std::ranges::move(timings, std::back_inserter(outcome.timings));
@@ -79,37 +79,9 @@ Result<std::vector<vk::FrameTiming>> warm_up(render::Session& session, const ren
     return timings;
 }
 
-Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, uint32_t frames) {
-    render::Session& session = *open.session;
-    render::FrameInput frame = open.frame;
-    frame.delta_time_s = options.fixed_dt_s;
-    RunOutcome outcome;
-    Result<std::vector<vk::FrameTiming>> warm = warm_up(session, frame, options);
-    if (!warm) return warm.take_errors();
-    outcome.warm_up = std::move(*warm);
-    RenderProgress progress(options, frames);
-    for (uint32_t i = 0; i < frames; ++i) {
-        frame.time_s = i * options.fixed_dt_s;
-        if (Status s = session.render_frame(frame); !s) return s.take_errors();
-        collect(session, options, outcome);
-        // The last submitted frames may still be running on the device, so the progress does not count these
-        // frames.
-        progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
-    }
-    if (Status s = session.finish(); !s) return s.take_errors();
-    progress.tell(frames);
-    if (session.has_output()) {
-        Result<vk::ReadbackData> output = session.read_output();
-        if (!output) return output.take_errors();
-        outcome.output = std::move(*output);
-    }
-    collect(session, options, outcome);
-    return outcome;
-}
-
-// Writes the file for --output: the output of the graph, the debug view of --debug, or the contents of the
-// resource of --resource. The contents of a buffer are written as raw bytes.
-Status write_picture(const RenderOptions& options, const render::Session& session,
+// Writes the picture of the last frame to a file: the output of the graph, the debug view of --debug, or the
+// contents of the resource of --resource. The contents of a buffer are written as raw bytes.
+Status write_picture(const std::string& file, const RenderOptions& options, const render::Session& session,
                      const RunOutcome& outcome) {
     const bool is_output = options.resource.empty() && options.request.debug.empty();
     if (!is_output && !outcome.last_readback) {
@@ -123,12 +95,11 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     }
     const vk::ReadbackData& data = is_output ? outcome.output : *outcome.last_readback;
     if (data.format == Format::undefined)
-        return write_file(options.output,
-                          {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
+        return write_file(file, {reinterpret_cast<const char*>(data.bytes.data()), data.bytes.size()});
     // The output of the graph and the debug views are already encoded for display (sRGB), so the pre-exposure
     // factor is not divided out.
-    if (is_output || !options.request.debug.empty()) return write_output_picture(options.output, data);
-    const Result<ImageFileKind> kind = image_file_kind(options.output);
+    if (is_output || !options.request.debug.empty()) return write_output_picture(file, data);
+    const Result<ImageFileKind> kind = image_file_kind(file);
     if (!kind) return kind.errors();
     std::vector<glm::vec4> texels = render::decode_texels(data.format, data.bytes);
     // The values of a pre-exposed resource are multiplied by the pre-exposure factor. A raw file (EXR, PFM)
@@ -136,7 +107,58 @@ Status write_picture(const RenderOptions& options, const render::Session& sessio
     if (*kind != ImageFileKind::png && is_pre_exposed(session.plan(), options.resource)) {
         for (glm::vec4& texel : texels) texel = glm::vec4(glm::vec3(texel) / session.pre_exposure(), texel.a);
     }
-    return write_image(options.output, data.extent.width, data.extent.height, texels);
+    return write_image(file, data.extent.width, data.extent.height, texels);
+}
+
+// Waits for the device, and reads the picture of the last frame.
+Status collect_picture(render::Session& session, const RenderOptions& options, RunOutcome& outcome) {
+    outcome.last_readback.reset();
+    if (Status s = session.finish(); !s) return s;
+    if (session.has_output()) {
+        Result<vk::ReadbackData> output = session.read_output();
+        if (!output) return output.take_errors();
+        outcome.output = std::move(*output);
+    }
+    collect(session, options, outcome);
+    return Unit{};
+}
+
+// Sets the camera and the time of a frame. `i` is 0 for the first frame.
+void advance(render::FrameInput& frame, const std::optional<scene::CameraPath>& path, uint32_t i) {
+    const double before_s = frame.time_s;
+    frame.time_s = i * frame.delta_time_s;
+    if (!path) return;
+    frame.camera = scene::camera_at(*path, frame.time_s);
+    frame.camera_cut = i > 0 && scene::shot_at(*path, before_s) != scene::shot_at(*path, frame.time_s);
+}
+
+// Renders the frames, and writes the pictures of the last frames: as many as `options` names files.
+Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, uint32_t frames) {
+    render::Session& session = *open.session;
+    render::FrameInput frame = open.frame;
+    frame.delta_time_s = options.fixed_dt_s;
+    RunOutcome outcome;
+    Result<std::vector<vk::FrameTiming>> warm = warm_up(session, frame, options);
+    if (!warm) return warm.take_errors();
+    outcome.warm_up = std::move(*warm);
+    const std::vector<std::string> files =
+        options.pictures.empty() ? std::vector{options.output} : options.pictures;
+    const uint32_t first_picture = frames - static_cast<uint32_t>(files.size());
+    RenderProgress progress(options, frames);
+    for (uint32_t i = 0; i < frames; ++i) {
+        advance(frame, open.camera_path, i);
+        if (Status s = session.render_frame(frame); !s) return s.take_errors();
+        collect(session, options, outcome);
+        // The last submitted frames may still be running on the device, so the progress does not count these
+        // frames.
+        progress.tell(i + 1 - std::min(i + 1, vk::kFramesInFlight));
+        if (i < first_picture) continue;
+        if (Status s = collect_picture(session, options, outcome); !s) return s.take_errors();
+        progress.tell(i + 1);
+        if (Status s = write_picture(files[i - first_picture], options, session, outcome); !s)
+            return s.take_errors();
+    }
+    return outcome;
 }
 
 }  // namespace
@@ -175,9 +197,10 @@ ExitCode run_render(const RenderOptions& options) {
         report(kind.errors());
         return ExitCode::usage;
     }
-    if (const ExitCode code = check_outputs({options.output, options.stats}, inputs_of(options));
-        code != ExitCode::ok)
-        return code;
+    std::vector<std::string> outputs = options.pictures;
+    outputs.push_back(options.stats);
+    if (options.pictures.empty()) outputs.push_back(options.output);
+    if (const ExitCode code = check_outputs(outputs, inputs_of(options)); code != ExitCode::ok) return code;
     Result<OpenSession> open = open_session(options);
     if (!open) return fail_on_device(open.errors());
     render::Session& session = *open->session;
@@ -196,7 +219,6 @@ ExitCode run_render(const RenderOptions& options) {
         report_messages(open->device->messages().messages());
         return fail_on_device(outcome.errors());
     }
-    if (Status s = write_picture(options, session, *outcome); !s) return fail_on_device(s.errors());
     if (!options.stats.empty()) {
         const std::string json = stats_json(
             {*open->device, session.plan(), outcome->output, outcome->timings, frames, options.request.tier,
@@ -204,7 +226,12 @@ ExitCode run_render(const RenderOptions& options) {
         if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
     }
     const std::string& name = options.named_output.empty() ? options.output : options.named_output;
-    std::fprintf(stderr, "weft: wrote %s\n", name.c_str());
+    if (options.pictures.size() > 1)
+        std::fprintf(stderr, "weft: wrote the frames %u to %u to %s\n", options.first_picture, frames,
+                     name.c_str());
+    else
+        std::fprintf(stderr, "weft: wrote %s\n",
+                     options.pictures.empty() ? name.c_str() : options.pictures.front().c_str());
     // Destroying the device reports Vulkan objects that still exist, so the session is destroyed first.
     open->session.reset();
     return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;

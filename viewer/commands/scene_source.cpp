@@ -17,6 +17,7 @@
 #include "viewer/options/numbers.h"
 #include "viewer/output/progress_text.h"
 #include "weft/scene/builtin_scenes.h"
+#include "weft/scene/camera_path.h"
 #include "weft/scene/load_gltf.h"
 
 namespace weft::viewer {
@@ -126,12 +127,8 @@ Result<scene::Camera> placed_camera(const std::string& choice) {
             "X520",
             "the camera has no view direction, because it looks at its own position: \"" + choice + "\"",
             "give two different points: the position of the camera, and the point that it looks at");
-    const glm::vec3 forward = glm::normalize(at - eye);
-    const glm::vec3 up = std::abs(forward.y) > 0.999f ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-    scene::Camera camera;
+    scene::Camera camera = scene::camera_looking_at(eye, at, static_cast<float>(glm::radians(n[6])));
     camera.name = "placed";
-    camera.transform = glm::inverse(glm::lookAt(eye, at, up));
-    camera.fov_y_rad = static_cast<float>(glm::radians(n[6]));
     return camera;
 }
 

@@ -93,7 +93,7 @@ SessionOpener::SessionOpener(const RenderOptions& options, Attempts attempts)
       passes_(registered_passes()),
       input_(session_input(options, passes_)) {}
 
-// Checks that the graph has an import of kind "turns" for each list of the command line.
+// Checks that the graph has an import of kind "turns" for each list that --turns gives on the command line.
 Status check_turns(const RenderOptions& options, const GraphDesc& graph) {
     std::vector<std::string> known;
     for (const auto& [name, import] : graph.imports)
@@ -123,6 +123,12 @@ Result<ParsedGraph> SessionOpener::parse_checked() {
 }
 
 Status SessionOpener::load_scene(bool automatic_exposure) {
+    if (!options_.camera_path.empty()) {
+        Result<scene::CameraPath> path =
+            scene::read_camera_path(options_.camera_path, reader_up_to(options_.limits.graph.json_bytes));
+        if (!path) return path.take_errors();
+        camera_path_ = std::move(*path);
+    }
     Diagnostics warnings;
     Result<scene::Scene> scene = open_scene(
         {options_.scene, options_.env, options_.hour, options_.lights, options_.seed, options_.env_gain},
@@ -133,13 +139,13 @@ Status SessionOpener::load_scene(bool automatic_exposure) {
     const float aspect = aspect_of(options_.request.size);
     Result<scene::Camera> camera = choose_camera(*scene, {options_.scene, options_.camera, aspect});
     if (!camera) return camera.take_errors();
-    frame_ = frame_input(options_, *scene, *camera);
+    frame_ = frame_input(options_, *scene, camera_path_ ? scene::camera_at(*camera_path_, 0) : *camera);
     scene_ = std::move(*scene);
     return Unit{};
 }
 
 Status SessionOpener::load_probes(const GraphDesc& graph) {
-    // With several attempts, a later version of the graph may use the probes.
+    // With several attempts, a later version of the graph may use the probes even if this version does not.
     const bool may_use =
         attempts_ == Attempts::many || std::ranges::any_of(graph.imports, [](const auto& import) {
             return render::is_probe_import(import.first);
@@ -175,7 +181,7 @@ Result<OpenSession> SessionOpener::open_parsed(const ParsedGraph& parsed) {
             ? render::Session::create(*device_, std::move(*scene_), input, warnings, &files_)
             : render::Session::create(*device_, *scene_, input, warnings, &files_);
     if (!options_.quiet) report(warnings);
-    if (session) return OpenSession{std::move(device_), frame_, std::move(*session)};
+    if (session) return OpenSession{std::move(device_), frame_, camera_path_, std::move(*session)};
     is_fixable_ = exit_code_for(session.errors()) == ExitCode::invalid_input;
     return session.take_errors();
 }

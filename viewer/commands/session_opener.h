@@ -47,6 +47,7 @@ class SessionOpener {
     std::optional<scene::Scene> scene_;
     std::optional<scene::Probes> probes_;
     render::FrameInput frame_;
+    std::optional<scene::CameraPath> camera_path_;
     std::unique_ptr<vk::Device> device_;
     std::set<std::filesystem::path> files_;
     bool is_fixable_ = false;

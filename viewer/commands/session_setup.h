@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "viewer/commands/commands.h"
 #include "weft/render/session.h"
+#include "weft/scene/camera_path.h"
 #include "weft/vulkan/device.h"
 
 namespace weft::viewer {
@@ -15,6 +17,7 @@ struct OpenSession {
     std::unique_ptr<vk::Device> device;
     // Input of each frame: the camera and the exposure are set, and the caller sets the times.
     render::FrameInput frame;
+    std::optional<scene::CameraPath> camera_path;  // The path of --camera-path.
     // Last member, because the session must be destroyed before the device.
     std::unique_ptr<render::Session> session;
 };
@@ -22,7 +25,8 @@ struct OpenSession {
 // Converts the options of the command line to the input of a session.
 [[nodiscard]] render::SessionInput session_input(const RenderOptions& options, const PassCatalog& passes);
 // Returns the input of a frame: the camera, and the exposure of the options. Without --exposure, the exposure
-// of the scene is used; a graph with automatic exposure uses it only to store values.
+// of the scene is used. A graph with automatic exposure uses the exposure of the scene only to scale the
+// values that it stores.
 [[nodiscard]] render::FrameInput frame_input(const RenderOptions& options, const scene::Scene& scene,
                                              const scene::Camera& camera);
 [[nodiscard]] Result<std::unique_ptr<vk::Device>> open_device(const RenderOptions& options);

@@ -51,6 +51,15 @@ void add_tier(CLI::App& command, OfflineOptions& o, const char* otherwise) {
                        std::string("the quality tier of the graph [default: ") + otherwise + "]");
 }
 
+void add_camera(CLI::App& command, RenderOptions& o) {
+    command.add_option("--camera", o.camera,
+                       "the name of a camera in the scene, or EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG");
+    command
+        .add_option("--camera-path", o.camera_path,
+                    "a JSON file with positions of the camera over time, between which it moves smoothly")
+        ->excludes("--camera");
+}
+
 void add_probes(CLI::App& command, RenderOptions& o) {
     command.add_option("--probes", o.probes,
                        "the light probes of the scene: auto, none, or a file (.json) [default: "
@@ -89,16 +98,15 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("--tier", o.request.tier, "the quality tier of the graph [default: none]");
     add_size(command, raw);
     command
-        .add_option(
-            "--frames", o.frames,
-            "number of frames to render; only the last one is written [default: `frames` of the graph, or 1]")
-        ->transform(whole_number_in(1, 1'000'000));
+        .add_option("--frames", raw.frames,
+                    "N: render N frames and write the last one; A..B: render B frames and write the frames A "
+                    "to B, for example to seq%04d.png [default: `frames` of the graph, or 1]")
+        ->check(frames_validator());
     command
         .add_option("--fixed-dt", o.fixed_dt_s,
                     "scene time between two frames in seconds, such as 0.02 or 1/60")
         ->transform(fraction_in({0, 3600, "s"}));
-    command.add_option("--camera", o.camera,
-                       "the name of a camera in the scene, or EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG");
+    add_camera(command, o);
     command
         .add_option("--env", o.env, "the environment of the scene: sky, none, or a Radiance picture (.hdr)")
         ->check(env_validator())
@@ -158,7 +166,7 @@ void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
     for (const char* flag : {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames",
-                             "--stats", "--sandbox", "--verify-rest", "--probe-rounds"})
+                             "--stats", "--sandbox", "--verify-rest", "--probe-rounds", "--camera-path"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "run without a window");
     command.add_option("-o,--output", o.render.output,

@@ -17,6 +17,7 @@ namespace weft::viewer {
 // --size 1280x720 is converted to two numbers.
 struct RawTexts {
     std::string size = "1280x720";
+    std::string frames;
     std::string bench_size = "640x360";
     std::vector<std::string> params;
     std::vector<std::string> turns;

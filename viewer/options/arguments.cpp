@@ -33,6 +33,7 @@ constexpr std::array kFutureFlags{FutureFlags{"render", kFutureRenderFlags},
 // Range of values of --param. Shaders get parameters as 32-bit floats.
 constexpr NumberRange kParam{-3.4e38, 3.4e38, ""};
 constexpr uint64_t kMostSide_px = 16'384;
+constexpr uint64_t kMostFrames = 1'000'000;
 
 bool is_truth(const std::string& text) {
     return text == "true" || text == "false";
@@ -61,6 +62,25 @@ Extent3D parse_size(const std::string& text) {
     size.width = static_cast<uint32_t>(whole_number(text.substr(0, by)).value_or(1));
     size.height = static_cast<uint32_t>(whole_number(text.substr(by + 1)).value_or(1));
     return size;
+}
+
+std::string frames_fault(const std::string& text) {
+    const size_t dots = text.find("..");
+    if (dots == std::string::npos) return whole_number_fault(text, 1, kMostFrames);
+    for (const std::string& end : {text.substr(0, dots), text.substr(dots + 2)})
+        if (const std::string fault = whole_number_fault(end, 1, kMostFrames); !fault.empty()) return fault;
+    const FrameRange range = parse_frames(text);
+    if (range.first_picture <= range.frames) return "";
+    return "the range of frames \"" + text + "\" is empty; wanted A..B, where B is at least A";
+}
+
+FrameRange parse_frames(const std::string& text) {
+    const size_t dots = text.find("..");
+    const auto number = [](const std::string& end) {
+        return static_cast<uint32_t>(whole_number(end).value_or(0));
+    };
+    if (dots == std::string::npos) return {0, number(text)};
+    return {number(text.substr(0, dots)), number(text.substr(dots + 2))};
 }
 
 std::string param_fault(const std::string& text) {

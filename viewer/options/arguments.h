@@ -19,13 +19,24 @@ namespace weft::viewer {
 // opened here. Returns an empty text if the value is valid.
 [[nodiscard]] std::string env_fault(const std::string& text);
 
+// The frames of --frames. The first frame has the number 1.
+struct FrameRange {
+    uint32_t first_picture = 0;  // The first frame that is written; 0: only the last frame is written.
+    uint32_t frames = 0;         // The last frame.
+};
+
+// Returns a message if `text` is neither a number N nor a range A..B of frames. Returns an empty text if it
+// is valid.
+[[nodiscard]] std::string frames_fault(const std::string& text);
+[[nodiscard]] FrameRange parse_frames(const std::string& text);
+
 // Returns a message if `text` is not NAME=VALUE, where VALUE must be a number, true or false. Returns an
 // empty text if the parameter is valid.
 [[nodiscard]] std::string param_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, double> parse_params(const std::vector<std::string>& texts);
 
-// Returns a message if `text` is not NAME=LIST, where LIST has whole numbers with commas between them, or is
-// empty. Returns an empty text if the list is valid.
+// Returns a message if `text` is not NAME=LIST. LIST is empty, or consists of whole numbers with commas
+// between them. Returns an empty text if `text` is valid.
 [[nodiscard]] std::string turns_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, std::vector<uint32_t>, std::less<>> parse_turns(
     const std::vector<std::string>& texts);

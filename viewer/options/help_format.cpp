@@ -15,15 +15,16 @@ struct ValueName {
     const char* value;
 };
 constexpr std::array kValueNames{
-    ValueName{"camera", "NAME|NUMBERS"}, ValueName{"debug", "NAME"},        ValueName{"device", "INDEX|NAME"},
-    ValueName{"graph", "FILE"},          ValueName{"graphs", "NAME|FILE"},  ValueName{"limits", "FILE"},
-    ValueName{"output", "FILE"},         ValueName{"profile", "FILE|NAME"}, ValueName{"resource", "REF"},
-    ValueName{"stats", "FILE"},          ValueName{"tier", "NAME"},         ValueName{"format", "NAME"},
-    ValueName{"metric", "NAME"},         ValueName{"shape", "NAME"},
+    ValueName{"camera", "NAME|NUMBERS"}, ValueName{"camera-path", "FILE"}, ValueName{"debug", "NAME"},
+    ValueName{"device", "INDEX|NAME"},   ValueName{"graph", "FILE"},       ValueName{"graphs", "NAME|FILE"},
+    ValueName{"limits", "FILE"},         ValueName{"output", "FILE"},      ValueName{"profile", "FILE|NAME"},
+    ValueName{"resource", "REF"},        ValueName{"stats", "FILE"},       ValueName{"tier", "NAME"},
+    ValueName{"format", "NAME"},         ValueName{"metric", "NAME"},      ValueName{"shape", "NAME"},
 };
 
-// Returns the placeholder of an option's value, such as "FILE" for --output. Returns an empty text if the
-// table does not contain the option. This includes positional arguments: the help already shows their names.
+// Returns the placeholder of an option's value, such as "FILE" for --output. Returns an empty text if
+// kValueNames does not contain the option. The table contains no positional arguments, because the help
+// already shows their names.
 const char* value_name(const CLI::Option& option) {
     for (const std::string& name : option.get_lnames())
         for (const ValueName& row : kValueNames)

@@ -14,7 +14,8 @@ constexpr uint64_t kMostTextures = 65'536;
 constexpr uint64_t kMostBytes = uint64_t{1} << 32;
 constexpr std::array kKinds{"drawlist", "views", "textures", "image", "buffer"};
 
-// The parts of "props=drawlist:position,normal".
+// The parts of the text of an import. For "props=drawlist:position,normal", they are "props", "drawlist" and
+// "position,normal".
 struct ImportText {
     std::string name, kind, rest;
 };
@@ -61,7 +62,8 @@ void set_resource(const ImportText& text, ImportDecl& import) {
     ResourceDecl& resource = import.resource;
     resource.name = text.name;
     resource.lifetime = ResourceLifetime::imported;
-    // The most common state between frames. The check of a graph does not depend on it.
+    // The state that is assumed for the import between frames: the most common one. The check of a graph does
+    // not depend on this state.
     AccessState between{stage::kFragmentShader | stage::kComputeShader, access::kSampledRead,
                         Layout::shader_read_only};
     if (import.kind == ImportKind::image) {

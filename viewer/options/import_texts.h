@@ -12,13 +12,13 @@
 
 namespace weft::viewer {
 
-// Returns a message if `text` is no such text. Returns an empty text if it is valid.
+// Returns a message if `text` is not a valid text of --import. Returns an empty text if it is valid.
 [[nodiscard]] std::string import_fault(const std::string& text);
 [[nodiscard]] std::map<std::string, ImportDecl, std::less<>> parse_imports(
     const std::vector<std::string>& texts);
-// Adds the imports to a catalogue. They replace imports of the same name. If one of the added imports is a
-// draw list, the descriptors of the catalogue become unknown: the program that provides the list may bind
-// descriptor sets 2 and 3 of its own.
+// Adds the imports to a catalogue. The added imports replace imports of the same name. If one of the added
+// imports is a draw list, the descriptors of the catalogue become unknown: the program that provides the list
+// may bind its own descriptor sets 2 and 3.
 void add_imports(const std::map<std::string, ImportDecl, std::less<>>& imports, ImportCatalog& catalog);
 
 }  // namespace weft::viewer

@@ -20,8 +20,13 @@ struct RenderOptions {
     std::string output = "frame.png";
     GraphRequest request;  // The graph; an empty path means the shipped graphs/deferred.json.
     uint32_t frames = 0;   // Number of frames to render; 0 means the number that the graph declares.
+    // With --frames A..B: A. Each frame from A to `frames` is written to a file of its own, and `output` is
+    // the pattern of their names. 0: only the last frame is written. The first frame has the number 1.
+    uint32_t first_picture = 0;
+    std::vector<std::string> pictures;  // With --frames A..B: the files for the frames A to B.
     double fixed_dt_s = 1.0 / 60.0;
     std::string camera;
+    std::string camera_path;  // File with keys of the camera; empty: the camera does not follow a path.
     std::string env = "sky";
     float env_gain = 1;  // Factor of the values of the environment picture.
     std::optional<float> hour;
@@ -30,9 +35,10 @@ struct RenderOptions {
     std::optional<float> exposure_ev;
     // The resource that is written instead of the output, such as "normal" or "hdr@sky".
     std::string resource;
-    std::string probes;  // "auto", "none", a file, or empty: see ProbeChoice::probes.
-    uint32_t probe_rounds = 4;    // Number of turns of each irradiance probe before the first frame.
-    // For imports of kind "turns": the rounds of the group that run in each frame.
+    std::string probes;         // "auto", "none", a file, or empty: see ProbeChoice::probes.
+    uint32_t probe_rounds = 4;  // How often each irradiance probe is lit before the first frame.
+    // The lists of --turns. The key is the name of an import of kind "turns"; the value is the list of the
+    // rounds of a group that run in each frame.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns;
     bool validate = false;
     bool verify_rest = false;
@@ -55,7 +61,7 @@ struct RenderOptions {
 // Returns the files that the command reads. A word such as "sky" is included, too, because a file may have
 // that name.
 [[nodiscard]] inline std::vector<std::string> inputs_of(const RenderOptions& options) {
-    return {options.scene, options.request.path, options.env, options.probes};
+    return {options.scene, options.request.path, options.env, options.probes, options.camera_path};
 }
 
 struct ViewOptions {

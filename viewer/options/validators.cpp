@@ -11,6 +11,10 @@ CLI::Validator size_validator() {
     return CLI::Validator([](std::string& text) { return size_fault(text); }, "WxH");
 }
 
+CLI::Validator frames_validator() {
+    return CLI::Validator([](std::string& text) { return frames_fault(text); }, "N|A..B");
+}
+
 CLI::Validator param_validator() {
     return CLI::Validator([](std::string& text) { return param_fault(text); }, "NAME=VALUE");
 }

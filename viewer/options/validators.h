@@ -17,12 +17,13 @@ namespace weft::viewer {
 
 inline constexpr uint64_t kMostSeed = 0xFFFFFFFF;
 inline constexpr uint64_t kMostLights = 65'536;
-// The most turns that --probe-rounds gives to each probe.
+// The largest value of --probe-rounds, which says how often each probe is lit before the first frame.
 inline constexpr uint64_t kMostProbeRounds = 64;
 inline constexpr uint64_t kMostQueues = 4;
 inline constexpr NumberRange kTimeout{0.001, 3600, "s"};
 
 [[nodiscard]] CLI::Validator size_validator();
+[[nodiscard]] CLI::Validator frames_validator();
 [[nodiscard]] CLI::Validator param_validator();
 [[nodiscard]] CLI::Validator turns_validator();
 [[nodiscard]] CLI::Validator import_validator();

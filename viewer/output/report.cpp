@@ -45,7 +45,7 @@ ExitCode exit_code_for(const Diagnostics& errors) {
     if (it == errors.end() || it->code.empty()) return ExitCode::failed;
     if (it->code == "V407" || it->code == "V408") return ExitCode::lost;
     if (it->code.starts_with("V40")) return ExitCode::no_device;
-    if (it->code == "X520" || it->code == "X521" || it->code == "X522" || it->code == "X523") return ExitCode::usage;
+    if (it->code.starts_with("X52")) return ExitCode::usage;
     if (it->code.starts_with("X53") || it->code.starts_with("X56")) return ExitCode::invalid_input;
     if (it->code == "W161" || it->code == "W189") return ExitCode::mismatch;
     if (it->code == "W162") return ExitCode::validation;

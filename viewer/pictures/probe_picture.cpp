@@ -90,8 +90,9 @@ class Canvas {
     ProbePicture picture_;
 };
 
-// A view along an axis of the world. The picture shows `right` to the right and `down` downwards; down_sign
-// is −1 if the axis points upwards.
+// A view along an axis of the world. `right`, `down` and `along` are numbers of axes: 0 for x, 1 for y, 2 for
+// z. The axis `along` is the direction of the view. In the picture, the axis `right` points to the right, and
+// the axis `down` points downwards; if down_sign is −1, it points upwards.
 struct Panel {
     int right = 0;
     int down = 2;
@@ -100,7 +101,7 @@ struct Panel {
     int left_px = 0;
     float pixels_per_m = 1;
     scene::Bounds shown;
-    float section = 0;  // The place of the section on the axis `along`.
+    float section = 0;  // Place on the axis `along` at which the geometry is cut.
 
     [[nodiscard]] int x_of(const glm::vec3& p) const {
         return left_px + static_cast<int>(std::lround((p[right] - shown.min[right]) * pixels_per_m));

@@ -1,5 +1,5 @@
-// Purpose: runs independent jobs on several threads, with a limit on the memory that they use at once. The
-// number of threads changes only the order of execution, not the result of a job.
+// Purpose: runs independent jobs on several threads, with a limit on the memory that these jobs use at the
+// same time. The number of threads changes only the order of execution, not the result of a job.
 #pragma once
 
 #include <condition_variable>

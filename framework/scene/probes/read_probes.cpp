@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graph/diagnostics/quantity_text.h"
+#include "scene/loading/field_reader.h"
 #include "scene/model/node_placement.h"
 #include "scene/probes/probe_grid.h"
 #include "scene/probes/scene_tree.h"
@@ -18,33 +19,27 @@ constexpr double kMostSpacing_m = 1000;
 constexpr double kMostCoordinate = 4e6;
 constexpr uint32_t kMostStride = 1024;
 
-struct Range {
-    double least;
-    double most;
-};
+using Range = FieldReader::Range;
 constexpr Range kPlace{-double{kFarthest_m}, double{kFarthest_m}};
 constexpr Range kAnyTurn{-1, 1};
 
-// The content of "volume": the volume, and the size of its grid if the file does not list its points.
+// The value of the key "volume" in the file: the volume, and the size of the grid if the file gives a size
+// instead of a list of grid points.
 struct VolumeText {
     ProbeVolume volume;
     std::optional<glm::ivec3> size;
 };
 
-class ProbeReader {
+class ProbeReader : public FieldReader {
  public:
-    explicit ProbeReader(const JsonDoc& document) : document_(document) {}
-
-    [[nodiscard]] Diagnostics& faults() { return faults_; }
+    explicit ProbeReader(const JsonDoc& document) : FieldReader(document, "S196", "docs/probes.md") {}
 
     Probes read(std::optional<glm::ivec3>& size) {
         Probes probes;
-        const JsonNode& root = document_.root;
+        const JsonNode& root = document().root;
         if (!expect(root, JsonKind::object)) return probes;
         check_keys(root, {"version", "volume", "reflections"});
-        const JsonNode* version = required(root, "version");
-        if (version != nullptr && (version->kind != JsonKind::number || version->number != 1))
-            fault(version->loc, "S196", "\"version\" is not 1", "write \"version\": 1");
+        check_version(root);
         if (const JsonNode* volume = root.find("volume")) {
             VolumeText text = read_volume(*volume);
             probes.volume = std::move(text.volume);
@@ -57,7 +52,7 @@ class ProbeReader {
     void check_count(const ProbeVolume& volume) {
         const size_t count = volume.probes.size() - count_of(volume, ProbeState::dropped);
         if (count <= kMostIrradianceProbes) return;
-        const JsonNode* node = document_.root.find("volume");
+        const JsonNode* node = document().root.find("volume");
         fault(node->loc, "S197",
               "the volume has " + std::to_string(count) + " probes; the limit is " +
                   std::to_string(kMostIrradianceProbes),
@@ -65,82 +60,6 @@ class ProbeReader {
     }
 
  private:
-    void fault(const SourceLoc& loc, const char* code, std::string message, std::string help) {
-        Diagnostic d = document_.sources.error(loc, code, std::move(message));
-        d.pointer = pointer_at(document_, d.file, d.line, d.column);
-        d.help.push_back(std::move(help));
-        faults_.push_back(std::move(d));
-    }
-
-    bool expect(const JsonNode& node, JsonKind kind) {
-        if (node.kind == kind) return true;
-        fault(node.loc, "S196",
-              std::string("the value has the type ") + json_kind_name(node.kind) + "; wanted " +
-                  json_kind_name(kind),
-              std::string("write a value of the type ") + json_kind_name(kind) +
-                  "; docs/probes.md describes the file");
-        return false;
-    }
-
-    void check_keys(const JsonNode& object, const std::vector<std::string>& known) {
-        for (const JsonMember& member : object.members) {
-            if (std::ranges::find(known, member.key) != known.end()) continue;
-            std::string names;
-            for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-            const std::string guess = did_you_mean_text(member.key, known);
-            fault(member.key_loc, "S196", "unknown key \"" + member.key + "\"",
-                  guess.empty() ? "remove it, or use one of the keys " + names : guess);
-        }
-    }
-
-    const JsonNode* required(const JsonNode& object, const char* key) {
-        const JsonNode* found = object.find(key);
-        if (found == nullptr)
-            fault(object.loc, "S196", std::string("the key \"") + key + "\" is missing",
-                  std::string("add \"") + key + "\"");
-        return found;
-    }
-
-    bool number(const JsonNode& node, const Range& range, bool whole, double& out) {
-        if (!expect(node, JsonKind::number)) return false;
-        const bool fits = node.number >= range.least && node.number <= range.most;
-        if (!fits || (whole && node.number != std::floor(node.number))) {
-            fault(node.loc, "S196", node.string + " is out of range",
-                  std::string("write a ") + (whole ? "whole number" : "number") + " from " +
-                      number_text(range.least) + " to " + number_text(range.most));
-            return false;
-        }
-        out = node.number;
-        return true;
-    }
-
-    // Reads `count` numbers. Returns an empty list after a fault.
-    std::vector<double> numbers(const JsonNode& node, size_t count, const Range& range, bool whole) {
-        if (!expect(node, JsonKind::array)) return {};
-        if (node.items.size() != count) {
-            fault(node.loc, "S196",
-                  "this list has " + count_text(node.items.size(), "number") + "; wanted " +
-                      std::to_string(count),
-                  "write " + std::to_string(count) + " numbers");
-            return {};
-        }
-        std::vector<double> values(count);
-        for (size_t i = 0; i < count; ++i)
-            if (!number(node.items[i], range, whole, values[i])) return {};
-        return values;
-    }
-
-    glm::vec3 vector(const JsonNode* node, const Range& range, const glm::vec3& usual) {
-        if (node == nullptr) return usual;
-        const std::vector<double> v = numbers(*node, 3, range, false);
-        return v.empty() ? usual : glm::vec3(v[0], v[1], v[2]);
-    }
-
-    std::optional<glm::ivec3> whole_vector(const JsonNode& node, const Range& range) {
-        const std::vector<double> v = numbers(node, 3, range, true);
-        return v.empty() ? std::nullopt : std::optional(glm::ivec3(v[0], v[1], v[2]));
-    }
-
     VolumeText read_volume(const JsonNode& node) {
         VolumeText out;
         if (!expect(node, JsonKind::object)) return out;
@@ -152,7 +71,7 @@ class ProbeReader {
         out.volume.spacing_m = static_cast<float>(spacing_m);
         const JsonNode *size = node.find("size"), *probes = node.find("probes");
         if ((size == nullptr) == (probes == nullptr)) {
-            fault(node.loc, "S196", "the volume needs either \"size\" or \"probes\"",
+            fault(node.loc, "the volume needs either \"size\" or \"probes\"",
                   "write \"size\": [x, y, z] for a regular grid, or list the grid points in \"probes\"");
             return out;
         }
@@ -165,7 +84,7 @@ class ProbeReader {
 
     void read_size(const JsonNode& volume, const JsonNode& node, VolumeText& out) {
         if (const JsonNode* strides = volume.find("strides"))
-            fault(strides->loc, "S196", "a volume with \"size\" has one level and no \"strides\"",
+            fault(strides->loc, "a volume with \"size\" has one level and no \"strides\"",
                   "remove \"strides\"");
         const std::optional<glm::ivec3> size = whole_vector(node, {1, kMostGridPoints});
         if (!size) return;
@@ -189,14 +108,14 @@ class ProbeReader {
             if (!number(item, {1, kMostStride}, true, value)) continue;
             const uint32_t stride = static_cast<uint32_t>(value);
             if (!std::has_single_bit(stride) || (!volume.strides.empty() && stride <= volume.strides.back()))
-                fault(item.loc, "S196",
+                fault(item.loc,
                       "the stride " + std::to_string(stride) +
                           " is not a larger power of two than the one before",
                       "write powers of two in ascending order, such as [1, 2, 4]");
             volume.strides.push_back(stride);
         }
         if (volume.strides.empty()) {
-            fault(node.loc, "S196", "a volume has at least one level", "write \"strides\": [1]");
+            fault(node.loc, "a volume has at least one level", "write \"strides\": [1]");
             volume.strides = {1};
         }
     }
@@ -215,14 +134,14 @@ class ProbeReader {
         for (const JsonNode& item : node.items) {
             const std::optional<Probe> probe = read_point(item, volume);
             if (probe && !points.emplace(probe->at, *probe).second)
-                fault(item.loc, "S196", "the grid point is listed twice", "remove one of the two entries");
+                fault(item.loc, "the grid point is listed twice", "remove one of the two entries");
             if (probe && probe->substitute)
                 substitutes.push_back({item.find("substitute"), *probe->substitute});
         }
         for (const auto& [item, at] : substitutes) {
             const auto found = points.find(at);
             if (found == points.end() || found->second.state == ProbeState::dropped)
-                fault(item->loc, "S196", "the volume has no probe at the grid point of the substitute",
+                fault(item->loc, "the volume has no probe at the grid point of the substitute",
                       "name the grid point of a probe that is listed without \"dropped\"");
         }
         for (const auto& [at, probe] : points) volume.probes.push_back(probe);
@@ -244,15 +163,14 @@ class ProbeReader {
             on_grid = true;
         }
         if (!on_grid)
-            fault(at->loc, "S196", "no level of the volume has this grid point",
-                  "use multiples of the first stride");
+            fault(at->loc, "no level of the volume has this grid point", "use multiples of the first stride");
         if (const JsonNode* offset = node.find("offset")) {
             const float most =
                 kMostOffset * volume.spacing_m * static_cast<float>(volume.strides[probe.level]);
             probe.offset = vector(offset, kPlace, probe.offset);
             probe.state = ProbeState::moved;
             if (glm::length(probe.offset) > most * 1.0001f)
-                fault(offset->loc, "S196",
+                fault(offset->loc,
                       "the offset is longer than " + number_text(double{kMostOffset}) + " spacings",
                       "write an offset with a length of at most " + number_text(double{most}) + " m");
         }
@@ -262,7 +180,7 @@ class ProbeReader {
         if (const JsonNode* substitute = node.find("substitute")) {
             probe.substitute = whole_vector(*substitute, {-kMostCoordinate, kMostCoordinate});
             if (probe.state != ProbeState::dropped)
-                fault(substitute->loc, "S196", "only a grid point without a probe can have a substitute",
+                fault(substitute->loc, "only a grid point without a probe can have a substitute",
                       "write \"dropped\": true, or remove \"substitute\"");
         }
         return probe;
@@ -306,9 +224,6 @@ class ProbeReader {
         box.rotation = glm::quat(unit.w, unit.x, unit.y, unit.z);
         return box;
     }
-
-    const JsonDoc& document_;
-    Diagnostics faults_;
 };
 
 }  // namespace
