@@ -31,9 +31,11 @@ vec2 snorm16(vec2 x) { return unpackSnorm2x16(packSnorm2x16(x)); }
 
 void main() {
     const vec4 base = base_color();
-    if (MASKED && base.a < material.alpha_cutoff) discard;
     vec3 n = shading_normal();
+    const vec3 dx = dFdx(n), dy = dFdy(n);  // Derivatives are undefined after a discard.
+    if (MASKED && base.a < material.alpha_cutoff) discard;
     vec3 orm = occlusion_roughness_metalness();
+    orm.g = roughness_of_pixel(orm.g, dx, dy);
     vec3 root = sqrt(base.rgb);
     vec3 point = world_point;
     vec4 coat = vec4(sqrt(material.dielectric_f0), material.specular);

@@ -35,6 +35,21 @@ vec3 shading_normal() {
     return normalize(t * m.x + b * m.y + n * m.z);
 }
 
+// Returns the perceptual roughness with which one sample has about the mean highlight of the pixel. The normals in a
+// pixel of a curved surface differ, so the highlight can be smaller than the pixel and flicker. `dx`, `dy`: the change of
+// the normal from this pixel to the next one. Normals that are evenly distributed over a change d have the variance
+// d² / 12. A GGX lobe is as wide as normals of the variance α² / 2, so α² grows by d² / 6; here by the mean for both
+// directions. With temporal anti-aliasing, a sample stands for a smaller part of the pixel; see view.mip_bias. Source:
+// Kaplanyan et al. 2016, "Filtering Distributions of Normals for Shading Antialiasing", with the upper limit of Tokuyoshi
+// and Kaplanyan 2019, "Improved Geometric Specular Antialiasing".
+float roughness_of_pixel(float roughness, vec3 dx, vec3 dy) {
+    const float kMostWidening = 0.18;
+    const float alpha = roughness * roughness;
+    const float side = exp2(view.mip_bias);  // Of the part of the pixel, in pixels.
+    const float widening = min(side * side * (dot(dx, dx) + dot(dy, dy)) / 12.0, kMostWidening);
+    return sqrt(sqrt(min(alpha * alpha + widening, 1.0)));
+}
+
 // Returns r: occlusion, g: perceptual roughness, b: metalness.
 vec3 occlusion_roughness_metalness() {
     const vec3 mr = texture(metallic_roughness_texture, texture_uv(material.metallic_roughness_uv), view.mip_bias).rgb;
