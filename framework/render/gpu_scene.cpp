@@ -167,7 +167,7 @@ void GpuScene::add_versions(std::map<std::string, uint64_t, std::less<>>& to) co
     for (const char* name : kSceneBuffers) to.emplace(name, 0);
     to["instances"] = to["bounds"] = objects_version_;
     GpuProbes::add_versions(to);
-    to.emplace(kSceneLights, lights_.version());
+    lights_.add_versions(to);
 }
 
 VkDescriptorSetLayout GpuScene::set_layout(uint32_t set) const {
@@ -225,7 +225,7 @@ uint32_t GpuScene::record(const vk::DrawContext& context) const {
     parts_.each([&](const GpuPart& part) {
         const PartDrawList* list = part.list(context.list);
         if (list == nullptr) return;
-        // Only the draws of the first part have commands.
+        // Only the draws of the first part have draw commands in buffers, for indirect drawing.
         const bool is_first = &part == &first();
         if (is_first && context.draw_count != VK_NULL_HANDLE)
             recorder.record_counted(part);

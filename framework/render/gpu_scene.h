@@ -49,14 +49,15 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] bool replaces_sets() const { return !settings_.draw_sets.empty(); }
     // Begins a frame: moves the objects of all parts to their places at `time_s`. Call it before set_frame().
     void begin_frame(uint32_t slot, double time_s);
-    // Writes the import "sceneLights" for a frame slot.
+    // Writes the imports "sceneLights" and "lightChanges" for a frame slot.
     void set_lights(uint32_t slot, std::span<const shared::Light> lights) { lights_.write(slot, lights); }
     // Returns the box around all objects and all draw lists of the program; nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> bounds() const;
     // Returns the box around the objects that do not move; nullopt if there are none.
     [[nodiscard]] std::optional<scene::Bounds> still_bounds() const;
     // Returns the box around the draw lists of the program and around the parts in which all objects move.
-    // Nothing else is known about their surfaces. nullopt if there are none.
+    // Nothing except this box is known about the surfaces of these lists and parts. nullopt: there are no
+    // such lists and parts.
     [[nodiscard]] std::optional<scene::Bounds> unknown_bounds() const;
     // Returns true if a draw list of the program does not tell its bounds.
     [[nodiscard]] bool has_unbounded_lists() const;
@@ -81,8 +82,8 @@ class GpuScene final : public vk::DrawSource {
                                        std::span<const FrameRange> ranges,
                                        std::vector<std::byte>& bytes) const override;
     // Returns nullopt for the scene's list "transparent", because its order may change in every frame. The
-    // version of any other list of the scene changes when one of its objects moves, and when a part with such
-    // objects is added or removed.
+    // version of any other list of the scene changes when an object in the list moves, and when a part that
+    // has objects in the list is added or removed.
     [[nodiscard]] std::optional<uint64_t> list_version(std::string_view list) const override;
     uint32_t record(const vk::DrawContext& context) const override;
     [[nodiscard]] const GpuProbes& probes() const { return probes_; }
@@ -91,11 +92,11 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] uint64_t draw_count(std::string_view list) const override;
     [[nodiscard]] bool is_mirrored(std::string_view view) const override;
     // Adds the objects that graphs can import: the draw commands of each list (under the name that
-    // commands_of() returns), kSceneBuffers, kSceneLights, the buffers of the light probes, and the table
-    // kMaterialTextures.
+    // commands_of() returns), kSceneBuffers, kSceneLights, kLightChanges, the buffers of the light probes,
+    // and the table kMaterialTextures.
     void bind(vk::ImportBindings& to) const;
-    // Adds the versions of these buffers. The versions of "instances" and "bounds" change when an object
-    // moves. The version of "sceneLights" changes when a light changes.
+    // Adds the versions of the buffers that bind() adds. The versions of "instances" and "bounds" change when
+    // an object moves. The version of "sceneLights" changes when a light changes.
     void add_versions(std::map<std::string, uint64_t, std::less<>>& to) const;
 
  private:
@@ -104,7 +105,8 @@ class GpuScene final : public vk::DrawSource {
         glm::mat4 view_projection{1};
         Frustum frustum;
     };
-    // The draws of one part in far_to_near_.
+    // A run: consecutive elements of far_to_near_ that belong to the same part. `first` is the index of the
+    // first.
     struct SortedRun {
         const GpuPart* part = nullptr;
         uint32_t first = 0;
@@ -127,13 +129,13 @@ class GpuScene final : public vk::DrawSource {
     SceneLights lights_;
     SceneSettings settings_;
     uint64_t objects_version_ = 0;  // Changes whenever an object of the first part has moved.
-    // Indices into the transparent lists of the parts, from far to near as seen from the camera. Neighbours
-    // of the same part form a run.
+    // Indices into the transparent lists of the parts, from far to near as seen from the camera. Consecutive
+    // indices into the list of the same part form a run.
     std::vector<uint32_t> far_to_near_;
     std::vector<SortedRun> sorted_runs_;
     // The views of the frame, by name.
     std::map<std::string, ViewShape, std::less<>> views_;
-    uint64_t fixed_views_ = 0;  // FrameView::fixed of the fixed views in views_; 0: there are none.
+    uint64_t fixed_views_ = 0;  // FrameView::fixed of the fixed views in views_; 0: no view is fixed.
     bool culls_ = true;
     // The buffer of draw commands of each draw list, by the name of the list.
     std::map<std::string, vk::Buffer, std::less<>> commands_;

@@ -173,7 +173,8 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene, c
     ImportDecl lamps = view_list(kLampViews, count_all_lamp_views(scene));
     lamps.assumes_views = scene == nullptr;
     catalog.imports.emplace(kLampViews, std::move(lamps));
-    // The first directional light has the list "sun".
+    // The views of the first directional light are in the list "sun", so the list kFurtherSunViews has one
+    // view less than `suns`.
     const uint32_t suns = std::clamp(count_directional_lights(scene), 1u, shared::kMostSuns);
     catalog.imports.emplace(kFurtherSunViews, view_list(kFurtherSunViews, suns - 1));
     catalog.imports.emplace(
@@ -191,6 +192,7 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene, c
     if (probes == nullptr && scene != nullptr) probes = &none;
     add_probe_imports(catalog, probes);
     catalog.imports.emplace(kSceneLights, scene_lights_import(scene));
+    catalog.imports.emplace(kLightChanges, light_changes_import());
     const uint32_t textures = scene != nullptr ? order_textures(*scene).count() : 1;
     catalog.imports.emplace(kMaterialTextures, texture_table(kMaterialTextures, textures));
     catalog.bindings = scene_bindings();

@@ -9,6 +9,7 @@
 #include "half_float.glsl"
 #include "catmull_rom.glsl"
 #include "compressed_color.glsl"
+#include "shared/light_change.glsl"
 
 const uint kTileSide = 8u;
 layout(local_size_x = kTileSide, local_size_y = kTileSide) in;
@@ -17,27 +18,37 @@ uniform sampler2D hdr;
 uniform sampler2D before;
 uniform sampler2D velocity;
 uniform sampler2D depth;
+layout(std430) readonly buffer LightChanges { LightChange items[]; } lightChanges;
 layout(rgba16f) writeonly uniform image2D resolved;
 
 layout(push_constant) uniform Params {
     float beforeValid;  // 1 if a frame has written `before`, otherwise 0.
     float newest;       // Smallest weight of this frame where the picture moves, 0 to 1.
-    float newestStill;  // The same where it stands still.
+    float newestStill;  // Smallest weight of this frame where the picture stands still, 0 to 1.
     float trust;        // Distance from the middle of the clipping box to its sides, in standard deviations.
 } params;
 
 // The clipping box of a still pixel is larger by this factor, so that a thin wire that only some frames hit is kept.
 const float kTrustInStillness = 4.0;
 const float kStillPx = 0.01;  // Movements below this length (in pixels) are rounding errors.
-// A pixel has become brighter or darker if log2(now / history) is far from 0: it counts fully from kChange on. The light
-// of a tile of 8 × 8 pixels has changed if most of its pixels have become brighter, or most of them darker: not at all up
-// to kLeastShare, and so much that the history is useless from kMostShare on. The jitter changes only the pixels at edges,
-// and some of them become brighter and others darker.
+// A pixel has become brighter or darker if log2(now / history) is far from 0; from kChange on, it counts as a whole
+// pixel. The light of a tile of 8 × 8 pixels has changed if many more pixels have become brighter than darker, or the
+// reverse. If the difference is at most kLeastShare of all pixels, the light has not changed. From kMostShare on, the
+// history is useless. The jitter changes only the pixels at edges, and some of them become brighter and others darker.
 const float kChange = 0.3, kLeastShare = 0.45, kMostShare = 0.65;
-// After this number of frames, the mean contains each position of the usual 16 twice, and a still picture is finished.
+// After this number of frames, the mean contains each of the usual 16 positions of the jitter twice, and a still
+// picture is finished.
 const float kSettled = 32.0;
-// Values below this one count as black. It is a share of white in the final picture.
+// Values below kBlack count as black. The unit is white in the final picture.
 const float kBlack = 1e-3;
+const float kPi = 3.14159265;
+const float kLeastDistance2 = 1e-4;  // Square of the smallest distance of a lamp from a surface, in m².
+
+// The lights of a frame may change a share of the light of a pixel. From kLeastLag on, the history is clipped as where
+// the picture moves. A lamp steps if its illuminance changes by most of its size in one frame, for example if it goes
+// off. If steps change more than the share kLeastStep, less of the history counts, and from kMostStep on none of it. The
+// surface is assumed to reflect kReflected of the light.
+const float kLeastLag = 0.02, kLeastStep = 0.01, kMostStep = 0.03, kReflected = 0.5;
 
 shared float changes[kTileSide * kTileSide], row_sums[kTileSide];
 
@@ -45,7 +56,7 @@ struct Neighbours {
     vec3 mean;
     vec3 deviation;
     ivec2 nearest;  // The neighbour whose surface is nearest to the eye.
-    float depth;    // Depth of this neighbour (reversed).
+    float depth;    // Depth of the pixel `nearest` (reversed).
 };
 
 float luma_of(vec3 color) { return dot(color, vec3(0.25, 0.5, 0.25)); }
@@ -84,9 +95,10 @@ vec3 clipped(vec3 color, vec3 middle, vec3 reach) {
     return middle + away / max(1.0, max(beyond.x, max(beyond.y, beyond.z)));
 }
 
-// Returns how much the light of the tile has changed since the history was written: 0 not at all, 1 so much that the
-// history is useless. `ratio`: log2(now / history) of the pixel. All invocations of the workgroup must call this.
-float change_of_light(float ratio, bool counts) {
+// Returns the share of the pixels of the tile that have become brighter since the history was written, minus the share of
+// those that have become darker, without its sign. `ratio`: log2(now / history) of the pixel. All invocations of the
+// workgroup must call this.
+float changed_share(float ratio, bool counts) {
     const uint own = gl_LocalInvocationIndex;
     changes[own] = counts ? clamp(ratio / kChange, -1.0, 1.0) : 0.0;
     barrier();
@@ -98,7 +110,27 @@ float change_of_light(float ratio, bool counts) {
     barrier();
     float sum = 0.0;
     for (uint i = 0u; i < kTileSide; ++i) sum += row_sums[i];
-    return smoothstep(kLeastShare, kMostShare, abs(sum) / float(kTileSide * kTileSide));
+    return abs(sum) / float(kTileSide * kTileSide);
+}
+
+// Changes of the radiance at a point, if the surface faced all lights that changed, in cd/m².
+struct RadianceChange {
+    float all;
+    float steps;  // Of the lights that step.
+};
+
+RadianceChange change_of_radiance(vec3 position) {
+    float all = 0.0, steps = 0.0;
+    for (uint i = 0u; i < kMostLightChanges; ++i) {
+        const LightChange change = lightChanges.items[i];
+        if (change.intensity_before + change.intensity <= 0.0) break;
+        const vec3 before = change.position_before - position, after = change.position - position;
+        const float old = change.intensity_before / max(dot(before, before), kLeastDistance2);
+        const float now = change.intensity / max(dot(after, after), kLeastDistance2);
+        all += now - old;
+        steps += abs(now - old) * smoothstep(0.3, 0.6, abs(now - old) / max(now, old));
+    }
+    return RadianceChange(kReflected / kPi * abs(all), kReflected / kPi * steps);
 }
 
 void main() {
@@ -115,9 +147,16 @@ void main() {
 
     const vec3 old = max(seen.rgb, vec3(0.0)) * (frame.pre_exposure / frame.prev_pre_exposure);
     const float ratio = log2((luma_of(linear) + kBlack) / (luma_of(old) + kBlack));
-    const float changed = change_of_light(ratio, was_there && drawn);
+    const float pixels = changed_share(ratio, was_there && drawn);
     if (!drawn) return;
-    const float moving = max(clamp(motion_px, 0.0, 1.0), changed);
+    float changed = smoothstep(kLeastShare, kMostShare, pixels), moving = clamp(motion_px, 0.0, 1.0);
+    if (around.depth > 0.0) {
+        const RadianceChange change = change_of_radiance(world_position(uv, around.depth));
+        const float one_cd = frame.pre_exposure / max(luma_of(linear), kBlack);  // 1 cd/m² as a share of the light.
+        changed = max(changed, smoothstep(kLeastStep, kMostStep, change.steps * one_cd));
+        moving = max(moving, min(change.all * one_cd / kLeastLag, 1.0));
+    }
+    moving = max(moving, changed);
     const float trust = params.trust * mix(kTrustInStillness, 1.0, moving);
     const vec3 believed = clipped(compressed(old), around.mean, around.deviation * trust);
     const float count = was_there ? max(seen.a, 0.0) * (1.0 - changed) : 0.0;

@@ -34,9 +34,9 @@ UsageMask supported_usage(const OutputFormat& output, const DeviceProfile& profi
     return output.usage != 0 ? mask & output.usage : mask;
 }
 
-// Returns the state between frames for the final layout. The next frame also waits for the stages of this
-// state before it uses the image. So for `present`, the state must have one of the stages that wait for the
-// acquired image.
+// Returns the state of the output image between two frames, for its final layout. Before the next frame uses
+// the image, it waits for the stages of this state. For the layout `present`, the next frame must also wait
+// for the acquired image. So this state must have one of the stages in which that wait happens.
 AccessState state_between(Layout layout) {
     constexpr StageMask shaders = stage::kFragmentShader | stage::kComputeShader;
     switch (layout) {

@@ -63,7 +63,8 @@ void add_program_imports(const SessionInput& input, ImportCatalog& catalog) {
     for (const auto& [name, own] : input.imports) {
         ImportDecl decl = own.decl;
         decl.name = decl.resource.name = name;
-        // The program can see what a frame writes, so the passes that write it must run.
+        // After a frame, the program can read an import that passes write. So these passes must run, even if
+        // no other pass reads the import.
         decl.observed = !decl.read_only;
         catalog.imports.insert_or_assign(name, decl);
     }

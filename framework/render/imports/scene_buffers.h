@@ -36,7 +36,8 @@ void add_scene_buffers(ImportCatalog& catalog, const scene::Scene* scene);
 
 // Returns the boxes of all instances in world space: box_in_world(). A moving instance has its box at time 0.
 [[nodiscard]] std::vector<shared::Bounds> instance_bounds(const scene::Scene& scene);
-// Returns the elements of "meshes". `ranges` has the place of each mesh in the vertex and index buffers.
+// Returns the elements of the buffer "meshes". `ranges` has the place of each mesh in the vertex and index
+// buffers.
 [[nodiscard]] std::vector<shared::Mesh> mesh_table(const scene::Scene& scene,
                                                    const std::vector<MeshRange>& ranges);
 
@@ -46,7 +47,7 @@ class SceneBuffers {
     [[nodiscard]] static Result<SceneBuffers> create(vk::Device& device, const scene::Scene& scene,
                                                      const std::vector<MeshRange>& ranges,
                                                      bool moves_instances = false);
-    // Writes the boxes of the active objects for a frame slot.
+    // Writes the bounding boxes of the objects that move (MovingObjects::active()) for a frame slot.
     void move(uint32_t slot, const MovingObjects& objects);
     // Adds the buffers to the imports of an executor.
     void bind(vk::ImportBindings& to) const;
