@@ -1,9 +1,9 @@
 // Purpose: records all barriers of one queue and tells which stages wait for which other stages. A new
-// barrier updates only the AccessRecords (ordering.h) of its own memory. There may be thousands of records of
-// other memory: such a record reads the barrier from this log only when the checker needs the record. A chain
+// barrier updates only the AccessRecords (ordering.h) of the memory that the barrier names. All other
+// AccessRecords, maybe thousands, read the barrier from this log later, when the checker needs them. A chain
 // of barriers is stored as a map from each stage to the set of stages that wait for it. Source: Vulkan 1.3
-// specification, "Execution Dependencies": two barriers chain where the destination of the first intersects
-// the source of the second.
+// specification, "Execution Dependencies": two barriers form a chain if the destination stages of the first
+// barrier and the source stages of the second barrier intersect.
 #pragma once
 
 #include <array>
@@ -13,8 +13,9 @@
 
 namespace weft::check {
 
-// The source and destination scopes of one barrier. The execution scopes also include logically earlier
-// source stages and logically later destination stages; the memory scopes do not.
+// The source and destination scopes of one barrier. The execution scopes also include the stages that come
+// logically before a source stage or after a destination stage in the pipeline. The memory scopes include
+// only the stages that the barrier names.
 struct Scopes {
     StageMask src_execution = 0, dst_execution = 0;
     StageMask src_memory = 0, dst_memory = 0;
@@ -35,7 +36,8 @@ class StageChain {
     bool operator==(const StageChain&) const = default;
 
  private:
-    std::array<StageMask, stage::kCount> after_{};  // Index: bit of the stage. The stages that wait for it.
+    // Index: bit of stage s. Value: the stages that wait for s.
+    std::array<StageMask, stage::kCount> after_{};
 };
 
 // The barrier batches of one queue; each call of vkCmdPipelineBarrier2 is one batch.
@@ -48,10 +50,10 @@ class BarrierLog {
     [[nodiscard]] const StageChain& since(uint32_t count) const;
 
  private:
-    // The combined chain of the batches from index `first` to the last one. Every start index from `first`
-    // until just before `first` of the next Suffix gives the same chain, so one Suffix stores it for all of
-    // them. The chain of each Suffix contains all dependencies of the next Suffix, and at least one more. So
-    // the number of Suffixes is limited by the number of pairs of stages.
+    // The combined chain of the batches from index `first` to the last batch. Every index from `first` up to,
+    // but not including, `first` of the next Suffix gives the same combined chain. So all these indices share
+    // one Suffix. The chain of each Suffix contains all dependencies of the next Suffix, and at least one
+    // more. So the number of Suffixes is limited by the number of pairs of stages.
     struct Suffix {
         uint32_t first = 0;
         StageChain chain;

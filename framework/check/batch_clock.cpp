@@ -42,9 +42,9 @@ void BatchClock::end_batch(uint32_t batch) {
 }
 
 bool BatchClock::covers(const Actor& actor) const {
-    // The count is 0 for work before the first frame, such as the prologue. A
-    // semaphore does not order this work on its own queue; barriers must do so. All other queues wait for the
-    // work with a semaphore before their first batch.
+    // `batch_count` is 0 for work before the first frame, such as the prologue. No semaphore orders this work
+    // on its own queue; barriers must do so. All other queues wait for this work with a semaphore before
+    // their first batch.
     if (actor.batch_count == 0) return actor.queue != queue_;
     return known_[queue_][actor.queue] >= actor.batch_count;
 }

@@ -1,7 +1,7 @@
 // Purpose: tracks which batches each queue has waited for, directly or indirectly. A semaphore signal covers
-// all earlier work of its queue, and all work that this queue had waited for (Vulkan 1.3 specification,
-// "Semaphore Signaling": the first scope includes all commands submitted earlier to the same queue). Units:
-// batches of one queue, counted over all frames from 1.
+// all earlier work of the queue that signals, and all work for which this queue has waited before (Vulkan 1.3
+// specification, "Semaphore Signaling": the first scope includes all commands submitted earlier to the same
+// queue). Time is measured in batches: the batches of each queue are counted over all frames, from 1.
 #pragma once
 
 #include <vector>
@@ -16,12 +16,12 @@ class BatchClock {
     explicit BatchClock(const FramePlan& plan);
 
     void begin_frame();
-    // Starts a batch. From now on, its queue knows that all work for which the batch waits is complete.
-    // Errors: C305, a wait for a batch that is not submitted earlier.
+    // Starts a batch. From now on, the queue of the batch knows that all work for which the batch waits is
+    // complete. Errors: C305, a wait for a batch that is not submitted earlier.
     void begin_batch(uint32_t batch, FaultList& faults);
     void end_batch(uint32_t batch);
 
-    // Sets the queue to which later queries refer. Call this only between batches.
+    // Sets the queue for which covers(), queue() and batch_count() answer. Call this only between batches.
     void look_from(QueueIndex queue) { queue_ = queue; }
     [[nodiscard]] uint32_t batches_begun(QueueIndex queue) const { return own_[queue]; }
 
@@ -32,15 +32,15 @@ class BatchClock {
     [[nodiscard]] bool covers(const Actor& actor) const;
 
  private:
-    // Index: queue. Number of its batches that are known to be complete.
+    // Index: queue q. Value: the number of batches of q that are known to be complete.
     using Known = std::vector<uint32_t>;
 
     const FramePlan& plan_;
     std::vector<Known> known_;   // Index: waiting queue. The batches that this queue knows to be complete.
-    std::vector<uint32_t> own_;  // Index: queue. Number of its batches that have begun so far.
-    // Index: batch; `ends_` is for this frame, `previous_ends_` for the previous frame. For each queue: the
-    // number of its batches that are known to be complete when this batch is complete. Empty if this batch
-    // has not ended yet.
+    std::vector<uint32_t> own_;  // Index: queue q. Number of batches of q that have begun so far.
+    // Index: batch. `ends_` is for this frame, `previous_ends_` for the previous frame. Each element is a
+    // list with one number per queue: how many batches of this queue are known to be complete when the batch
+    // is complete. The list is empty if the batch has not ended yet.
     std::vector<Known> ends_, previous_ends_;
     bool has_previous_ = false;
     QueueIndex queue_ = kGraphicsQueue;

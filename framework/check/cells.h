@@ -35,7 +35,8 @@ struct Cell {
     Content content;
     bool has_write = false;
     AccessRecord write;  // The last write to the subresource, or its last layout transition.
-    // The reads since `write`. A read is left out if a wait for a later read also covers it.
+    // The reads since `write`. If a wait for a later read also covers an earlier read, the earlier read is
+    // left out.
     std::vector<AccessRecord> reads;
     // The queue family that owns the subresource. kNoFamily: the next family that uses the subresource
     // becomes the owner.

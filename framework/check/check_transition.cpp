@@ -68,7 +68,8 @@ class TransitionCheck {
             return (waits || !decl.shared) && b.dst.layout == writing.layout &&
                    (writing.stages & ~b.dst.stages) == 0 && (writing.access & ~b.dst.access) == 0;
         };
-        // If tiers share the memory (`decl.shared`), frames of plans before the old plan may still use it.
+        // A resource with `decl.shared` has the same memory in the plans of all tiers (quality levels). So
+        // frames of plans before the old plan may still use this memory, and a barrier must wait for them.
         if ((image || decl.shared) && !covered_by(transition_.before, id, decl.whole(), opens))
             add("C371", id,
                 decl.shared ? "is written while frames of earlier plans may still use its memory"
@@ -96,8 +97,9 @@ class TransitionCheck {
     }
 
     // Checks a resource of the new plan that takes over the memory of a resource of the old plan. Both plans
-    // must declare it in the same way: kind, format, extent and so on. A barrier must bring each part of it
-    // from the state at the end of an old frame to the state that the first new frame expects.
+    // must declare the resource in the same way: kind, format, extent and so on. For each part of the
+    // resource, a barrier must lead from the state at the end of an old frame to the state that the first new
+    // frame expects.
     void check_shared(const ContentCopy& carry) {
         const ResourceDecl &from = old_.graph.resources[carry.from], &to = new_.graph.resources[carry.to];
         const bool same = from.name == to.name && from.kind == to.kind && from.format == to.format &&
@@ -115,8 +117,8 @@ class TransitionCheck {
     }
 
     void check_passed_on(ResourceId id, const BoundaryState& left, const BoundaryState& wanted) {
-        // A buffer has no layouts, and its pieces may differ in the two plans. So the range of the old plan
-        // does not matter.
+        // A buffer has no layouts, and the two plans may divide it into different pieces. So only the range
+        // of the new plan is checked.
         if (new_.graph.resources[id].kind == ResourceKind::buffer)
             return check_passed_on(id, left.state.layout, wanted, wanted.range);
         const uint32_t mips =
@@ -156,7 +158,8 @@ class TransitionCheck {
         return graph.resources[decl.ring].name;
     }
     // Returns the age of the content that the resource has between two frames, as a number of frames. A
-    // resource with a single copy has the content of the last frame, like the resource of age 1 in a ring.
+    // resource with a single copy has the content of the last frame. This is also true for the copy of age 1
+    // of a resource with history.
     static uint32_t frames_ago(const ResourceDecl& decl) { return decl.history == 0 ? 1 : decl.age; }
 
     // Returns true if the formats are equal, or if a blit converts one to the other.

@@ -21,7 +21,8 @@ class MemoryHolders {
     // list is valid until the next call.
     std::span<const ResourceId> take_over(ResourceId taker);
     // Records a use of `resource`. If the resource does not hold all of its memory, it becomes an additional
-    // holder. In a correct plan this happens only while no resource has written to this memory yet.
+    // holder of this memory. In a correct plan this happens only while no resource has written to this memory
+    // yet.
     void use(ResourceId resource);
     // Returns the other resources for which `taker` must wait before it writes to its memory. These are the
     // other holders of this memory. If there are no other holders, these are the resources from which `taker`
@@ -33,7 +34,7 @@ class MemoryHolders {
     // The first byte of a region: index of its heap, and offset in bytes.
     using Address = std::pair<uint32_t, uint64_t>;
 
-    // A part of a heap, from its key in `regions_` to `end_bytes`.
+    // A part of a heap that begins at its key in `regions_` and ends before `end_bytes`.
     struct Region {
         uint64_t end_bytes = 0;
         std::vector<ResourceId> holders;

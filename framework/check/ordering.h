@@ -80,13 +80,13 @@ class AccessRecord {
     // Index of the first barrier batch of the access's queue that is not yet applied to this record. Batches
     // before the access do not affect it.
     uint32_t followed_ = 0;
-    // Later stages that are ordered after the barrier that made the write available.
+    // The stages whose later commands wait for the barrier that made the write available.
     StageMask available_reach_ = 0;
-    // Index: bit of a stage of this access. Later stages that are ordered after this stage.
+    // Index: bit of a stage s of this access. Value: the stages whose later commands wait for s.
     std::array<ShortMask, stage::kCount> reach_{};
-    // Index: bit of a later stage. Accesses to which the write is visible.
+    // Index: bit of a stage s. Value: the accesses of later commands in s to which the write is visible.
     std::array<ShortMask, stage::kCount> visible_{};
-    StageMask transition_reach_ = 0;  // For a layout transition: later stages that are ordered after it.
+    StageMask transition_reach_ = 0;  // For a layout transition: the stages whose later commands wait for it.
 };
 
 }  // namespace weft::check

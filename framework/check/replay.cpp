@@ -20,12 +20,12 @@ std::vector<std::vector<ResourceId>> rings_of(const ResolvedGraph& graph) {
     }
     for (std::vector<ResourceId>& ring : rings)
         if (std::find(ring.begin(), ring.end(), kNoId) != ring.end())
-            ring.clear();  // A resource of the ring is missing. The replay leaves such a ring out.
+            ring.clear();  // If a resource of the ring is missing, the replay ignores this ring.
     return rings;
 }
 
-// Returns the parts that live passes write of each ring's resource of age 0. Index: ResourceId; the lists of
-// all other resources are empty.
+// Each ring is the list of the copies of one persistent resource. Returns, for the copy of age 0 of each
+// ring, the parts that live passes write. Index: ResourceId; the lists of all other resources are empty.
 std::vector<std::vector<SubresourceRange>> written_parts(const FramePlan& plan) {
     std::vector<std::vector<SubresourceRange>> parts(plan.graph.resources.size());
     for (const PassId pass : plan.schedule.order)
@@ -203,8 +203,9 @@ void Replay::read(const Actor& by, const UseDecl& use, const AccessState& state)
 }
 
 // Adds a read to the cell. Of the reads on one queue with the same stages and rendering scope, only the two
-// latest are kept: a wait for a later read also covers the earlier reads. One read would not be enough: a
-// pass that reads and then writes does not wait for its own read, but must wait for the read before its own.
+// latest are kept: a wait for a later read also covers the earlier reads. One kept read would not be enough:
+// a pass that reads and then writes does not wait for its own read, but it must wait for the read before its
+// own read.
 void Replay::note_read(Cell& cell, const AccessRecord& record) {
     const Actor& by = record.actor();
     const auto alike = [&](const AccessRecord& other) {
@@ -230,8 +231,8 @@ void Replay::write(const Actor& by, const UseDecl& use, const AccessState& state
         // owner.
         if (resource.kind == ResourceKind::buffer && !reads(use.access)) cell.owner = family();
         expect_owner(by, use, cell);
-        // If this pass also reads the cell, read() has added it to the reads. A pass does not wait for its
-        // own read.
+        // If this pass also reads the cell, read() has added this read to the reads of the cell. A pass does
+        // not wait for its own read.
         std::erase_if(cell.reads, [&](const AccessRecord& r) {
             return r.actor().pass == by.pass && r.actor().frame == frame_;
         });

@@ -41,11 +41,13 @@ class Replay {
     [[nodiscard]] bool is_active(const UseDecl& use) const {
         return has_combination(use.used_in, combination());
     }
-    // Returns the pass whose content a reader sees if the reader wants the version of the pass `wanted`. If
-    // `wanted` is switched off, this is an earlier writer. Returns nullopt if no version is left.
+    // Returns the pass whose content a reader sees if the reader names the version that the pass `wanted`
+    // writes. If a switch has turned `wanted` off, this is an earlier writer. Returns nullopt if no version
+    // is left.
     [[nodiscard]] std::optional<PassId> version_left(PassId wanted, ResourceId resource,
                                                      const SubresourceRange& cell) const;
-    // Returns " in frames in which "fog" is off", or an empty text if all switches are on.
+    // Returns a text such as " in frames in which "fog" is off", where fog is the name of a switch. Returns
+    // an empty text if all switches are on.
     [[nodiscard]] std::string switches_text() const;
     void expect_written_output(ResourceId id, const Cell& cell);
     void expect_kept(ResourceId id, const Cell& cell);
@@ -120,10 +122,11 @@ class Replay {
     uint32_t scope_ = 0;
     std::vector<Cells> cells_;  // Index: ResourceId. The states of the resource's subresources.
     MemoryHolders holders_;
-    // Index: ResourceId. For the resource of age 0 of a ring: the parts of it that live passes write. For
-    // other resources: empty.
+    // Index: ResourceId. For the copy of age 0 of a persistent resource: the parts of this copy that live
+    // passes write. For all other resources: empty.
     std::vector<std::vector<SubresourceRange>> written_;
-    // Index: the ring's resource of age 0. All resources of the ring (ResourceDecl::ring), ordered by age.
+    // A ring is the list of the copies of one persistent resource (ResourceDecl::ring), ordered by age.
+    // Index: the copy of age 0.
     std::vector<std::vector<ResourceId>> rings_;
 };
 

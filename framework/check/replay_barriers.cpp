@@ -122,8 +122,9 @@ void Replay::transition(const BarrierDecl& barrier, const Scopes& scopes, PassId
 // Applies the barriers of one call to the access records. Barriers order only earlier work of their own
 // queue. Only records of accesses to the memory of these barriers are updated here. All other records read
 // the barriers from the log later, when they are checked. A barrier with `if_pass_runs` is recorded only in
-// frames in which its pass runs, so it counts only for the resources that it names. The order of accesses to
-// other resources is checked without this barrier, so it is also correct in frames in which the pass rests.
+// frames in which its pass runs, so it is applied only to the resources that it names. The order of accesses
+// to other resources is checked without this barrier. So this order is also proved for frames in which the
+// pass does not run.
 void Replay::carry(const std::vector<BarrierDecl>& batch) {
     StageChain all;
     on_resource_.clear();

@@ -42,8 +42,8 @@ void Replay::leave_imports() {
         if (!resource.import) continue;
         UseDecl outside;
         outside.resource = id;
-        // An access that only writes. If the access could also read, expect_order() would leave out the
-        // checks that belong to read().
+        // The program's access counts as an access that only writes. If the access could also read,
+        // expect_order() would leave out the checks that read() makes.
         outside.access = Access::storage_write;
         outside.loc = resource.loc;
         const AccessState& exit = resource.import->exit;
@@ -80,7 +80,7 @@ void Replay::read_kept() {
 }
 
 // Checks that a resource with a single copy has content when the program reads it. Resources with history are
-// not checked: a part that no pass writes in this frame has no content there.
+// not checked: if no pass writes a part in this frame, this part has no content in the copy of this frame.
 void Replay::expect_kept(ResourceId id, const Cell& cell) {
     const ResourceDecl& resource = plan_.graph.resources[id];
     const bool lost =

@@ -54,7 +54,7 @@ void Replay::expect_order(const Actor& by, const UseDecl& use, Cell& cell, const
                         faults_.actor_text(cell.has_write ? cell.write.actor() : Actor{}, frame_) +
                         " left it in layout " + layout_text(cell.layout),
                     "a barrier before " + who() + " must change the layout");
-    // The rasteriser keeps the order of draws within one rendering scope.
+    // The rasteriser keeps the order of draws within one rendering scope, so these draws need no barrier.
     const auto drawn_before = [&](const AccessRecord& record) {
         return by.scope != 0 && record.actor().scope == by.scope;
     };
@@ -86,9 +86,9 @@ bool Replay::anybody_writes(ResourceId ring, const SubresourceRange& range) cons
     return std::ranges::any_of(written_[ring], [&](const SubresourceRange& r) { return overlaps(r, range); });
 }
 
-// Returns true if the use accepts the result of whichever round of a group ran last (UseDecl::latest), and
-// the cell has such content: the initial value, the content of an earlier frame, or the content that a round
-// of the group wrote in this frame.
+// A group is a set of passes that runs in rounds. Returns true if the use accepts the result of the round
+// that ran last, whichever round this is (UseDecl::latest), and if the cell has such content: the initial
+// value, the content of an earlier frame, or the content that a round of the group wrote in this frame.
 bool Replay::is_latest_content(PassId reader, const UseDecl& use, const Cell& cell) const {
     const Content& found = cell.content;
     if (!use.latest) return false;
@@ -109,7 +109,7 @@ bool Replay::is_wanted_content(const UseDecl& use, const Cell& cell, PassId want
         return found.kind == Content::Kind::written && found.pass == wanted && found.frame == frame_;
     const ResourceDecl& resource = plan_.graph.resources[use.resource];
     if (resource.ring == kNoId) return found.kind == Content::Kind::outside;
-    // A resource that is alone in its ring has age 0, but a read of it sees the content of the previous
+    // A persistent resource with a single copy has age 0, but a read of it sees the content of the previous
     // frame. So its age counts as 1.
     const uint32_t age = std::max(resource.age, 1u);
     const bool never_written = resource.history > 0 && !anybody_writes(resource.ring, cell.range);

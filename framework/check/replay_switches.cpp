@@ -1,4 +1,5 @@
-// Simulates frames in which passes are switched off: which content their readers see instead.
+// Simulates frames in which switches have turned passes off: finds the content that the readers of these
+// passes see instead.
 #include <algorithm>
 
 #include "check/replay.h"
@@ -16,7 +17,7 @@ std::string Replay::switches_text() const {
 
 std::optional<PassId> Replay::version_left(PassId wanted, ResourceId resource,
                                            const SubresourceRange& cell) const {
-    // Each step goes to an earlier writer, so there are at most as many steps as passes.
+    // Each step goes from a writer to an earlier writer, so there are at most as many steps as passes.
     for (size_t steps = 0; wanted != kNoId && steps <= plan_.graph.passes.size(); ++steps) {
         const PassDecl& writer = plan_.graph.passes[wanted];
         if (has_combination(writer.runs_in, combination())) return wanted;

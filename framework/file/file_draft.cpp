@@ -15,8 +15,8 @@ namespace {
 constexpr int kMostNames = 100;
 constexpr mode_t kNewFile = 0666;  // Permissions of a new file before the process's umask is applied.
 
-// Makes a name for a draft. It is random, so that no other program can create a file or link with this name
-// in advance.
+// Makes a name for a draft, which is an unfinished file. The name is random, so that no other program can
+// create a file or link with this name in advance.
 std::string random_name() {
     uint64_t bits = 0;
     while (getrandom(&bits, sizeof bits, 0) != sizeof bits) {

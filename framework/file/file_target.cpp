@@ -77,8 +77,8 @@ FileTarget find_target(const std::string& path) {
     else if (errno != ENOENT)
         target.error = errno;
     if (target.kind == TargetKind::file) target.kind = kind_of(target.old);
-    // If the path ends with "/", it names a folder. This folder does not exist: an existing one is already
-    // TargetKind::folder here.
+    // If the path ends with "/", it names a folder. This folder does not exist, because kind_of() has already
+    // given an existing folder the kind TargetKind::folder.
     if (target.kind == TargetKind::file && !target.path.has_filename()) target.kind = TargetKind::folder;
     return target;
 }

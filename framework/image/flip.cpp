@@ -59,8 +59,9 @@ std::vector<glm::vec3> perceived(const Planes& ycxcz, const SensitivityKernels& 
     return lab;
 }
 
-// Returns for each texel the strength of a feature (edge or point): the length of the vector (x, y). For x,
-// the luminance is filtered with `kernel` along x and with `smooth` along y. For y, the axes are swapped.
+// Returns for each texel the strength of a feature (edge or point): the length of a vector (x, y). Its
+// component x is the luminance, filtered with `kernel` along x and with `smooth` along y. Its component y is
+// the luminance, filtered with `smooth` along x and with `kernel` along y.
 std::vector<float> strength(const Plane& luminance, const std::vector<float>& kernel,
                             const std::vector<float>& smooth) {
     const Plane x = filter_columns(filter_rows(luminance, kernel), smooth);

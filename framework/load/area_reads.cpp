@@ -9,7 +9,8 @@
 namespace weft {
 namespace {
 
-// Returns true if a member of the pass's `Params` follows the area of the port, or any scale.
+// Returns true if a member of the pass's `Params` depends on the area of the port (the part of the image that
+// the frame uses), or on the scale of any live size.
 bool knows_area(const PassDecl& pass, uint32_t use) {
     return std::ranges::any_of(pass.params, [&](const ParamWrite& write) {
         const bool of_port = write.builtin == Builtin::area_size || write.builtin == Builtin::area_uv ||
@@ -52,7 +53,8 @@ void warn_area_reads(const SourceMap& sources, const ResolvedGraph& graph, const
             const ResourceDecl& image = graph.resources[use.resource];
             if (image.area == kNoId || use.is_output || knows_area(pass, i)) continue;
             if (!samples(program->second, use.port)) continue;
-            // The passes of a repeat have one place in the file.
+            // All passes of a repeat come from one place in the file, so the warning is given once for this
+            // place.
             if (known.emplace(use.loc.file, use.loc.line, use.loc.column).second)
                 warnings.push_back(warning_about(sources, pass, use, image.name));
         }

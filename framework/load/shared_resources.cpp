@@ -13,7 +13,7 @@
 namespace weft {
 namespace {
 
-// One tier, resolved. `tier` is "" for the graph without a tier.
+// One tier (quality level) of a graph, resolved. `tier` is "" for the graph without a tier.
 struct ResolvedTier {
     std::string tier;
     const GraphDesc* desc = nullptr;

@@ -1,4 +1,5 @@
-// Purpose: the reader of a LoadSettings. Settings without a reader read from disk.
+// Purpose: finds the function with which the files of a LoadSettings are read. Without LoadSettings::reader,
+// files are read from disk.
 #pragma once
 
 #include "weft/load/load_graph.h"

@@ -41,8 +41,8 @@ void for_each_cell(const ResourceDecl& resource, const SubresourceRange& range, 
 }
 
 // Calls visit() for every cell that a use touches. For a buffer, the function finds the cells from the bytes
-// that the use names, and ignores UseDecl::range. Barriers follow the range. So if the range does not fit
-// the bytes, the run gives wrong values.
+// that the use names, and ignores UseDecl::range. But the barriers of the plan cover this range. So if the
+// range does not fit the bytes, the run gives wrong values, which show the fault.
 template <class F>
 void for_each_cell(const ResourceDecl& resource, const UseDecl& use, F visit) {
     if (resource.kind == ResourceKind::image) return for_each_cell(resource, use.range, visit);
@@ -84,7 +84,8 @@ inline bool defined_before_frame(const ResourceDecl& resource) {
     return frame < switches.size() ? switches[frame] : kAllSwitchesOn;
 }
 
-// Returns true if the unit rests in this frame. kNoId stands for a pass without a unit.
+// Returns true if the passes of the rest unit do not run in this frame. kNoId stands for a pass without a
+// unit.
 [[nodiscard]] inline bool rests(const RestChoice& resting, uint32_t unit, uint32_t frame) {
     return unit != kNoId && frame < resting.size() && unit < resting[frame].size() &&
            resting[frame][unit] != 0;

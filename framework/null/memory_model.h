@@ -1,10 +1,11 @@
 // Purpose: simulates the memory of a plan during execution: the content of every cell, the node that wrote
 // it, and the accesses to which it is visible. A node is a barrier, a semaphore operation or a part of a pass
-// (see NodeKind). Every copy in the ring of a persistent resource is a separate memory object. If the
-// resource of age 0 first uses a copy in frame k, the number of this object is the ResourceId of the resource
-// of age k. Resources whose placements overlap destroy each other's content. If an access is not ordered
-// after an earlier conflicting access, or does not see its result, the value becomes poison (a unique wrong
-// value). Source: Vulkan 1.3 specification, appendix "Memory Model" (availability, visibility, data races).
+// (see NodeKind). A persistent resource can have several copies (a ring); age k is the content of k frames
+// ago. Each copy is a separate memory object. If the resource of age 0 first uses a copy in frame k, the
+// number of this object is the ResourceId of the resource of age k. Resources whose placements overlap
+// destroy each other's content. If an access is not ordered after an earlier conflicting access, or does not
+// see its result, the value becomes poison (a unique wrong value). Source: Vulkan 1.3 specification, appendix
+// "Memory Model" (availability, visibility, data races).
 #pragma once
 
 #include <optional>
@@ -117,9 +118,10 @@ class Memory {
     uint64_t seed_;
     // The state of each cell, indexed by memory object, then by cell.
     std::vector<std::vector<MemoryCell>> cells_;
-    // Index: memory object. The objects that overlap it in memory.
+    // Index: memory object. Value: the other objects that overlap this object in memory.
     std::vector<std::vector<ResourceId>> neighbours_;
-    // Index: the ring's resource of age 0, then the age. Value: the resource of this age in the ring.
+    // The copies of each persistent resource. Index: the ResourceId of the resource of age 0, then the age.
+    // Value: the ResourceId of the copy of this age.
     std::vector<std::vector<ResourceId>> ring_copies_;
     std::vector<std::string> faults_;
 };

@@ -24,17 +24,18 @@ enum class NullOrder : uint8_t {
     shuffled,  // Commands run in a pseudo-random order, made from the seed.
 };
 
-// Index: frame, then rest unit. 1: the unit rests in this frame; 0: it runs. A unit runs in each frame that
-// the list does not contain.
+// Index: frame, then rest unit (passes that run together or not at all). 1: the passes of the unit do not run
+// in this frame; 0: they run. A unit runs in each frame that the list does not contain.
 using RestChoice = std::vector<std::vector<uint8_t>>;
 
-// Index: frame, then PassId. A number that stands for the inputs of the pass outside the graph, for example
-// for its parameters: another number makes other results. A pass that the list does not contain has the
-// number 0.
+// Index: frame, then PassId. Value: a number that stands for all inputs of the pass from outside the graph,
+// for example its parameters. If the number differs, the pass writes different values. A pass that the list
+// does not contain has the number 0.
 using InputChoice = std::vector<std::vector<uint32_t>>;
 
-// Index: frame. The units of the rounds that run in the frame, in the order in which they run; see GroupDecl.
-// In a frame that the list does not contain, the rounds that do not rest run in the order of their numbers.
+// Index: frame. Value: the rounds of groups that run in the frame, in this order, as numbers of rest units
+// (see GroupDecl). A round is one copy of all passes of a group. In a frame that the list does not contain,
+// all rounds that do not rest run in the order of their numbers.
 using RoundOrder = std::vector<std::vector<uint32_t>>;
 
 // Index: frame. The switches that are on in the frame. In a frame that the list does not contain, all are on.
@@ -70,7 +71,7 @@ struct ObservedCell {
 };
 
 struct NullRun {
-    std::vector<ObservedCell> observed;  // The observed values, sorted by all other members.
+    std::vector<ObservedCell> observed;  // The observed values, sorted by all members except `value`.
     std::vector<std::string> faults;     // The first few causes of poison, in order of occurrence.
 };
 
@@ -78,7 +79,7 @@ struct NullRun {
 
 // Computes the result that every correct plan of the graph has. It runs the passes one after another with
 // separate memory for every resource, and for every round of a group, so that every read sees the version
-// given by the graph. It uses only the declarations.
+// given by the graph. It uses only the declarations in the graph, and no plan.
 [[nodiscard]] NullRun run_reference(const ResolvedGraph& graph, const LiveGraph& live, uint32_t frames = 3,
                                     const RestChoice& resting = {}, const InputChoice& inputs = {},
                                     const RoundOrder& rounds = {}, const SwitchChoice& switches = {});

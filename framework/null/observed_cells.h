@@ -11,7 +11,8 @@ namespace weft::null {
 // different values, it gets one new, unique value.
 void settle(std::vector<ObservedCell>& observed);
 
-// Returns, for each ResourceId, 1 if a live pass uses the resource or another resource of its ring, else 0.
+// Returns, for each ResourceId, 1 if a live pass uses the resource or another copy of it (a resource of the
+// same ring, see ResourceDecl::history), else 0.
 [[nodiscard]] std::vector<uint8_t> used_resources(const ResolvedGraph& graph, const LiveGraph& live);
 
 }  // namespace weft::null

@@ -34,8 +34,9 @@ struct FrameChoice {
 
 // Returns the hash of the inputs of a pass in one frame: the name of the pass, its number in `inputs`, its
 // parameters, specialisation values, clear value and builtins. The content of resources that the pass reads
-// is not included. The builtin `valid` of a resource of age a is 1 from frame a on if a live pass writes the
-// ring, otherwise 0. The builtins of units are 0. The value of all other builtins is the frame number.
+// is not included. The builtin `valid` of a resource of age a (the content of a frames ago) is 1 from frame a
+// on if a live pass writes the resource, otherwise 0. The builtins unit_valid and unit_bits are 0. The value
+// of all other builtins is the frame number.
 [[nodiscard]] ValueHash pass_values(const ResolvedGraph& graph, const LiveGraph& live, PassId pass,
                                     const FrameChoice& choice, const InputChoice& inputs);
 // Returns the value that the pass writes to one cell. The hash `inputs` must already include pass_values()

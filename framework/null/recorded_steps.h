@@ -1,5 +1,6 @@
 // Purpose: lists the steps of a batch in the order in which a frame records them, with the rounds of groups
-// in a given order. Independent of the executor's own list (graph/rest/frame_steps.h).
+// in a given order. A round is one copy of all passes of a group. This code does not use the executor's own
+// list (graph/rest/frame_steps.h).
 #pragma once
 
 #include <cstdint>
@@ -11,9 +12,9 @@ namespace weft::null {
 
 struct RecordedStep {
     Position position = 0;
-    // A step has three parts: the barriers before the pass that every frame records, the pass with its own
-    // barriers, and the barriers after the pass that every frame records. A member is true if the frame
-    // records this part.
+    // A step has three parts: the barriers before the pass that are recorded even if the pass does not run;
+    // the pass, with the barriers that are recorded only if it runs; the barriers after the pass that are
+    // recorded even if the pass does not run. A member is true if the frame records this part here.
     bool shared_before = true;
     bool runs = true;
     bool shared_after = true;

@@ -152,7 +152,8 @@ class Reference {
         runs ? execute(pass) : pass_on(pass);
     }
 
-    // Runs the rounds of a group in the order of this frame.
+    // Runs the passes of a block. The rounds of a group, each of which is one copy of the group's passes, run
+    // in the order that `rounds_` has for this frame.
     void run_block(const Block& block) {
         if (block.group == nullptr || frame_ >= rounds_.size()) {
             // Without an order, the rounds run in the order of their numbers.
@@ -169,9 +170,10 @@ class Reference {
             if (std::ranges::find(units, graph_.passes[pass].rest_unit) == units.end()) pass_on(pass);
     }
 
-    // Starts a frame. Transients start undefined, and so do image imports whose entry layout is `undefined`.
-    // In a ring with history, from the second frame on, the resource of age a gets the last content of the
-    // resource of age a - 1; see role() for age 0. All other resources keep their last content.
+    // Starts a frame. Transient resources start undefined, except those that a rest unit writes. Image
+    // imports whose entry layout is `undefined` start undefined, too. A resource with history has several
+    // copies: the copy with the age n has the content from n frames ago. From the second frame on, the copy with
+    // the age n gets the last content of the copy with the age n - 1; see role() for the age 0. All other resources keep their last content.
     void begin_frame() {
         std::vector<std::vector<CellValue>> left(cells_.size());
         for (ResourceId id(0); id < cells_.size(); ++id)
@@ -191,11 +193,11 @@ class Reference {
         }
     }
 
-    // Returns the resource of this age in a ring, or kNoId if there is none. begin_frame() subtracts 1 from
-    // the age of a resource and calls this function. For a resource of age 0, `age` is then UINT32_MAX, which
-    // stands for the copy that the frame is about to write. If a pass writes the ring, this copy has no
-    // content yet, and the result is kNoId. If no pass writes the ring, all its copies have the same content,
-    // and the result is the resource of age 0.
+    // Returns the copy of this age of a resource with history (`ring` is the copy of age 0), or kNoId if
+    // there is none. begin_frame() passes the age of a copy minus 1. For the copy of age 0, this is
+    // UINT32_MAX: the copy that the frame is about to write. If a pass writes the resource, this copy has no
+    // content yet, and the result is kNoId. If no pass writes the resource, all copies have the same content,
+    // and the result is the copy of age 0.
     ResourceId role(ResourceId ring, uint32_t age) const {
         if (age == UINT32_MAX) return written_[ring] ? kNoId : ring;
         for (ResourceId id(0); id < graph_.resources.size(); ++id)
@@ -232,8 +234,8 @@ class Reference {
         }
     }
 
-    // Simulates a pass that does not run in this frame, because another frame slice runs, because it rests,
-    // or because its switch is off. Its outputs keep their content.
+    // Simulates a pass that does not run in this frame: it rests, its switch is off, or its slice of a repeat
+    // with `perFrame` does not run. The outputs of the pass keep their content.
     void pass_on(PassId id) {
         for (const UseDecl& use : graph_.passes[id].uses) {
             if (!writes(use.access)) continue;
@@ -258,8 +260,8 @@ class Reference {
     const InputChoice& inputs_;
     const RoundOrder& rounds_;
     const SwitchChoice& switches_;
-    // Index: ResourceId. `used_`: 1 if a live pass uses a resource of the same ring. `written_`: 1 if a live
-    // pass writes this resource. `rested_`: 1 if a rest unit writes this resource.
+    // Index: ResourceId. `used_`: 1 if a live pass uses any copy of the resource (its ring). `written_`: 1 if
+    // a live pass writes this resource. `rested_`: 1 if a live pass with a rest unit writes this resource.
     std::vector<uint8_t> used_, written_, rested_;
     std::vector<std::vector<Versions>> cells_;  // Indexed by ResourceId, then by cell.
     uint32_t frame_ = 0;

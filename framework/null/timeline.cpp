@@ -39,8 +39,8 @@ StageMask destination_scope(StageMask stages) {
 constexpr std::array kAttachmentStages{stage::kColorOutput,
                                        stage::kEarlyFragmentTests | stage::kLateFragmentTests};
 
-// The draws of a rendering scope so far, for colour and for depth attachments. The rasteriser keeps their
-// order.
+// The draws of a rendering scope so far, for colour and for depth attachments. Later draws in the scope
+// access the attachments after them, because the rasteriser keeps the order of draws.
 struct Drawing {
     std::array<NodeSet, kAttachmentStages.size()> done;
 };
@@ -129,8 +129,8 @@ class Unroller {
         return before;
     }
 
-    // Adds the nodes of one vkCmdPipelineBarrier2 call. The barriers of one call do not chain with each
-    // other.
+    // Adds the nodes of one vkCmdPipelineBarrier2 call. No barrier waits for another barrier of the same
+    // call.
     void barriers(QueueIndex queue_index, const std::vector<BarrierDecl>& all, const RecordedStep& step = {},
                   bool is_before = true) {
         QueueProgress& queue = queues_[queue_index];

@@ -27,8 +27,9 @@ enum class NodeKind : uint8_t {
     wait,           // A semaphore wait, for example at the beginning of a batch.
     import_enter,   // The program passes an import to the frame.
     import_access,  // The program accesses an import before the frame, in one stage of the entry state.
-    // The program accesses an import after the frame, in one stage of the exit state (kNone if it has none),
-    // or it reads a persistent resource in one stage of ResourceDecl::between.
+    // The program accesses an import after the frame, in one stage of the exit state (`stage` is kNone if the
+    // exit state has no stage). Or the program reads a persistent resource in one stage of
+    // ResourceDecl::between.
     import_leave,
 };
 
@@ -36,7 +37,7 @@ struct Node {
     NodeKind kind = NodeKind::barrier;
     uint32_t frame = 0;
     QueueIndex queue = kGraphicsQueue;
-    StageMask stage = stage::kNone;  // The stage in which the node runs; kNone if it has none.
+    StageMask stage = stage::kNone;  // The stage in which the node runs; kNone: the node has no stage.
     uint32_t instance = kNoNode;     // For a pass: index into Timeline::instances.
     const BarrierDecl* barrier = nullptr;
     ResourceId resource = kNoId;  // For imports and clears: the resource that the node uses.
@@ -58,15 +59,16 @@ struct PassInstance {
 struct Timeline {
     std::vector<Node> nodes;      // All nodes, in the order in which their commands are recorded.
     std::vector<NodeSet> before;  // Index: node. Its direct and indirect predecessors.
-    // Index: node. Further predecessors: only the program, as the owner of an import, orders them before the
-    // node. The plan does not contain this order, so no other node may rely on it.
+    // Index: node. Predecessors that `before` does not contain: only the program, as the owner of an import,
+    // orders them before the node. The plan does not contain this order, so no other node may rely on it.
     std::vector<std::vector<uint32_t>> outside_before;
     std::vector<PassInstance> instances;
 };
 
 // Unrolls the plan. The result has pointers into `plan`. `choice` is the seed of a pseudo-random choice of
-// stages: each write, and each access of an import's entry state, happens in one of its possible stages. A
-// pass that rests in a frame (`resting`) has no node in this frame.
+// stages: each write, and each access of an import's entry state, happens in one of its possible stages.
+// `resting` says which passes are skipped in each frame: a skipped pass has no node in this frame. `rounds`
+// is the order in which the rounds of groups run in each frame.
 [[nodiscard]] Timeline unroll(const FramePlan& plan, uint32_t frames, uint64_t choice,
                               const RestChoice& resting, const RoundOrder& rounds);
 

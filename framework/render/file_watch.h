@@ -17,8 +17,8 @@ namespace weft::render {
 
 class FileWatch {
  public:
-    // `quiet` is a pause without changes. After a change, wait() goes on until such a pause, because programs
-    // often write a file several times.
+    // Programs often write a file several times. So after a change, wait() returns only when no file has
+    // changed for the time `quiet`, but at the latest after about 1 s.
     [[nodiscard]] static Result<std::unique_ptr<FileWatch>> create(
         std::chrono::milliseconds quiet = std::chrono::milliseconds(50));
     ~FileWatch();
@@ -40,7 +40,8 @@ class FileWatch {
     [[nodiscard]] const std::set<std::filesystem::path>& unwatched() const { return unwatched_; }
 
  private:
-    // nothing: the time is over, or the event does not matter; change: a watched file changed; call: wake().
+    // The result of next(). nothing: the time is over, or the event does not matter; change: a watched file
+    // changed; call: wake() was called.
     enum class Stir : uint8_t { nothing, change, call };
     FileWatch(int events, int call, std::chrono::milliseconds quiet)
         : events_(events), call_(call), quiet_(quiet) {}

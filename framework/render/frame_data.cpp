@@ -15,8 +15,8 @@ static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64
 // Albedo with which the ground below the horizon reflects daylight.
 constexpr float kGroundAlbedo = 0.25f;
 
-// Largest angle in radians (89 degrees) at which a door of a lamp limits its light. A door that is opened
-// further has no effect.
+// A lamp can have doors (plates that limit its light). This is the largest angle in radians (89 degrees) at
+// which a door limits the light. A door that is opened further has no effect.
 constexpr float kSteepest_rad = 1.5533f;
 
 shared::TextureTransform uv_of(const scene::TextureSlot& slot) {
@@ -108,7 +108,7 @@ void set_sky(const SkyColors& sky, shared::FrameConstants& frame) {
     frame.sky_zenith = sky.zenith;
     frame.sky_horizon = sky.horizon;
     frame.sky_ground = sky.ground.value_or(sky.horizon * kGroundAlbedo);
-    if (frame.environment_scale > 0) return;  // The environment map is used, not the sky.
+    if (frame.environment_scale > 0) return;  // The scene has an environment map, which sets the unit.
     const glm::vec3 brightest = glm::max(glm::max(frame.sky_zenith, frame.sky_horizon), frame.sky_ground);
     frame.environment_unit = cube_unit(std::max({brightest.r, brightest.g, brightest.b}));
 }
@@ -124,7 +124,7 @@ shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
     gpu.type = gpu_light_type(light.type);
     gpu.direction = light.direction;
     if (light.type == scene::LightType::directional) {
-        gpu.cone_scale = light.angular_radius_rad;  // disc_radius_rad() of lights.glsl reads it.
+        gpu.cone_scale = light.angular_radius_rad;  // disc_radius_rad() of lights.glsl reads cone_scale.
     } else {
         const float inner = std::cos(light.inner_cone_rad), outer = std::cos(light.outer_cone_rad);
         gpu.cone_scale = 1.0f / std::max(0.001f, inner - outer);

@@ -28,11 +28,12 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
     views_.set_plan(plan());
 }
 
-// Returns the view constants of this frame. The first frame has no previous frame, so it uses its own view as
-// the previous view. So does a frame after a cut.
+// Returns the view constants of this frame. The first frame and a frame after a cut (a sudden change of the
+// camera, `cut`) have no usable previous view. Such a frame uses its own view as the previous view.
 shared::ViewConstants FrameLoop::find_view(const scene::Camera& camera, bool cut) const {
     const glm::uvec2 output_px(size_.width, size_.height);
-    // The jitter is in pixels of the area in which passes draw the camera.
+    // jitter_px() counts in pixels of the area in which passes draw the view of the camera. The factor
+    // converts its result to pixels of the output.
     const glm::vec2 area_px = views_.camera_px(plan().graph, output_px);
     const glm::vec2 jitter = jitter_px(frame_index_, jitter_length_) * (glm::vec2(output_px) / area_px);
     shared::ViewConstants view =
@@ -48,7 +49,7 @@ bool FrameLoop::takes_turns(std::string_view import) const {
 }
 
 Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene, Kind kind) {
-    // After begin_frame(), only errors of Vulkan may end the frame early.
+    // The input is checked before begin_frame(): after it, only errors of Vulkan may end the frame early.
     if (Status given = views_.check(input.views); !given) return given;
     if (Status given = scene.check(input); !given) return given;
     Result<uint32_t> slot = stage_.executor->begin_frame();
@@ -103,7 +104,7 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     frame.switches = &live.switches;
     frame.submit = input.submit;
     scene.gpu().add_versions(frame.import_versions);
-    // The textures of tables never change.
+    // The textures of tables never change, so the version of each table is always 0.
     for (const std::string& table : stage_.tables) frame.import_versions.emplace(table, 0);
     // The files of the table "pictures" have the names "pictures[0]" and so on. Their hashes are combined
     // into the version of the table.
@@ -120,7 +121,8 @@ std::optional<ExportedResource> FrameLoop::exported(std::string_view name) const
     if (id == kNoId) return std::nullopt;
     const ResourceDecl& decl = plan().graph.resources[id];
     const bool kept = decl.between.has_value();
-    // The object of a resource with history changes from frame to frame.
+    // A resource with history has several copies in memory, which rotate from frame to frame. last_copy()
+    // returns the copy that has the content of the last frame.
     const ResourceId copy = kept ? stage_.executor->last_copy(id) : id;
     const auto found = stage_.exports.find(plan().graph.resources[copy].name);
     const VkBuffer kept_buffer = kept ? stage_.executor->native(copy).buffer : VK_NULL_HANDLE;

@@ -18,9 +18,10 @@ class FrameLoop {
     // GraphDesc::jitter); 0 means no offsets. `size` is the size of the output in pixels.
     FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length);
 
-    // normal: the next frame of the program. warm_up: an additional frame before it, without a picture. It
-    // runs only the passes with "rest", the groups, and the passes whose results these read. It has the same
-    // number as the next frame, and the next frame sees no history.
+    // normal: the next frame of the program. warm_up: an additional frame before the next frame, without a
+    // picture. The additional frame runs only the passes with "rest", the groups, and the passes whose
+    // results these read. It has the same number as the next frame, and the next frame cannot read contents
+    // of previous frames.
     enum class Kind : uint8_t { normal, warm_up };
     // `live` replaces the switches and scales in FrameInput::parameters.
     [[nodiscard]] Status render(const FrameInput& input, const LiveInputs& live, DrawnScene& scene,
@@ -30,8 +31,8 @@ class FrameLoop {
     // is not transfer_src.
     [[nodiscard]] Result<vk::ReadbackData> read_output();
 
-    // Replaces the values and pipelines of the running stage from the next frame on. Call set_graph()
-    // afterwards.
+    // Replaces values of parameters and pipelines of the running stage from the next frame on. Call
+    // set_graph() afterwards.
     void amend(std::unique_ptr<vk::Amendment> amendment) { stage_.executor->amend(std::move(amendment)); }
     // Replaces the running stage by another one from the next frame on. If `check` is true, the checker first
     // checks the transition between the two plans; if it finds an error, nothing changes. Call set_graph()
@@ -47,7 +48,8 @@ class FrameLoop {
     // Returns a frame number. When the frame with this number begins, the frames that are in flight now have
     // finished. Memory that no frame uses from now on can be freed then.
     [[nodiscard]] uint64_t next_free_frame() const { return frame_index_ + vk::kFramesInFlight; }
-    // Returns true if the running graph has a group whose list of turns is this import.
+    // Returns true if the running graph has a group for which `import` selects the rounds that run in a frame
+    // (GroupDecl::turns).
     [[nodiscard]] bool takes_turns(std::string_view import) const;
     [[nodiscard]] bool has_output() const { return plan().graph.output != kNoId; }
     // Returns the view constants of the last frame.
@@ -66,7 +68,7 @@ class FrameLoop {
     SunMaps sun_maps_;
     FurtherSunSizes further_sun_sizes_{};
     FrameViews views_;
-    bool hides_history_ = false;  // True: the next frame sees no history.
+    bool hides_history_ = false;  // True: the next frame cannot read contents of previous frames.
     // Index of the next frame, counted from 0.
     uint64_t frame_index_ = 0;
     shared::ViewConstants view_{};
@@ -82,7 +84,7 @@ class FrameLoop {
         uint64_t until = 0;
     };
     std::vector<Retired> retired_;
-    // Declared last, so that it is destroyed first: its executor waits for the frames in flight.
+    // Declared last, so that `stage_` is destroyed first: its executor then waits for the frames in flight.
     RenderStage stage_;
 };
 

@@ -20,8 +20,8 @@ constexpr uint64_t kSunOffsetBytes = 256;
 constexpr uint64_t kFurtherSunsOffsetBytes = 768;
 constexpr uint64_t kSlotBytes = 1536;
 constexpr uint64_t kViewBytes = sizeof(shared::ViewConstants);
-// Buffers of graphs contain views one after another. So the size of the struct itself must be such a
-// multiple.
+// A graph can have a buffer with the constants of several views, one after another. So the size of
+// ViewConstants itself must be a multiple of 256 bytes, too.
 static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kSlotBytes % kAlignmentBytes == 0 &&
               kViewBytes % kAlignmentBytes == 0);
 static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);

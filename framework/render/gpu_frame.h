@@ -37,16 +37,16 @@ class GpuFrame {
     // Appends parts of the uniform blocks of a set; see DrawSource::add_frame_bytes().
     void add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
                    std::vector<std::byte>& bytes) const;
-    // Returns descriptor set 0 for a view of the last write(), such as "camera" or "sun(1)". For other names
-    // it returns that of the camera.
+    // Returns descriptor set 0 for a view of the last write(), such as "camera" or "sun(1)". For any other
+    // name, returns the set of the camera.
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::string_view view) const;
-    // Returns descriptor set 0 for several views at once, which must be in `united_views` of the last
-    // write().
+    // Returns descriptor set 0 for several views that one pass draws at once. These views must be an element
+    // of `united_views` in the last write().
     [[nodiscard]] VkDescriptorSet set(uint32_t slot, std::span<const std::string> views) const;
 
  private:
-    // Memory and descriptor sets for a number of views. Frames in flight may use them, so a block stays when
-    // the number of views changes.
+    // Memory and descriptor sets for up to kBlockViews views. Frames in flight may use them, so a block is
+    // not freed when the number of views becomes smaller.
     struct ViewBlock {
         DescriptorSets sets;  // Index: slot * kBlockViews + index of the view in the block.
         vk::Buffer constants;
@@ -54,7 +54,7 @@ class GpuFrame {
     static constexpr uint32_t kBlockViews = 8;
 
     // Memory and descriptor sets for the views of a pass with multiview, one part for each frame slot. They
-    // stay, because frames in flight may use them.
+    // are never freed before the GpuFrame, because frames in flight may use them.
     struct ViewArray {
         DescriptorSets sets;
         vk::Buffer constants;
@@ -75,7 +75,8 @@ class GpuFrame {
     std::vector<ViewBlock> blocks_;
     std::map<std::string, uint32_t, std::less<>> index_of_view_;
     std::vector<std::string> names_;  // The names of the views of the last write().
-    // For each view and frame slot: FrameView::fixed of the constants in the memory of the slot.
+    // For each view and frame slot: the value of FrameView::fixed when the constants in the memory of the
+    // slot were written.
     std::vector<std::array<uint64_t, vk::kFramesInFlight>> fixed_;
     std::map<ViewNames, ViewArray> arrays_;
     GpuEnvironment environment_;

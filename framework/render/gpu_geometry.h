@@ -20,7 +20,7 @@ struct MeshRange {
     // gl_VertexIndex + color_offset = index of the vertex colour, as in shared::Instance. kNoStream if the
     // mesh has no vertex colours.
     int32_t color_offset = 0;
-    int32_t second_uv_offset = 0;  // The same for the second uvs.
+    int32_t second_uv_offset = 0;  // Like color_offset, but for the second uvs.
 
     friend bool operator==(const MeshRange&, const MeshRange&) = default;
 };

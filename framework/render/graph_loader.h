@@ -70,7 +70,8 @@ class GraphLoader {
     [[nodiscard]] const LoadWork& work() const { return work_; }
 
  private:
-    // The last successful load without the caller's `parsed`: load() read the document itself.
+    // The last successful load whose document load() has read itself. A document that the caller has parsed
+    // (`parsed`) is not stored.
     struct Last {
         FileStamps stamps;
         GraphRequest request;
@@ -84,7 +85,8 @@ class GraphLoader {
         std::optional<LoadedGraph> loaded;
     };
 
-    // Returns true if `last_` has the document of `request` and its files have certainly not changed since.
+    // Returns true if `last_` has the document of `request`, and the files of the document have certainly not
+    // changed since they were read.
     [[nodiscard]] bool has_document(const GraphRequest& request) const;
     [[nodiscard]] Result<LoadedGraph> resolve(const GraphRequest& request, const ParsedGraph* parsed,
                                               Diagnostics& warnings);

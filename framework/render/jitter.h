@@ -17,8 +17,9 @@ namespace weft::render {
 // centre. Lengths 0 and 1 give (0, 0).
 [[nodiscard]] glm::vec2 jitter_px(uint64_t frame, uint32_t length);
 
-// Returns the number that is added to the mip of textures, so that the mean of `length` frames is as sharp as a picture
-// with more samples. It is at most 0, and 0 for the lengths 0 and 1.
+// Returns the number that is added to the mip level of textures. With it, the mean of `length` frames is as
+// sharp as a picture with `length` samples in each pixel. The number is at least -2 and at most 0. It is 0
+// for the lengths 0 and 1.
 [[nodiscard]] float mip_bias(uint32_t length);
 
 }  // namespace weft::render

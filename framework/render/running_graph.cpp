@@ -9,7 +9,7 @@
 namespace weft::render {
 namespace {
 
-// Returns parts that replace nothing: the running graph is the selected one already.
+// Returns SwapParts that replace nothing, because the selected graph runs already.
 std::unique_ptr<SwapParts> keep_running(const Selection& selection, StageFingerprint running) {
     auto next = std::make_unique<SwapParts>();
     next->selection = selection;
@@ -23,7 +23,7 @@ bool is_switch(const ResolvedGraph& graph, const std::string& name) {
     return std::ranges::find(graph.switches, name, &SwitchDecl::param) != graph.switches.end();
 }
 
-// Returns true if the parameter is the scale of a live size.
+// Returns true if the parameter scales a live size, a size of an image that can change while the plan runs.
 bool is_scale(const ResolvedGraph& graph, const std::string& name) {
     return std::ranges::any_of(graph.live_values, [&](const LiveValue& value) {
         return value.param != kNoId && value.most > 0 && graph.params[value.param].name == name;

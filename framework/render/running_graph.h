@@ -32,8 +32,8 @@ class RunningGraph {
     // Prepares the loaded graph, without reading its files again, for another size or for other imports.
     [[nodiscard]] Result<PendingSwap> prepare_loaded(const Selection& selection, Diagnostics& warnings);
     // Stores the values of switches and scales for live_inputs(). Returns an amendment that gives the running
-    // plan the other values; null if it has them already. Error: W242 there is no such parameter, its change
-    // needs a new plan, or it cannot have the value.
+    // plan the values of the other parameters; null if the plan has these values already. Error W242: a
+    // parameter does not exist, its change needs a new plan, or the graph does not allow the value.
     [[nodiscard]] Result<std::unique_ptr<vk::Amendment>> set_parameters(const ParameterValues& values);
     // Returns the switches and scales of the next frame. adopt() removes them.
     [[nodiscard]] const LiveInputs& live_inputs() const { return live_inputs_; }

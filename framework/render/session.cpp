@@ -30,7 +30,8 @@ ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
         import.resource.import->concurrent = !device.sharing_families().empty();
         import.resource.import->family = device.queue().family;
     }
-    // In a session without a scene, the lights come from FrameInput::lights.
+    // In a session without a scene, the lights come from FrameInput::lights. Their number is not known yet,
+    // so 1 directional light is assumed.
     if (scene.instances.empty() && scene.lights.empty()) catalog.numbers["directionalLights"] = 1;
     add_program_imports(input, catalog);
     return catalog;

@@ -13,7 +13,7 @@ struct SessionParts {
     vk::Device& device;
     DrawnScene scene;
     std::unique_ptr<RunningGraph> graph;
-    // Declared last, so that it is destroyed first: frames in flight use the scene.
+    // Declared last, so that `frames` is destroyed before the other members: frames in flight use the scene.
     FrameLoop frames;
 };
 

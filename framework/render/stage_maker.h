@@ -24,7 +24,8 @@ struct StageSettings {
     bool timestamps = false;
     std::string drop_barriers_before;
     std::map<std::string, std::vector<VkImageView>, std::less<>> textures;
-    vk::PipelineStore* pipelines = nullptr;  // The store of several sessions; null: a store of its own.
+    // The store that several sessions share; null: the StageMaker has its own store.
+    vk::PipelineStore* pipelines = nullptr;
 
     explicit StageSettings(const SessionInput& input)
         : queues(input.queues),

@@ -27,7 +27,7 @@ constexpr const char* kFullscreenVertex = "fullscreen.vert";
 struct StageFile {
     ShaderStage stage = ShaderStage::compute;
     std::string path;
-    bool shared = false;  // True if the file is in the include root, such as fullscreen.vert.
+    bool shared = false;  // True for a file of shaders/include, such as fullscreen.vert.
 };
 
 // File extension of the shader for each ProgramKind. The extension is empty for a raster program, because it
@@ -77,7 +77,8 @@ Diagnostic not_found(const std::string& reference, ProgramKind kind, const Stage
             (places.empty() ? "" : ", then ") + (root.empty() ? std::string(".") : root.generic_string());
     }
     if (file.shared) {
-        // The folder shaders/ of Weft contains this file, so `include_root` is not in that folder.
+        // The file is one of the files in the folder shaders/include of Weft. It was not found, so
+        // `include_root` is not this folder.
         diagnostic.help.push_back("\"" + roots.include_root.parent_path().generic_string() +
                                   "\" is not the folder shaders/ of Weft: name this folder in "
                                   "LoadSettings::shader_root");

@@ -15,13 +15,16 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform sampler2D shown;
-uniform sampler2D surface;  // Depth attachment drawn with `shown`. Pixels with depth 0 (nothing drawn) get stripes.
+// The depth attachment of the pass that drew `shown`. Pixels with depth 0 (nothing drawn) get stripes.
+uniform sampler2D surface;
 
 layout(push_constant) uniform Params {
-    // The values that are shown as black and as white. Exception: for depth (DECODE 5), both are values of
-    // log2(1 + distance in metres). `black` belongs to the nearer distance and is shown as white.
+    // The values that are shown as black and as white. For depth (DECODE 5), this is reversed: `black` is the value of
+    // the nearest distance, which is shown as white, and `white` is the value of the farthest distance, which is shown
+    // as black. Both values are log2(1 + distance in metres).
     float black, white;
-    vec2 shownUv;  // The part of `shown` that has content; `surface` has the same size.
+    // Size of the part of `shown` that has content, in texture coordinates. The same part of `surface` has content.
+    vec2 shownUv;
     vec2 size_px;  // The size of the debug view.
 } params;
 

@@ -12,11 +12,13 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 uniform usampler2D shown;
-uniform sampler2D surface;  // Depth attachment drawn with `shown`. Pixels with depth 0 (nothing drawn) get stripes.
+// The depth attachment of the pass that drew `shown`. Pixels with depth 0 (nothing drawn) get stripes.
+uniform sampler2D surface;
 
 layout(push_constant) uniform Params {
     float black, white;  // The values that are shown as black and as white.
-    vec2 shownUv;        // The part of `shown` that has content; `surface` has the same size.
+    // Size of the part of `shown` that has content, in texture coordinates. The same part of `surface` has content.
+    vec2 shownUv;
     vec2 size_px;  // The size of the debug view.
 } params;
 

@@ -1,7 +1,8 @@
-// Writes the table of include/dfg.glsl. Each texel is an integral over the microfacets that the viewer sees: Heitz
-// 2018, "Sampling the GGX Distribution of Visible Normals". The samples are a grid on the projected hemisphere. The
-// steps of the radius become smaller towards the rim, because there a small step changes the angle much. Half of the
-// hemisphere is enough, because the other half is its mirror image. Largest error of an integral: 0.0006.
+// Writes the table of directional albedo that include/dfg.glsl reads. Each texel is an integral over the microfacets
+// that the viewer sees: Heitz 2018, "Sampling the GGX Distribution of Visible Normals". The samples are a grid on the
+// projected hemisphere. The steps of the radius become smaller towards the rim, because there a small step changes the
+// angle much. Half of the hemisphere is enough, because the other half is its mirror image. Largest error of an
+// integral: 0.0006.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -38,7 +39,8 @@ void main() {
     vec2 sum = vec2(0.0);
     float weights = 0.0;
     for (int i = 0; i < kRadii; ++i) {
-        // The square of the radius is 1 − t^2.5; the weight is the derivative.
+        // The samples have equal distances in t. The square of the radius is 1 − t^2.5. The weight of a sample is the
+        // derivative of this square by t, without its constant factor −2.5.
         const float t = 1.0 - (float(i) + 0.5) / float(kRadii), root = sqrt(t);
         const float radius = sqrt(1.0 - t * t * root), weight = t * root;
         for (int k = 0; k < kAngles; ++k) {

@@ -22,9 +22,10 @@ const float kPi = 3.14159265;
 
 shared vec4 samples[kMostSamples];  // xyz: direction of the light, z along the normal; w: level of detail.
 
-// Samples read mips, which widens the lobe. So half vectors are distributed for a roughness that is smaller by these
-// numbers. They were chosen so that, with 32 samples and the bias −0.5, the orders 1 and 2 of spherical harmonics have
-// errors of less than 0.5 %. The widening is inversely proportional to the number of samples.
+// The samples read mips, and this widens the lobe. To compensate, the half vectors are distributed for a roughness that
+// is smaller by these numbers (index: mip). The numbers were chosen so that, with 32 samples and the bias −0.5, the
+// orders 1 and 2 of spherical harmonics have errors of less than 0.5 %. The widening is inversely proportional to the
+// number of samples.
 const float kNarrower[6] = float[6](0.0, 0.0, 0.012, 0.007, 0.0045, 0.010);
 
 int basic_count() { return params.environmentSamples * (environmentPictures > 0u ? 4 : 1); }

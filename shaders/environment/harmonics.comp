@@ -1,9 +1,11 @@
-// Adds up the parts of harmonics_parts.comp, and writes the coefficients of irradiance / π in cd/m².
+// Adds up the sums that harmonics_parts.comp has written for the parts of the cube, and writes the coefficients of
+// irradiance / π in cd/m².
 //
 // If there is a small bright source, the sum of harmonics of three orders can be negative in directions that face away
-// from the source. Then the orders 1 and 2 are multiplied by a window that reduces them only as much as needed: P.-P.
-// Sloan, "Deringing Spherical Harmonics", 2017. In 128 directions, the sum must be at least kLeastShare times the light
-// that the darkest of these directions receives. This light is computed without harmonics.
+// from the source. In this case, the orders 1 and 2 are multiplied by a window, that is by factors below 1. The window
+// reduces the orders only as much as needed: P.-P. Sloan, "Deringing Spherical Harmonics", 2017. In 128 directions, the
+// sum must be at least kLeastShare times the light that the darkest of these directions receives. This light is
+// computed without harmonics.
 #version 460
 #include "cube_texels.glsl"
 #include "environment_cube.glsl"
@@ -17,24 +19,25 @@ layout(std430) writeonly buffer EnvironmentSh { vec4 items[]; } environmentSh;
 
 const float kPi = 3.14159265;
 const uint kSize = 8u, kBeams = 6u * kSize * kSize;
-const float kLeastShare = 0.7;  // As in framework/scene/pictures/environment.cpp.
-// Allowed error of the comparison, as a share of the mean. So the sum can still be slightly negative; readers replace
-// negative values by 0.
+const float kLeastShare = 0.7;  // The same value as in framework/scene/pictures/environment.cpp.
+// The sum of the harmonics may be smaller than the required light by this share of the mean light. So the sum can still
+// be slightly negative. The shaders that read the coefficients replace negative sums by 0.
 const float kTolerance = 0.01;
 const int kMostSteps = 21;
 
 shared vec3 coefficients[9];
-shared vec3 beams[kBeams];  // Direction and flux of the light of each texel of `raw`.
+shared vec3 beams[kBeams];  // Direction of the light of each texel of `raw`; `fluxes` has its flux.
 shared vec3 fluxes[kBeams];
 shared uint least_bits[3];
-shared uint failed_steps;  // Bit i is 1 if the sum is too small in some direction after i steps.
+shared uint failed_steps;  // Bit i is 1 if window(i) does not reduce the orders enough in some direction.
 
 vec3 side(uint i) {
     const float polar = kPi * (float(i / 16u) + 0.5) / 8.0, azimuth = kPi * float(i % 16u) / 8.0;
     return vec3(sin(polar) * sin(azimuth), cos(polar), -sin(polar) * cos(azimuth));
 }
 
-// Returns the factors of the orders 1 and 2 after a number of steps.
+// Returns the factors for the orders 1 and 2. A larger number of steps gives smaller factors; with 0 steps, both
+// factors are 1.
 vec2 window(int steps) {
     if (steps == 0) return vec2(1.0);
     const float strength = 0.002 * pow(1.5, float(steps - 1));

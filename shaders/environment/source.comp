@@ -16,7 +16,8 @@ const float kMaxStored = 65000.0;
 
 vec3 source_radiance(vec3 direction, float size) {
     if (!has_environment()) return gradient_radiance(direction);
-    // A texel has 2 × 2 samples. Where a sample stands for several texels of the picture, it reads a mip.
+    // main() takes 2 × 2 samples for a texel of the cube. Where a sample stands for several texels of the picture, the
+    // sample reads a mip of the picture.
     const float lod = max(0.0, log2(float(textureSize(environment_light, 0).y) / (3.14159265 * size)));
     return textureLod(environment_light, environment_uv(direction), lod).rgb * frame.environment_light_scale;
 }

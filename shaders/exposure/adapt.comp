@@ -28,8 +28,9 @@ uint count_all() {
     return sum;
 }
 
-// Returns the mean of the EV of the pixels between two ranks; `all` is the number of pixels. If the ranks are equal or
-// in the wrong order, returns the EV at the rank meterFrom.
+// Returns the mean of the EV of the pixels whose ranks are between meterFrom and meterTo. The rank of a pixel is the
+// share of the pixels that are darker. `all` is the number of pixels. If the two ranks are equal or in the wrong order,
+// returns the EV at the rank meterFrom.
 float metered(float all) {
     const float from = min(params.meterFrom, 0.9999), to = max(params.meterTo, from + 1e-4);
     float sum = 0.0, weights = 0.0;

@@ -1,6 +1,6 @@
-// Debug view of the buffer `adaptation`: the histogram of the picture over EV. Bright bars are the pixels that the
-// meter takes. The white line is the metered EV and the orange line the EV to which the eye has adapted; the number at
-// the upper left is the exposure of the picture. Below the bars is the scale in EV.
+// Debug view of the buffer `adaptation`: the histogram of the picture over EV. The bright parts of the bars stand for
+// the pixels that the light meter uses. The white line is the metered EV and the orange line the EV to which the eye
+// has adapted; the number at the upper left is the exposure of the picture. Below the bars is the scale in EV.
 #version 460
 #include "adaptation.glsl"
 #include "debug_digits.glsl"

@@ -33,9 +33,10 @@ vec3 picture_irradiance_over_pi(vec3 n) {
     return max(sum, vec3(0.0));
 }
 
-// Returns irradiance / π of the gradient sky and the ground on a surface with normal `n`. The irradiance of the whole
-// sky, weighted by the cosine, is 4/5 zenith and 1/5 horizon (∫ √y · y dy = 4/5 ∫ y dy). Sky and ground are mixed by
-// their shares of the hemisphere.
+// Returns irradiance / π of the gradient sky and the ground on a surface with normal `n`. The colour of the sky goes
+// from horizon to zenith with the weight √y, where y is the sine of the elevation. So the irradiance of the whole sky
+// is 4/5 zenith and 1/5 horizon (∫ √y · y dy = 4/5 ∫ y dy for y from 0 to 1). Sky and ground are mixed by their shares
+// of the hemisphere.
 vec3 gradient_irradiance_over_pi(vec3 n) {
     const vec3 above = mix(frame.sky_horizon, frame.sky_zenith, 0.8);
     return mix(frame.sky_ground, above, 0.5 + 0.5 * n.y);
@@ -71,7 +72,7 @@ vec3 middle_of_lobe(vec3 mirrored, vec3 n, float roughness) {
     return normalize(mix(n, mirrored, (1.0 - alpha) * (sqrt(1.0 - alpha) + alpha)));
 }
 
-// Returns the light that the filtered cube has in a direction for a roughness. Surfaces with the roughness 1 mirror
+// Returns the light that the filtered cube contains for a direction and a roughness. For the roughness 1, the result is
 // irradiance / π.
 vec3 filtered_radiance(vec3 direction, float roughness) {
     const float lod = lod_of_roughness(roughness);
@@ -100,12 +101,12 @@ struct AmbientLight {
     vec3 diffuse, mirrored;
 };
 
-// Replaces mirrored light by the light of the reflection probes around a point, as far as the probes see what the point
-// mirrors. `here`: irradiance / π at the point, for a normal in the middle of the mirrored directions. A rough surface
-// mirrors light from many directions, and a probe at another place receives more or less of this light. So the light of
-// a probe is multiplied by the irradiance at the point, divided by that at the probe. Where the probes see the sky, the
-// mirrored light is `sky`, the best known light of the surroundings. With the filtered cube, `sky` is multiplied by the
-// light of the probes, divided by that of the cube.
+// Replaces mirrored light by the light of the reflection probes around a point, if the probes see the surfaces that the
+// point mirrors. `here`: irradiance / π at the point, for a normal in the middle of the mirrored directions. A rough
+// surface mirrors light from many directions, and a probe at another place receives more or less of this light. So the
+// light of a probe is multiplied by the irradiance at the point and divided by the irradiance at the probe. Where the
+// probes see the sky, the mirrored light is `sky`, the best known light of the surroundings. If there is a filtered
+// cube, `sky` is multiplied by the light of the probes and divided by the light of the cube.
 vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, float roughness, vec3 here) {
     const ReflectionLight seen = reflection_light(position, middle, roughness);
     const vec3 change = clamp(here / max(seen.irradiance_over_pi, vec3(1e-9)), 0.0, 2.0);
@@ -115,9 +116,10 @@ vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, fl
     return mix(light, mix(radiance, open, seen.sky), seen.share);
 }
 
-// Replaces the light of the whole surroundings by that of the probes around a point. Irradiance probes know only diffuse
-// light. So where no reflection probe helps, mirrored light changes by the same factor as the irradiance from the mirrored
-// directions. This also darkens reflections where the sky is hidden. A very rough surface mirrors what a diffuse surface
+// Replaces the light of the whole surroundings by the light of the probes around a point. Irradiance probes contain
+// only diffuse light. So where there is no light from a reflection probe, the mirrored light is multiplied by a factor:
+// the irradiance from the mirrored directions with the probes, divided by this irradiance without the probes. This also
+// darkens reflections where the sky is hidden. A very rough surface mirrors the same light that a diffuse surface
 // reflects. `open`: mean direction from which diffuse light arrives.
 AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 open, vec3 v, vec3 mirrored, float roughness) {
     const vec3 middle = middle_of_lobe(mirrored, n, roughness);
@@ -131,8 +133,8 @@ AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 open, v
     return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
 }
 
-// Returns the light of the surroundings on a surface with near objects: they block a part of the light, and their own
-// light comes from there instead.
+// Adds near objects to the light of the surroundings on a surface: the objects block a part of this light, and the
+// light that they reflect themselves replaces this part.
 AmbientLight with_near_field(AmbientLight light, NearField near, vec3 n, vec3 mirrored, float roughness) {
     const vec3 near_radiance = near.light / max(1.0 - near.visibility, 1e-3);
     const float open = near_specular_visibility(near, n, mirrored, roughness);
@@ -140,7 +142,8 @@ AmbientLight with_near_field(AmbientLight light, NearField near, vec3 n, vec3 mi
 }
 
 // Returns the reflection of the surroundings. with_albedo() must have set `s.albedo` and `s.energy`. An anisotropic
-// surface reflects the sky like an isotropic surface whose highlight has the same peak. `pixel`: the pixel of the surface.
+// surface reflects the sky like an isotropic surface whose highlight has the same brightness in its middle. `pixel`:
+// the pixel of the surface.
 vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2 pixel) {
     const vec3 specular = (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy;
     const vec3 across = s.anisotropic ? bent_normal(s, v, roughness) : s.normal;

@@ -272,13 +272,13 @@ AreaIncident capsule_at(vec3 n, vec3 v, vec3 position, Light light) {
     return incident;
 }
 
-// Returns the highlight of an area light. This is the highlight of its representative point, divided by 1 + `added`,
-// because the light widens the highlight. On the sphere of half vectors, GGX is 1 / (π α²) at its centre, and its
-// integral along a line from the centre is 1 / (4 α). For a light with sides 2a and 2b, `added` is a term for its area,
-// 4ab / (π α²), plus a term for its outline, (a + b) / α (Steiner's formula). a and b are angles between half vectors.
-// In the plane of incidence, an angle between half vectors is half of the angle between the light directions.
-// Perpendicular to this plane, it is half of that angle divided by v·h. For a perfect mirror, the result is the
-// radiance of the light.
+// Returns the highlight of an area light. This is the highlight of the representative point of the light, divided by
+// 1 + `added`, because the light widens the highlight. As a function of the half vector, the GGX distribution is
+// 1 / (π α²) at the centre of the highlight, and its integral along a line from the centre is 1 / (4 α). For a light
+// with sides 2a and 2b, `added` is a term for the area of the light, 4ab / (π α²), plus a term for its outline,
+// (a + b) / α (Steiner's formula). a and b are angles between half vectors. In the plane of incidence, the angle
+// between two half vectors is half of the angle between the two light directions. Perpendicular to this plane, the
+// angle is half of that angle divided by v·h. For a perfect mirror, the result is the radiance of the light.
 vec3 area_highlight(Surface s, vec3 v, AreaIncident incident) {
     const float covered = max(length(incident.whole), 1e-20);
     const float v_h = max(dot(v, normalize(v + incident.mirrored)), 0.05);

@@ -34,7 +34,7 @@ Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughne
     s.anisotropic = false;
     s.tangent = s.bitangent = vec3(0.0);
     s.alphas = vec2(s.alpha);
-    s.albedo = vec2(0.0);  // with_albedo() of dfg.glsl sets this and the next member.
+    s.albedo = vec2(0.0);  // with_albedo() of dfg.glsl sets `albedo` and `energy`.
     s.energy = vec3(1.0);
     return s;
 }

@@ -1,8 +1,8 @@
 // Directional albedo of the specular reflection. If equal light comes from all directions, a surface reflects the share
-// F0 · scale + F90 · bias of it by single reflections at its microfacets (GGX, height-correlated Smith, Schlick). The
-// port `dfg` is the table of graphs/modules/dfg.json. Without the port, a fitted function replaces the table. Light
-// that microfacets reflect several times is added as a factor: Turquin 2019, "Practical multiple scattering
-// compensation for microfacet models".
+// F0 · scale + F90 · bias of this light by single reflections at its microfacets (GGX, height-correlated Smith,
+// Schlick). The port `dfg` is the table of graphs/modules/dfg.json. Without the port, a fitted function replaces the
+// table. A factor on the reflection adds the light that microfacets reflect several times: Turquin 2019, "Practical
+// multiple scattering compensation for microfacet models".
 #ifndef WEFT_DFG
 #define WEFT_DFG
 #include "brdf.glsl"
@@ -35,8 +35,8 @@ vec2 fitted_dfg(float r, float nv) {
     return vec2(max(min(sum, 1.0) - bias, 0.0), bias);
 }
 
-// Returns the surface with the factors for its specular reflection towards `v`. With F0 = F90 = 1, the reflection of
-// light from everywhere becomes 1.
+// Returns the surface with the factors for its specular reflection towards `v`. If F0 = F90 = 1 and equal light comes
+// from all directions, the surface reflects all of this light.
 Surface with_albedo(Surface s, vec3 v) {
     const float roughness = sqrt(sqrt(s.alphas.x * s.alphas.y));
     const float nv = clamp(dot(s.normal, v), 0.0, 1.0);

@@ -1,5 +1,6 @@
 // Computes the light that a surface reflects to the eye from the directional lights. These are the first lights in the
-// buffer `lights`. The light of the first four is multiplied by their visible share (shadows).
+// buffer `lights`. For the first four of them, the result takes shadows into account: the light is multiplied by the
+// share of the light that is visible from the surface.
 #ifndef WEFT_DIRECTIONAL_LIGHTS
 #define WEFT_DIRECTIONAL_LIGHTS
 #include "disc_light.glsl"
@@ -22,7 +23,8 @@ vec3 directional_reflection(Surface s, vec3 v, vec3 position) {
         const Light light = lights.items[i];
         const float radius = disc_radius_rad(light);
         vec3 reflected = vec3(0.0);
-        // Loops instead of if and else: devices that execute both sides of a branch (llvmpipe) leave empty loops out.
+        // These loops run at most once. They replace if and else, because devices that execute both sides of a branch
+        // (llvmpipe) leave out a loop that does not run.
         for (bool is_point = radius <= 0.0; is_point; is_point = false)
             reflected = plain_reflection(s, v, position, light);
         for (bool is_disc = radius > 0.0; is_disc; is_disc = false)

@@ -2,10 +2,10 @@
 //
 // The half vectors of all directions to the disc fill an ellipse in the plane of slopes, in which a half vector h has
 // the position h.xy / h.z (in the frame of the surface, in units of α). The GGX distribution of slopes is
-// 1 / (π (1 + |m|²)²). A parallel receiver gets the same density of irradiance divided by π from a plane at the
-// distance 1. So the integral of the distribution over the ellipse is the form factor of an elliptical disc (as in
-// Heitz and Hill 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed Cosines"). For an ellipse with
-// the centre m and the matrix C (the ellipse is m + √C · unit disc) it is
+// 1 / (π (1 + |m|²)²). The same formula gives the form factor of a plane at the distance 1 from a point that faces it:
+// the share of each m. So the integral of the distribution over the ellipse is the form factor of an elliptical disc (as
+// in Heitz and Hill 2017, "Real-Time Line- and Disk-Light Shading with Linearly Transformed Cosines"). For an ellipse
+// with the centre m and the matrix C (the ellipse is m + √C · unit disc) it is
 //     √det C · μ · c² / √det(1 + μC)   with   1 / μ = 1 + m·w,   1 / c² = 1 + w·w,   w = (1 + μC)⁻¹ m.
 // w is the mean slope of the facets that mirror the disc. Fresnel term and masking-shadowing are those of this slope.
 #ifndef WEFT_DISC_LIGHT
@@ -35,8 +35,9 @@ SlopeEllipse slopes_of_disc(vec3 eye, vec3 light, float radius) {
     return e;
 }
 
-// Returns (w, form factor): see above. μ is between 1 / (1 + m·m) and 1. Seven bisections of the logarithm of μ and two
-// steps of Newton's method find μ.
+// Returns the mean slope w (xy) and the form factor (z) of an ellipse of slopes, by the formulas at the top of this
+// file. The number μ in these formulas is between 1 / (1 + m·m) and 1, where m is the centre of the ellipse. Seven
+// bisections of the logarithm of μ and two steps of Newton's method find μ.
 vec3 form_factor(SlopeEllipse e) {
     const vec2 m = e.center;
     const float cx = e.a.x * e.a.x + e.b.x * e.b.x, cy = e.a.y * e.a.y + e.b.y * e.b.y;

@@ -11,7 +11,8 @@ layout(set = 0, binding = 1, std140) uniform ViewBlock { ViewConstants view; };
 layout(set = 0, binding = 2) uniform sampler2D environment;  // Equirectangular picture of the sky; see sky.glsl.
 layout(set = 0, binding = 3, std140) uniform SunBlock { SunConstants sun; };
 layout(set = 0, binding = 4, std430) readonly buffer LightFunctions { LightFunction items[]; } light_functions;
-layout(set = 0, binding = 5) uniform sampler2DArray light_pictures;  // Pictures of lights: light_function.glsl.
+// Pictures that lights project; see light_function.glsl.
+layout(set = 0, binding = 5) uniform sampler2DArray light_pictures;
 layout(set = 0, binding = 6) uniform sampler2D environment_light;  // Small picture of the sky, for lighting.
 layout(set = 0, binding = 7, std140) uniform FurtherSunBlock { FurtherSuns further_suns; };
 

@@ -1,7 +1,7 @@
 // The lobe of directions from which a rough surface (GGX, height-correlated Smith) mirrors light to the eye, as a sum of
 // three parts. The filtered cube has lobes for an eye that looks straight at the surface (N = V); these are round. At
 // other angles, the lobe is longer in the plane of the normal and the eye, narrower across it, and not symmetric. Each
-// part is a round lobe of less roughness with its middle in this plane.
+// part is a round lobe with a roughness of its own, and its middle lies in this plane.
 #ifndef WEFT_MIRROR_LOBE
 #define WEFT_MIRROR_LOBE
 
@@ -12,17 +12,18 @@ const float kPartShares[3] = float[3](0.3211, 0.4145, 0.2644);
 const float kLeastParted = 0.1;
 
 struct MirrorParts {
-    vec3 tilts;  // Tangents of the angles between the middles of the parts and the mirrored direction, divided by the
-                 // sine of the angle between the normal and the eye. Positive: away from the normal.
+    // Tangents of the angles between the middles of the parts and the mirrored direction, divided by the sine of the
+    // angle between the normal and the direction to the eye. Positive: away from the normal.
+    vec3 tilts;
     vec3 roughnesses;
 };
 
 // The polynomials of n·v and the roughness r were fitted to the exact lobe for n·v from 0.1 to 1 and r from 0.2 to 1.
-// The fit minimised the integral of |sum of the parts − lobe| over all directions. Each part was the lobe that the mips
-// of the cube give for it. Directions more than 35° off the mirrored direction counted up to three times as much, so
-// that the sum keeps the tails of the lobe. The mean of the integral without these weights is 0.21; for a single part
-// it is 0.40. Below the roughness 0.2, the parts move towards each other. They become one at kLeastParted, because the
-// cube has no narrower lobe.
+// The fit minimised the integral of |sum of the parts − lobe| over all directions. Each part had the shape that the
+// mips of the cube give for the roughness of the part. Directions more than 35° off the mirrored direction counted up
+// to three times as much, so that the sum keeps the tails of the lobe. The mean of the integral without these weights
+// is 0.21; with a single part instead of three, it is 0.40. Below the roughness 0.2, the parts move towards each other.
+// At the roughness kLeastParted, they become one part, because the cube has no narrower lobe.
 MirrorParts mirror_parts(float r, float nv) {
     const float m = 0.5 - nv, s = r - 0.5;
     const float apart = clamp(10.0 * r - 1.0, 0.0, 1.0);

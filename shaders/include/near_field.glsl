@@ -6,8 +6,8 @@
 #include "octahedral.glsl"
 
 layout(constant_id = 33) const bool HAS_nearField = false;
-// Layer 0: irradiance / π × preExposure (rgb) and visibility (a). Layer 1: mean direction of the light (xy, octahedral)
-// and distance to the eye in metres (z).
+// Layer 0: irradiance / π × preExposure from near objects (rgb) and the visibility of the light from farther away (a).
+// Layer 1: mean direction of the light from farther away (xy, octahedral) and distance to the eye in metres (z).
 uniform sampler2DArray nearField;
 
 struct NearField {
@@ -16,13 +16,15 @@ struct NearField {
     float visibility;  // Share of the irradiance of a uniform sky that arrives.
 };
 
-// Texels on other surfaces count at least this much, so that a surface without texels of its own gets those that fit best.
+// Smallest weight of a texel that shows another surface. The weight is above 0, so that a surface that no texel shows
+// still gets a result, from the texels of other surfaces.
 const float kLeastAlike = 1e-4;
-// Surfaces up to the first roughness mirror as if nothing were near; from the second on, near objects count fully.
+// Limits of the roughness. Up to kSmooth, near objects do not change the mirrored light. From kRough on, they change it
+// fully.
 const float kSmooth = 0.1, kRough = 0.3;
 
-// Returns the near field at a pixel, from the four texels around it. A texel counts less if its point is not in the
-// plane of the surface: at a distance of one pixel, it counts a fourth.
+// Returns the near field at a pixel, from the four texels around the pixel. A texel has less weight if its point is not
+// in the plane of the surface. If the point is as far from the plane as a pixel is wide, the weight is a quarter.
 NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) {
     const ivec2 size = ivec2(view.viewport_px), last = textureSize(nearField, 0).xy - 1;
     const int side = (size.x + last.x) / (last.x + 1);  // Pixels of a texel.
@@ -57,10 +59,11 @@ float shared_cone(float a, float b, float apart) {
     return largest * (1.0 - smoothstep(inside, max(outside, inside + 1e-4), apart));
 }
 
-// Returns the share of the mirrored light that near objects do not block. The open directions are a cone around their
-// mean, and the mirrored directions another one: Jimenez et al. 2016, "Practical Realtime Strategies for Accurate
-// Indirect Occlusion". The part of the mirrored cone behind the surface itself is left out. The mean light of the near
-// objects is no picture of them, so smooth surfaces keep the picture of the reflection probes.
+// Returns the share of the mirrored light that near objects do not block. The directions that are not blocked are
+// treated as a cone around their mean direction, and the mirrored directions as another cone: Jimenez et al. 2016,
+// "Practical Realtime Strategies for Accurate Indirect Occlusion". The part of the mirrored cone behind the surface
+// itself is left out. Only the mean light of the near objects is known, which gives no sharp reflection. So for smooth
+// surfaces the result is 1, and the reflection comes from the reflection probes.
 float near_specular_visibility(NearField near, vec3 n, vec3 mirrored, float roughness) {
     if (roughness <= kSmooth) return 1.0;
     const float cone = exp2(-3.32193 * roughness * roughness);

@@ -21,35 +21,38 @@ layout(constant_id = 27) const bool HAS_probeMoments = false;
 layout(constant_id = 28) const bool HAS_probeMap = false;
 layout(std430) readonly buffer ProbeSh { vec4 items[]; } probeSh;
 // One layer for each probe: an octahedral map with a border of one texel; see probes/moments.comp. rgb: the plane that
-// the probe sees, or 0 for the sky. A point is on the plane if dot(rgb, vector from the probe to the point) = 1. a:
-// standard deviation of the inverse distance of the surface from that of the plane.
+// the probe sees, or 0 for the sky. A point is on the plane if dot(rgb, vector from the probe to the point) = 1. a: how
+// much the surface deviates from the plane, as the standard deviation of the inverse distance.
 uniform sampler2DArray probeMoments;
 layout(std430) readonly buffer ProbeMap { uvec4 items[]; } probeMap;
 
 const uint kNoItem = 0xffffffffu;
 
-// Next to a place without a cell of the same level, the light fades to the next coarser level over this part of the
-// cell.
+// Next to a place without a cell of the same level, the light of the cell changes gradually to the light of the next
+// coarser level. This happens over this share of the width of the cell.
 const float kProbeFade = 0.25;
-// Beyond the coarsest cells, their light fades to 0 over this distance, in spacings.
+// Outside of the coarsest cells, the light of these cells fades to 0 over this distance. Unit: the distance between two
+// neighbouring probes of this level.
 const float kProbeReach = 0.5;
-// Before the test whether a probe sees the point, the point moves by this many spacings along the normal, and as far
-// towards the eye. So a surface does not hide itself. For spacings above kMostBiasSpacing_m, the offset stays the same.
+// Before the test whether a probe sees the point, the point moves along the normal by kProbeBias times the spacing, the
+// distance between neighbouring probes. It also moves towards the eye by the same distance. So a surface does not hide
+// itself. For spacings above kMostBiasSpacing_m, the distance of this move stays the same.
 const float kProbeBias = 0.1, kMostBiasSpacing_m = 1.0;
-// The probes of a cell count fully if at least this share of their weights is left after the test whether they see the
-// point.
+// After the test whether the probes of a cell see the point, a share of the weights of these probes is left. If this
+// share is at least kProbeTrust, the cell counts fully.
 const float kProbeTrust = 0.02;
 // Smallest trilinear factor along an axis. So even a point at one side of the cell gets light from the probes at the
 // opposite side, if the probes at its own side are missing or do not see the point.
 const float kLeastCloseness = 0.01;
 // A surface faces to one side along an axis if the component of its normal along this axis is at least this large.
 const float kFacingAxis = 0.25;
-// A texel of the map hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
+// A texel of the map of a probe hides points fully if its weight in a linear filter is at least 1 / kTexelHides.
 const float kTexelHides = 32.0;
-// An object hides softly if the point is many times as far from the probe as the object: not yet at kLeastEdge times,
-// fully at kMostEdge times. Also, the probe must see a surface near the point beside the object. The difference between
-// the inverse distances of this surface and of the point, as a share of that of the point, counts fully up to kLeastOff
-// and not at all from kMostOff on.
+// Limits for the soft shadow of an object between a probe and a point. The edge is soft only if both conditions hold.
+// First, the point is much farther from the probe than the object: at kLeastEdge times the distance the edge is still
+// sharp, at kMostEdge times it is soft. Second, beside the object, the probe sees a surface near the point. This is
+// measured by the difference between the inverse distances of this surface and of the point, divided by the inverse
+// distance of the point: up to kLeastOff the edge is soft, from kMostOff on it is sharp.
 const float kLeastEdge = 1.6, kMostEdge = 3.0;
 const float kLeastOff = 0.4, kMostOff = 0.7;
 // Limits of the standard deviation of the inverse distance, as shares of the inverse distance. The upper limit prevents
@@ -76,7 +79,7 @@ uint probe_stride(uint level) { return probeMap.items[2u + level / 4u][level % 4
 
 // Returns the first item of a cell, or kNoItem. `at` is the corner of the cell with the smallest coordinates.
 uint find_probe_cell(ivec3 at, uint level) {
-    const uvec4 sizes = probeMap.items[1];  // Levels, slots, probes.
+    const uvec4 sizes = probeMap.items[1];  // Numbers of levels, of slots in the table of cells, and of probes.
     const uint begin = first_cell_item(sizes.z);
     uint slot = probe_cell_slot(at, level, sizes.y);
     for (uint tried = 0u; tried < sizes.y; ++tried) {
@@ -114,14 +117,16 @@ float probe_visibility(uint probe, vec3 to_point) {
     const vec2 at = (octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
     const vec2 low = floor(at), high_share = at - low;
     const float distance = length(to_point);
-    vec4 surfaces, deviations;  // Of the four texels, as shares of the inverse distance of the point.
+    // Of each of the four texels: the inverse distance of its surface, and the deviation of this distance. Both are
+    // divided by the inverse distance of the point.
+    vec4 surfaces, deviations;
     for (int i = 0; i < 4; ++i) {
         const vec4 seen = texelFetch(probeMoments, ivec3(ivec2(low) + ivec2(i & 1, i >> 1), int(probe)), 0);
         surfaces[i] = dot(seen.xyz, to_point);
         deviations[i] = seen.w * distance;
     }
     const float nearest = max(max(surfaces.x, surfaces.y), max(surfaces.z, surfaces.w));
-    if (nearest <= 1.0) return 1.0;  // This is so for most points.
+    if (nearest <= 1.0) return 1.0;  // Most points are in front of all four surfaces.
     const float farthest = min(min(surfaces.x, surfaces.y), min(surfaces.z, surfaces.w));
     const vec4 weights = vec4(1.0 - high_share.x, high_share.x, 1.0 - high_share.x, high_share.x) *
                          vec4(1.0 - high_share.y, 1.0 - high_share.y, high_share.y, high_share.y);
@@ -138,7 +143,8 @@ float probe_visibility(uint probe, vec3 to_point) {
 // A probe at a corner of a cell, as a point sees it.
 struct ProbeCorner {
     uint probe;       // kNoProbe: there is no probe at the corner.
-    float weight;     // By the place of the point in the cell and the side of the surface.
+    // Depends on the place of the point in the cell, and on the side of the surface on which the probe is.
+    float weight;
     float visible;    // How well the probe sees the point.
     bool lit;         // False: the probe has no light yet.
 };
@@ -155,8 +161,8 @@ ProbeCorner probe_corner(ProbeQuery q, uint cell, uint corner, vec3 t, float spa
     found.lit = probeSh.items[kProbeShStride * found.probe].w > 0.0;
     if (!found.lit) return found;
     const vec3 seen_at = q.position + (q.normal + q.to_eye) * (kProbeBias * min(spacing_m, kMostBiasSpacing_m));
-    // The least value is above 0. So if the point is hidden from all probes, the probes from which it is hidden least
-    // give the light.
+    // The visibility is never 0. So if the point is hidden from all probes, the probes that hide it least give the
+    // light.
     found.visible = max(probe_visibility(found.probe, seen_at - place), 1e-12);
     return found;
 }
@@ -253,8 +259,8 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 facing, vec3 mir
     const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
     const uint levels = probeMap.items[1].x;
     ProbeSum sum = ProbeSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
-    float rest = 1.0;     // Weight that is left for coarser levels.
-    float beyond = 1.0;   // The same if all probes saw the point.
+    float rest = 1.0;     // Weight that is left for the coarser levels.
+    float beyond = 1.0;   // The value that `rest` would have if all probes saw the point.
     float outside = 1.0;  // 0 in a cell, 1 if no cell is near.
     uint first_cell = kNoItem;
     vec3 first_t = vec3(0.0);

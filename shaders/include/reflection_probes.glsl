@@ -17,16 +17,17 @@
 layout(constant_id = 29) const bool HAS_reflectionCubes = false;
 layout(constant_id = 30) const bool HAS_reflectionSh = false;
 layout(constant_id = 31) const bool HAS_reflectionMap = false;
-// Radiance · kProbeRadianceScale; the mips are those of environment_cube.glsl. Alpha of mip 0: inverse distance from the
-// probe in 1/m, 0 for the sky. The inverse distance is a linear function on a plane, so it can be interpolated.
+// Radiance · kProbeRadianceScale. The mips are filtered for the same roughnesses as those of the cube in
+// environment_cube.glsl. Alpha of mip 0: inverse distance from the probe in 1/m, 0 for the sky. The inverse distance is
+// a linear function on a plane, so it can be interpolated.
 uniform samplerCubeArray reflectionCubes;
 layout(std430) readonly buffer ReflectionSh { vec4 items[]; } reflectionSh;  // As probeSh.
 // For each probe: its position, and the rows of the matrix from world space to the space of its box. In this space, the
 // box reaches from −1 to 1. A probe without a box has rows of 0.
 layout(std430) readonly buffer ReflectionMap { vec4 items[]; } reflectionMap;
 
-// The number of probes for which it is tested whether they see the point. They are the best ones by their distances and
-// boxes.
+// The number of probes for which a test finds out whether they see the point. These are the probes with the largest
+// weights, which depend on their distances and boxes.
 const int kReflectionCandidates = 4;
 // The weight of a probe with a box, relative to one without a box at a distance of 1 m.
 const float kBoxWeight = 1000.0;
@@ -35,7 +36,7 @@ const float kBoxWeight = 1000.0;
 const float kBoxFade = 0.1;
 // A ray that meets no surface is followed up to this distance.
 const float kFarReflection_m = 10000.0;
-// Standard deviation of the inverse distance, as a share of the inverse distance.
+// Assumed standard deviation of the inverse distance in a cube, divided by the inverse distance.
 const float kReflectionDeviation = 0.03;
 
 // The light of the probes around a point. share: 0 if no probe sees what the point mirrors, 1 if the probes give all of
@@ -176,9 +177,9 @@ ReflectionCandidates reflection_candidates(vec3 position) {
     return best;
 }
 
-// Returns the light that a surface with this roughness mirrors. `direction` is the middle of its lobe. The light is
-// that of the two probes with the largest weights. The third largest weight is subtracted from both, so that a probe
-// fades before another one takes its place.
+// Returns the light that a surface with this roughness mirrors. `direction` is the middle of the directions from which
+// the surface mirrors light. The light is that of the two probes with the largest weights. The third largest weight is
+// subtracted from the weights of both, so that the weight of a probe has fallen to 0 before another probe replaces it.
 ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness) {
     const ReflectionCandidates best = reflection_candidates(position);
     ReflectionLight sum = ReflectionLight(vec3(0.0), vec3(0.0), 0.0, 0.0);

@@ -16,7 +16,7 @@ const float kShadowReach = 2.0, kShadowQuadReach = 0.5;
 // reserve.
 const float kShadowBiasTexels = 1.5;
 
-// A map of one light. It is a parallel projection along the light.
+// A shadow map of one light: a parallel projection along the direction of the light.
 struct ShadowMap {
     mat4 world_to_map;  // World to (u, v, depth). Depth is linear: 1 nearest to the light, 0 farthest from it.
     vec2 size;          // Width and height, in texels.

@@ -10,8 +10,8 @@ layout(constant_id = 20) const bool HAS_sunShadow = false;
 uniform sampler2DArrayShadow sunShadow;
 
 // Returns 1 for full sunlight and 0 for shadow. `view_distance`: distance from the eye to the point, in metres. The
-// first map that contains the point decides. Near its edge, it is blended with the next map that contains the point.
-// Points that no map contains are lit.
+// first map that contains the point decides. Near its edge, this map is blended with the next map that contains the
+// point. Points that no map contains are lit.
 float sun_visibility(vec3 position, vec3 normal, float view_distance) {
     if (!HAS_sunShadow || sun.count == 0u) return 1.0;
     if (dot(normal, sun.to_sun) <= 0.0) return 0.0;

@@ -13,8 +13,8 @@ layout(local_size_x = 64) in;
 readonly buffer Lights { Light items[]; } lights;
 layout(rgba32f) writeonly uniform image2D lightBounds;
 
-// Twice the rounding error of the transformation from world space to view space. The transformation adds four products,
-// and each may be wrong by half a unit in the last place.
+// Twice the largest relative rounding error of the transformation from world space to view space. The transformation
+// adds four products, and each may be wrong by half a unit in the last place.
 const float kTransformError = 1e-6;
 
 float sum_of_sizes(vec3 v) { return abs(v.x) + abs(v.y) + abs(v.z); }

@@ -1,8 +1,8 @@
 // Boxes and planes in view space around the surfaces in a rectangle of pixels. Units: metres. All bounds refer to the
 // centres of pixels, because surfaces are shaded there. Requires frame_set.glsl.
 
-// Largest rounding error of a position in single precision, relative to its distance from the eye. It covers the error
-// of a box in this file and the error of the position that world_position() returns for the same pixel.
+// Largest rounding error of a position in single precision, relative to its distance from the eye. This number covers
+// the error of a box in this file and the error of the position that world_position() returns for the same pixel.
 const float kPlaceError = 4e-6;
 // Replaces infinity. The square of this number is still finite.
 const float kEndless = 1e17;
@@ -29,7 +29,7 @@ Slopes slopes_of(ivec2 first, ivec2 last) {
 
 float distance_of(float z) { return min(view.near_m / z, kEndless); }
 
-// Returns a box around the part of the pixels' frustum between two distances.
+// Returns a box around the frustum of a rectangle of pixels, between two distances from the eye along the view axis.
 Box box_of(Slopes s, float near_m, float far_m) {
     const float from_m = near_m * (1.0 - kPlaceError), to_m = far_m * (1.0 + kPlaceError);
     return Box(vec3(min(s.low * from_m, s.low * to_m), -to_m), vec3(max(s.high * from_m, s.high * to_m), -from_m));

@@ -11,12 +11,13 @@
 struct Reach {
     vec3 center;
     float range_m;
-    vec3 first;        // Vector: half of the segment or of one side of the rectangle; `second`: half of the other side.
+    // Half of the segment, or half of one side of the rectangle, as a vector. `second`: half of the other side.
+    vec3 first;
     float cos_spread;  // Cosine of half the cone's opening angle; −1: a whole ball.
     vec3 second;
     float sin_spread;
     vec3 direction;    // Axis of the cone.
-    float slack_m;     // Allowance for rounding in single precision; range_m includes it.
+    float slack_m;     // Allowance for rounding in single precision. range_m includes this allowance.
 };
 
 float core_extent(Reach r, vec3 n) { return abs(dot(n, r.first)) + abs(dot(n, r.second)); }

@@ -1,7 +1,8 @@
 // Builds sorted lists that are equal in every run, although threads run in any order. The work is done in steps
 // ("rounds"). In a round, each thread sets bits for the entries that it adds. After a barrier, the position of an entry
-// is the number of set bits below its bit. Workgroups must have 32 threads; a thread tests four entries in a round, or
-// one. There are no subgroup operations, because subgroup sizes differ. All threads must call these functions.
+// is the number of set bits below its bit. Workgroups must have 32 threads; in a round, each thread tests four entries
+// (enter_some()) or one entry (enter_one()). There are no subgroup operations, because subgroup sizes differ. All
+// threads must call these functions.
 //
 // Write loops around these rounds, and other long loops, so that the exit is at the end of the body:
 // llvmpipe executes the code after a `break` once more for inactive threads. Return results from
@@ -43,7 +44,7 @@ uint entered_count(uint slot) {
     return count;
 }
 
-// Returns the position of a set bit of the word. Exactly `before` bits below this bit are set.
+// Returns the position of the set bit of the word that has exactly `before` set bits below it.
 uint bit_after(uint word, uint before) {
     uint at = 0u;
     for (uint width = 16u; width > 0u; width /= 2u) {

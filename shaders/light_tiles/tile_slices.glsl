@@ -5,15 +5,16 @@
 const int kSlices = 32;
 
 shared uint slice_pixels[kSlices];  // Pixels of each slice: bits of columns (low 16), of rows (high 16).
-shared uint slice_edges[kSlices];   // Of these pixels: first column, first row, last column, last row, 8 bits each.
+// Edges of the pixels of each slice: first column, first row, last column, last row, 8 bits each.
+shared uint slice_edges[kSlices];
 shared uint occupied;               // One bit for each slice that contains a pixel.
 shared uint nearest_z, farthest_z;  // Bits of depth values; non-negative floats sort like their bits.
 
 float first_m, slice_m, last_m;     // In metres: start of the first slice, thickness of a slice, end of the last slice.
 
 struct TileBounds {
-    vec3 axis;     // Direction through the middle of the tile; length 1 along the view axis.
-    float spread;  // Largest distance of the tile's pixels from this axis, at 1 m.
+    vec3 axis;     // Direction through the middle of the tile; its part along the view axis has length 1.
+    float spread;  // Largest distance of the tile's pixels from this axis, at 1 m along the view axis.
     uint occupied;
 };
 
@@ -71,8 +72,8 @@ uint enter_opaque(ivec2 square) {
     }
 }
 
-// Adds each pixel with glass to all slices from the glass to the opaque surface, or to the last slice if there is none.
-// Returns the slices as bits.
+// Adds each pixel with glass to all slices from the glass to the opaque surface, or to the last slice if there is no
+// opaque surface. Returns the slices as bits.
 uint enter_translucent_square(ivec2 square) {
     const vec4 z = gather_depth(depth, tile_origin() + square), glass = gather_depth(glassDepth, tile_origin() + square);
     uint entered = 0u;
@@ -92,7 +93,7 @@ uint enter_translucent(ivec2 square) {
 }
 
 // Returns the depth range of the pixels with glass. The nearest depth is that of the nearest glass. The farthest depth
-// is that of an opaque surface behind glass, or of the glass itself if there is only sky behind it.
+// is that of an opaque surface behind glass, or of the glass itself if there is only sky behind the glass.
 vec2 translucent_range() {
     for (int s = 0; s < 2; ++s) {
         const ivec2 square = tile_origin() + squares_in_tile() + ivec2(2 * s, 0);

@@ -1,5 +1,5 @@
 // For debug views: shows a number for each tile as a colour and in digits, with a key of the colours in a corner.
-// Requires debug_colors.glsl, debug_digits.glsl and the image `shown` of facts.comp.
+// Requires debug_colors.glsl, debug_digits.glsl and the image `shown`, which is the image tileFacts of facts.comp.
 
 const float kMost = 128.0;  // Upper end of the colour scale, which is logarithmic.
 

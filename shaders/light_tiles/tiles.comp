@@ -1,17 +1,17 @@
-// Lists the lights that may reach a tile of 16 × 16 pixels, with one workgroup per tile. The depth range
-// of the tile's pixels is divided into 32 slices of equal thickness. Each slice has a box around the pixels
-// in it. A light of the super-tile is listed if it reaches one of these boxes. Harada's 2.5D
-// culling (SIGGRAPH Asia 2012) is similar, but has a bit instead of a box for each slice. Cheap tests come
-// first: columns, rows and a sphere around the light (super_list.glsl). Only the remaining lights are
-// tested exactly, and they are distributed so that all threads have work.
-// Input depth: reversed; 0 is the sky, which no light reaches. Input hiz: nearest and farthest depth of
-// each tile (hiz/hiz.comp). Input lightBounds, superLights: see light_bounds.comp, super_tiles.comp. Input
-// glassDepth, with TRANSLUCENT: the nearest transparent surface. A pixel then covers the range from this
-// surface to the opaque surface, or to infinity if there is none.
-// Output tileLights: for each tile, row by row, the number of its lights and their indices, ascending.
-// Output tileOverflow: number of lights that did not fit into their lists; number of lists that were too
-// short; the length that the longest of these lists would need. Output tileMask, optional: the same sets of
-// lights without a limit, with one bit per light.
+// Lists the lights that may reach a tile of 16 × 16 pixels, with one workgroup per tile. The depth range of the tile's
+// pixels is divided into 32 slices of equal thickness. Each slice has a box around the pixels in it. A light of the
+// super-tile is listed if it reaches one of these boxes. Harada's 2.5D culling (SIGGRAPH Asia 2012) is similar, but has
+// a bit instead of a box for each slice. Cheap tests come first: columns, rows and a sphere around the light
+// (super_list.glsl). Only the remaining lights are tested exactly, and they are distributed so that all threads have
+// work.
+// Input depth: reversed; 0 is the sky, which no light reaches. Input hiz: nearest and farthest depth of each tile
+// (hiz/hiz.comp). Input lightBounds, superLights: see light_bounds.comp, super_tiles.comp. Input glassDepth, with
+// TRANSLUCENT: the nearest transparent surface. A pixel then covers the range from this surface to the opaque surface,
+// or to infinity if there is no opaque surface.
+// Output tileLights: for each tile, row by row, the number of its lights and their indices, ascending. Output
+// tileOverflow: number of lights that did not fit into their lists; number of lists that were too short; the length
+// that the longest of these lists would need. Output tileMask, optional: the same sets of lights without a limit, with
+// one bit per light.
 #version 460
 #include "frame_set.glsl"
 #include "light_bounds.glsl"
@@ -69,9 +69,10 @@ void put(uint light, uint place) {
 }
 
 uint fill_list() {
-    find_edges();  // The barrier that must follow is in the first round.
+    find_edges();  // find_edges() needs a barrier after it; the first round contains this barrier.
     const TileBounds bounds = tile_bounds();
-    const uint super = super_list(), end = super + 1u + superLights.items[super].x;  // `end` is at least 1.
+    // `end` is at least 1, so `end` − 1 is valid.
+    const uint super = super_list(), end = super + 1u + superLights.items[super].x;
     uint listed = 0u;
     for (uint first = super + 1u;;) {
         const uint slot = enter_some(find_candidates(first, end, bounds)), count = entered_count(slot);

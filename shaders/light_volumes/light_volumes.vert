@@ -3,13 +3,12 @@
 // rectangle a box. A spot whose cone edge is 60° or more from its axis gets an icosahedron, too. Lights
 // without a range cover the whole picture.
 //
-// Each volume is drawn twice in one draw; primitives are rasterised in order. First, its back faces set the
-// stencil where the surface is in front of them. Then its front faces shade the pixels with a set stencil
-// whose surface is behind them, and clear the stencil. Triangles with the other orientation are collapsed. If
-// the eye or the near plane is inside the volume, the near plane would clip the front faces. In this case the
-// second drawing uses the back faces again, at the depth of the near plane. Their orientation is reversed, so
-// that they count as front faces. Depth is reversed. Volumes are 1 % too large, so that rounding errors at
-// their edges are invisible.
+// Each volume is drawn twice in one draw; primitives are rasterised in order. First, its back faces set the stencil
+// where the surface is in front of them. Then its front faces shade the pixels with a set stencil whose surface is
+// behind them, and clear the stencil. Triangles with the other orientation are collapsed. If the eye or the near plane
+// is inside the volume, the near plane would clip the front faces. In this case the second drawing uses the back faces
+// again, at the depth of the near plane. The shader reverses the orientation of these back faces, so that they count as
+// front faces. Depth is reversed. Volumes are 1 % too large, so that rounding errors at their edges are invisible.
 #version 460
 #include "frame_set.glsl"
 #include "shared/light.glsl"
@@ -23,8 +22,10 @@ const int kTriangles = 20;
 const float kMargin = 1.01;
 const float kPi = 3.14159265358979;
 const int kSides = 10;
-const float kAroundCircle = kMargin / cos(kPi / float(kSides));  // Margin × outer / inner radius of the rim.
-const float kAroundSphere = kMargin * 1.258408572;               // Margin × outer / inner radius of the icosahedron.
+// Margin × circumradius / inradius of the polygon of the rim.
+const float kAroundCircle = kMargin / cos(kPi / float(kSides));
+// Margin × circumradius / inradius of the icosahedron.
+const float kAroundSphere = kMargin * 1.258408572;
 
 const float kGolden = 1.618033988750;
 const vec3 kIcosahedron[12] = vec3[](

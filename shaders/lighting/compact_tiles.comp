@@ -14,7 +14,8 @@ layout(std430) writeonly buffer DirectionalTiles { uint items[]; } directionalTi
 layout(std430) writeonly buffer PunctualTiles { uint items[]; } punctualTiles;
 layout(std430) writeonly buffer AnyTiles { uint items[]; } anyTiles;
 
-shared uvec4 counts[gl_WorkGroupSize.x];  // Index: invocation. Components: sky, directional, punctual, any.
+// Numbers of tiles. Index: invocation. Components: the classes sky, directional, punctual and any.
+shared uvec4 counts[gl_WorkGroupSize.x];
 
 uint class_at(uint tile, uint columns) { return texelFetch(tileClass, ivec2(tile % columns, tile / columns), 0).r; }
 

@@ -34,7 +34,7 @@ struct Tile {
 Tile make_tile(uvec2 at, vec2 size_px) {
     const vec2 low = vec2(at * 16u) / size_px * 2.0 - 1.0;
     const vec2 high = vec2(at * 16u + 16u) / size_px * 2.0 - 1.0;
-    const mat4 p = view.projection;  // Its third column contains the jitter, which moves the picture.
+    const mat4 p = view.projection;  // The third column contains the jitter, which shifts the picture.
     Tile tile;
     tile.left = normalize(vec3(p[0][0], 0.0, p[2][0] + low.x));
     tile.right = -normalize(vec3(p[0][0], 0.0, p[2][0] + high.x));

@@ -1,6 +1,7 @@
-// Smooths the near field over neighbouring points of the same surface, and blends it with that of earlier frames.
-// Output nearField: layer 0: like nearTraced. Layer 1: xy: mean direction of the light in octahedral encoding, z: distance
-// to the eye in metres, w: number of blended frames, at most 256.
+// Smooths the near field (the light and the shadow of near objects, from trace.comp) over neighbouring points of the
+// same surface, and blends it with the near field of earlier frames.
+// Output nearField: layer 0: the values of nearTraced, smoothed and blended. Layer 1: xy: mean direction of the light
+// in octahedral encoding, z: distance to the eye in metres, w: number of blended frames, at most 256.
 #version 460
 #include "frame_set.glsl"
 #include "half_float.glsl"
@@ -18,15 +19,16 @@ layout(rgba16f) writeonly uniform image2DArray nearField;
 
 layout(push_constant) uniform Params {
     float beforeValid;  // 1 if a frame has written the history, otherwise 0.
-    float nearNewest;   // Smallest weight of this frame, 0 to 1.
+    float nearNewest;   // Smallest weight of this frame in the mean over frames, 0 to 1.
     uint nearScale;
     uint nearSmooth;    // 0: no smoothing over neighbours and frames.
 } params;
 
-// A neighbour belongs to the same surface if its distance from the plane of the surface is below this share of the
-// distance to the eye, and the normals differ by less than the angle with this cosine.
+// A neighbour belongs to the same surface if two conditions are met: its distance from the plane of the surface is
+// below kPlaneShare times the distance to the eye, and the cosine of the angle between the normals is above
+// kLeastCosine.
 const float kPlaneShare = 0.005, kLeastCosine = 0.8;
-// The history is from the same surface if the distances to the eye differ by less than this share.
+// The history is from the same surface if the distances to the eye differ by less than this share of the distance.
 const float kSameDistance = 0.05;
 
 struct Smooth {
@@ -44,7 +46,8 @@ vec3 normal_of(ivec2 texel) {
     return octahedral_decode(texelFetch(normal, pixel, 0).xy);
 }
 
-// The noise repeats every 4 texels. So the mean is over 4 × 4 texels: of 5 × 5, those at the edge count half.
+// Returns the mean over 4 × 4 texels, because the noise repeats every 4 texels. The loop reads 5 × 5 texels, and those
+// at the edge count half.
 Smooth smoothed(ivec2 texel, vec4 own) {
     const ivec2 last = textureSize(nearTraced, 0) - 1;
     const vec3 position = place_of(texel, own.w), n = normal_of(texel);
@@ -69,8 +72,8 @@ Smooth smoothed(ivec2 texel, vec4 own) {
     return Smooth(sum.light / weights, sum.bent / weights);
 }
 
-// Returns the place (uv in this module's images) that the surface had in the previous frame, and in z the distance to
-// the eye that a still surface had.
+// Returns the place of the surface in the previous frame. xy: uv in the images of this module. z: distance to the eye
+// in the previous frame, as if the surface had not moved.
 vec3 place_before(ivec2 texel, vec4 own) {
     const vec2 size = vec2(textureSize(depth, 0));
     const ivec2 pixel = min(texel * int(params.nearScale), ivec2(size) - 1);
@@ -78,7 +81,8 @@ vec3 place_before(ivec2 texel, vec4 own) {
     const vec2 covered = vec2(textureSize(nearTraced, 0)) * float(params.nearScale);
     const vec4 now = view.steady_view_projection * vec4(place_of(texel, own.w), 1.0);
     const vec4 before = view.prev_view_projection * vec4(place_of(texel, own.w), 1.0);
-    // The value of a texel is that of its first pixel, whose centre is not the centre of the texel.
+    // A texel has the value of its first pixel. `first` is the offset from the centre of this pixel to the centre of
+    // the texel.
     const vec2 first = (0.5 * float(params.nearScale) - 0.5) / covered;
     return vec3(((vec2(pixel) + 0.5) / size - moved) * size / covered + first, own.w * before.w / now.w);
 }
@@ -111,7 +115,8 @@ void main() {
             now.light = mix(light, now.light, weight);
             now.bent = mix(octahedral_decode(shape.xy), normalize(now.bent), weight);
         }
-        // Before the first picture, the near field is empty and must not stay in the mean.
+        // In the first frame, no previous picture exists, and the near field contains no light. With the count 0, the
+        // next frame replaces this result.
         count = params.beforeValid > 0.0 ? min(count + 1.0, 256.0) : 0.0;
     }
     store(texel, vec4(nearest_half(now.light.rgb), now.light.a), vec4(octahedral_encode(now.bent), own.w, count));

@@ -1,6 +1,7 @@
-// One slice of the hemisphere over a surface: the plane through the surface point and the eye, turned around the
-// direction to the eye. An angle in the slice is measured from the direction to the eye, and is positive on the side of
-// `across`. The half of the slice over the surface is divided into 32 sectors of equal angles, one bit each.
+// One slice of the hemisphere over a surface: a plane that contains the surface point and the eye. The slices of a
+// point are turned around the direction to the eye by different angles. An angle in the slice is measured from the
+// direction to the eye, and is positive on the side of `across`. The half of the slice over the surface is divided into
+// 32 sectors of equal angles, one bit each.
 //
 // Sources: Jimenez et al. 2016, "Practical Realtime Strategies for Accurate Indirect Occlusion", for the integral over a
 // slice with the cosine; Therrien, Levesque and Gilet 2023, "Screen Space Indirect Lighting with Visibility Bitmask".

@@ -1,6 +1,7 @@
-// Makes the picture that the near field of the next frame takes its light from: the lit picture of this frame, with
-// `nearScale` × `nearScale` pixels in each texel. Scene-linear × preExposure. A pixel that is much brighter than the
-// others of its texel counts less, so that a highlight of one pixel does not flicker as light on other surfaces.
+// Makes the picture from which the near field (trace.comp) of the next frame reads the light of surfaces. It is the lit
+// picture of this frame, with the mean of `nearScale` × `nearScale` pixels in each texel. Scene-linear × preExposure. A
+// pixel that is much brighter than the others of its texel counts less, so that a highlight of one pixel does not
+// flicker as light on other surfaces.
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 

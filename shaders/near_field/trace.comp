@@ -22,24 +22,28 @@ layout(rgba16f) writeonly uniform image2D nearBent;
 
 layout(push_constant) uniform Params {
     float nearSourceValid;  // 1 if a frame has written nearSource, otherwise 0.
-    float nearRadius;       // Largest distance of an object, in metres.
+    float nearRadius;       // Largest distance of an object from the surface point, in metres.
     float nearThickness;    // How far an object extends behind its visible surface, as a share of the radius.
     uint nearScale;
     uint nearSlices;        // Number of slices of each point.
-    uint nearSteps;         // Number of places on each side of a slice.
+    uint nearSteps;         // Number of places that are read on each side of a slice.
     uint nearNoise;         // 1: directions and places differ from pixel to pixel and from frame to frame.
 } params;
 
-// The radius differs from slice to slice, so that the effect of an object ends gradually: this share of it is random.
+// Each slice has a different radius, so that the effect of an object ends gradually with the distance. The radius is
+// shortened by a random share, at most this number.
 const float kRandomRadius = 0.4;
-// Smallest cosine between normal and eye that the correction to the slice uses.
+// Smallest cosine of the angle between the normal and the direction to the eye that follow() uses to move points into
+// the slice.
 const float kLeastFacing = 0.1;
-// Two neighbouring places of a slice belong to the same object if their distance is at most this many times the distance
-// that the pixels have in a plane perpendicular to the view. Then the object also fills the angles between them.
+// Two neighbouring places on one side of a slice belong to the same object if the distance between them is at most
+// kJoined times d. d is the distance that the two pixels would have on a plane perpendicular to the view. If the places
+// belong to the same object, this object also fills the angles between them.
 const float kJoined = 4.0;
-// Length of the mean direction, weighted by the cosine, of light from the whole hemisphere.
+// Length of the mean direction of uniform light from the whole hemisphere, weighted by the cosine.
 const float kUniform = 2.0 / 3.0;
-const float kGolden = 0.61803399, kPlastic = 0.75487767;  // Steps of even sequences in one and two dimensions.
+// Steps of evenly distributed (low-discrepancy) sequences.
+const float kGolden = 0.61803399, kPlastic = 0.75487767;
 
 struct Point {
     ivec2 pixel;
@@ -56,7 +60,8 @@ vec3 point_at(ivec2 pixel, float z) {
     return world_position((vec2(pixel) + 0.5) / vec2(textureSize(depth, 0)), z);
 }
 
-// Returns the distance between the probes around a point, at most nearRadius: the probes know what is farther away.
+// Returns the distance between the probes around a point, at most nearRadius. Light from farther away comes from the
+// probes.
 float near_radius_m(vec3 position) {
     if (!HAS_probeMap) return params.nearRadius;
     const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
@@ -88,7 +93,8 @@ vec2 noise_of(ivec2 texel) {
     return fract(pattern + vec2(kGolden, kPlastic) * float(frame.frame_index % 1024u));
 }
 
-// Moves the sectors `found` from the open ones to those that show an object with the radiance `light`.
+// Marks the sectors `found` as blocked by an object with the radiance `light`: adds the light of the object to `sum`,
+// and subtracts the light of the sky in these sectors.
 void hide(inout Gathered sum, Slice slice, uint found, vec3 light) {
     while (found != 0u) {
         const uint begin = uint(findLSB(found)), rest = ~(found >> begin);
@@ -101,18 +107,21 @@ void hide(inout Gathered sum, Slice slice, uint found, vec3 light) {
     }
 }
 
-// Follows one side of a slice through the picture and adds what is near. `step_px`: pixels for each metre along
-// `across`. Bits of `hidden` are sectors behind an object.
+// Follows one side of a slice through the picture, and adds the light of near objects to `sum`. `step_px`: offset in
+// the picture, in pixels, of one metre along `across`. The bits of `hidden` are the sectors that an object already
+// blocks.
 void follow(inout Gathered sum, inout uint hidden, Point p, Slice slice, float side, vec2 step_px, float radius_m, vec2 noise) {
     const vec2 size = vec2(textureSize(depth, 0));
     const vec3 sideways = cross(slice.to_eye, slice.across);
-    // The direction in the surface that leaves the slice. Pixels are not exactly in the slice, and this moves them back.
+    // The direction in the plane of the surface that leads out of the slice. Pixels are not exactly in the slice: the
+    // loop moves their points along this direction into the slice.
     const vec3 leaving =
         sideways - slice.to_eye * (dot(sideways, p.normal) / max(dot(slice.to_eye, p.normal), kLeastFacing));
     const float reach_px = min(length(step_px) * radius_m, length(size));
     const vec2 along = side * normalize(step_px);
     const uint steps = uint(clamp(ceil(reach_px), 1.0, float(params.nearSteps)));
-    vec3 last = vec3(0.0);     // Place of the last object, and its first sector.
+    // Position of the previous point. The next two variables are its distance in pixels and its place in sectors.
+    vec3 last = vec3(0.0);
     float last_px = -1.0, last_sector = 0.0;
     for (uint i = 0u; i < steps; ++i) {
         const float t = (float(i) + noise.y) / float(steps);

@@ -25,10 +25,11 @@ const int kAll = kSamples * kSamples;
 // A plane behind a surface lets light through the surface. A plane in front of a surface hides places that the probe
 // sees. The first error counts this many times as much as the second.
 const float kOpenCost = 2.0;
-// A surface belongs to a plane if their inverse distances differ by at most this share.
+// The surface of a sample belongs to a plane if their inverse distances differ by at most this share of the inverse
+// distance of the surface.
 const float kSameSurface = 0.05;
-// At the border of a face, there is no third texel that shows whether a change from texel to texel is steady. The
-// unsteadiness of such a change is this share of slope_at().
+// At the border of a face, there is no third texel, so it is unknown whether the change from texel to texel is steady.
+// The unsteadiness of this change is then assumed to be this share of slope_at().
 const float kNoThird = 1e-3;
 
 // Returns the texel of the map that has the content of the texel `at`. Texels of the border are copies of other texels.
@@ -43,7 +44,7 @@ ivec2 wrapped(ivec2 at) {
 struct Sight {
     vec3 direction, plane;
     float near;
-    float unsteady;  // How unsteady the inverse distance changes around the texel, from 0 to 1.
+    float unsteady;  // How unevenly the inverse distance changes around the texel, from 0 (evenly) to 1.
 };
 
 // Returns the dot product of the plane's vector and the unnormalised direction of a texel. Where the surface is flat,
@@ -108,7 +109,8 @@ float weights[kAll];
 void look_around(vec2 texel) {
     for (int i = 0; i < kAll; ++i) {
         const vec3 point = octahedron_point(texel + (vec2(i % kSamples, i / kSamples) + 0.5) / float(kSamples));
-        // Seen from the middle of the octahedron, pieces of it that are farther away look smaller.
+        // The weight is the solid angle of a piece of the octahedron, as seen from its middle: pieces that are farther
+        // away look smaller.
         const float inverse_length = inversesqrt(dot(point, point));
         weights[i] = inverse_length * inverse_length * inverse_length;
         sights[i] = sight_along(point * inverse_length);

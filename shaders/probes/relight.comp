@@ -1,6 +1,6 @@
 // Lights the surfaces that a light probe sees: writes the radiance of each texel of its six faces, in cd/m². Surfaces
 // reflect light evenly in all directions. Metals do, too: their highlights go in different directions, so that on
-// average a probe receives the same light from them. A round of the group lights one probe.
+// average a probe receives the same light from them. Each round of the group of passes lights one probe.
 //
 // Each thread lights a block of texels: it computes the incident light once, for one texel of the block. The texels of
 // the block have an albedo and an emission of their own.
@@ -21,24 +21,28 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// The light that surfaces reflect further: 0 none, 1 the light of the volume of probes, 2 that of this probe itself.
+// Selects the light of other surfaces that a surface reflects again. 0: none, 1: the light of the volume of probes, 2:
+// the light of this probe itself.
 layout(constant_id = 1) const int probeFeedback = 1;
 // Texels along each side of a block. The faces have a whole number of blocks.
 layout(constant_id = 2) const int blockSide = 1;
 
-uniform sampler2DArray probeAlbedo, probeNormal, probeEmission;  // Six faces, as probeDistance of lamp_share.glsl.
-uniform sampler2DArray probeSky;                                 // Surroundings / frame.environment_unit.
+// Six layers, one for each face, like probeDistance of lamp_share.glsl.
+uniform sampler2DArray probeAlbedo, probeNormal, probeEmission;
+// Light of the surroundings, divided by frame.environment_unit.
+uniform sampler2DArray probeSky;
 uniform sampler2DArrayShadow sceneSunShadow;
 layout(std430) readonly buffer SceneLights { Light items[]; } sceneLights;
-layout(std430) readonly buffer EnvironmentSh { vec4 items[]; } environmentSh;  // 4 or 9 coefficients, in cd/m².
+// 4 or 9 coefficients of spherical harmonics, in cd/m².
+layout(std430) readonly buffer EnvironmentSh { vec4 items[]; } environmentSh;
 layout(std430) readonly buffer ProbePoints { ProbePoint items[]; } probePoints;
 layout(std430) readonly buffer Lamps { uint items[]; } lamps;
 layout(rgba32f) writeonly uniform image2DArray lit;
 layout(push_constant) uniform Params { int p; } params;  // The number of the probe.
 
-// Largest albedo for light that other surfaces have reflected. It limits the light in a closed white room if the probes
-// never rest. A lookup is a mean of probes and adds no light. So the sum of all reflections is at most 100 times the
-// light of the first reflection.
+// Largest albedo for light that other surfaces have reflected. This limit matters in a closed white room, where each
+// new round of lighting the probes adds light. A lookup is a mean of probes and adds no light. So the sum of all
+// reflections is at most 1 / (1 − 0.99) = 100 times the light of the first reflection.
 const float kMostAlbedo = 0.99;
 struct Texel {
     vec3 position;
@@ -116,7 +120,7 @@ bool is_on_seen_lamp(vec3 position) {
     return false;
 }
 
-// Returns irradiance / π of the light that other surfaces have reflected in the rounds before.
+// Returns irradiance / π of the light that other surfaces have reflected in earlier rounds.
 vec3 bounced_over_pi(Texel t) {
     if (probeFeedback == 0) return vec3(0.0);
     const float basis[9] = harmonic_basis(t.normal);
@@ -126,7 +130,7 @@ vec3 bounced_over_pi(Texel t) {
         return max(sum, vec3(0.0));
     }
     // Places outside of the volume have the light of the surroundings. In the first rounds, some probes have no light
-    // yet, and count as dark. So no light from elsewhere gets into closed rooms.
+    // yet. They count as dark, so that no light from elsewhere gets into closed rooms.
     const ProbeLight volume = probe_light(t.position, t.normal, t.to_probe, t.normal, t.normal);
     const vec3 known = volume.facing * volume.validity;
     if (volume.outside <= 0.0) return known;

@@ -14,8 +14,8 @@ layout(location = 2) out float probeVisibility;
 
 uniform sampler2D depth;
 
-// Adds up the probes of the cell: rgb the colours times the weights, w the weights. `all`: the weights without the test
-// whether the probe sees the point.
+// Adds up the probes of the cell: rgb is the sum of the colours times the weights, w is the sum of the weights. `all`
+// receives the sum of the weights without the test whether the probe sees the point.
 vec4 weighted_colors(ProbeQuery q, uint cell, vec3 t, float spacing_m, out float all) {
     vec4 sum = vec4(0.0);
     all = 0.0;

@@ -31,7 +31,8 @@ float random(ivec2 cell, uint salt) {
     return float(bits >> 8) / 16777216.0;
 }
 
-// Returns the first state (u, v) of a cell: (1, 0), except in drops of v. About two of five squares of a grid have one.
+// Returns the first state (u, v) of a cell: (1, 0) outside the drops of v. About two of five squares of a grid contain
+// a drop.
 vec2 first_cell(ivec2 cell) {
     const int kGrid = 30;
     const ivec2 square = cell / kGrid;

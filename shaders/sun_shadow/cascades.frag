@@ -13,7 +13,8 @@ uniform sampler2D shown;
 const vec3 kTints[kMostSunCascades] =
     vec3[](vec3(1.0, 0.6, 0.3), vec3(0.4, 0.85, 0.45), vec3(0.35, 0.65, 1.0), vec3(0.8, 0.45, 0.95));
 
-// Returns the position in map i, in texels, and in w the share of the map in the light.
+// Returns in xy the position in map i, in texels. w is the weight of map i, 0 to 1: near its edge, the map is blended
+// with the next map.
 vec4 place_in(uint i, vec3 position) {
     const mat4 to_map = sun.cascades[i].world_to_map;
     const vec2 side_m = 1.0 / vec2(length(vec3(to_map[0][0], to_map[1][0], to_map[2][0])),

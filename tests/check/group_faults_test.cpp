@@ -74,7 +74,7 @@ class GroupFault : public ResolveTest {
 
 TEST_F(GroupFault, UnitsThatDoNotExist) {
     plan.graph.groups[0].rounds = 9;
-    expect_fault("has units that the plan does not have");
+    expect_fault("has more rounds than the plan has units for them");
 }
 
 TEST_F(GroupFault, APassBetween) {
@@ -85,7 +85,7 @@ TEST_F(GroupFault, APassBetween) {
 
 TEST_F(GroupFault, RoundsThatAreMixed) {
     move("g::make#1", at("g::store#0"));
-    expect_fault("has passes of one round after the beginning of the next round");
+    expect_fault("runs passes of one round after the next round has begun");
 }
 
 TEST_F(GroupFault, SeveralBatches) {

@@ -96,7 +96,7 @@ TEST(LightCheck, ManyFaultsAreToldInFewWarnings) {
     ASSERT_EQ(warnings.size(), 9u);
     EXPECT_EQ(warnings[0].code, "S158");
     EXPECT_EQ(warnings[0].message, "light \"lamp\": the range was not within its limits");
-    EXPECT_EQ(warnings[8].message, "999992 more lights or light functions have wrong values");
+    EXPECT_EQ(warnings[8].message, "999992 further lights or light functions have wrong values, too");
 }
 
 TEST(LightPictures, AreResampledOnceEach) {

@@ -29,7 +29,8 @@ std::string pass_text(const ResolvedGraph& graph, const PassDecl& pass) {
                      pass.name.c_str(), reads, in.c_str(), out.c_str());
 }
 
-// Adds the block Params with the parameter `gain` of the graph. Only passes that read no image have it.
+// Adds the block Params with the parameter `gain` of the graph. Only passes that read no image have this
+// block.
 void add_gain(ShaderInterface& interface) {
     interface.has_params = true;
     interface.params.push_constants = true;
@@ -52,8 +53,7 @@ std::string bench_file_text(const ResolvedGraph& graph) {
         passes += (passes.empty() ? "\n" : ",\n") + pass_text(graph, pass);
     return formatted(R"({"version": 1, "name": "%s", "params": {"gain": {"default": 1}}, "resources": {)",
                      graph.name.c_str()) +
-           images +
-           "}, \"passes\": {" + passes + "}}\n";
+           images + "}, \"passes\": {" + passes + "}}\n";
 }
 
 ShaderCatalog bench_shaders() {

@@ -23,9 +23,9 @@ struct CompiledGraph {
     double median_us = 0;              // Median time of all later compilations.
     std::vector<StageTime> stages;     // Times of the compiler's stages in the fastest later compilation.
     std::vector<StageTime> front_end;  // Times of the stages from the graph file to the resolved graph.
-    double check_us = 0;               // Time of the checker.
+    double check_us = 0;               // Time that the checker needs for the plan.
     ReloadTimes reload;                // Measured only for the first graph, else 0.
-    MemoryPlan memory;                 // Without placements and alias transitions.
+    MemoryPlan memory;                 // The memory plan without its placements and alias transitions.
     // The candidate orders of the passes, from which the compiler chose one.
     std::vector<ScheduleCandidate> candidates;
     std::string chosen;  // Name of the chosen candidate.

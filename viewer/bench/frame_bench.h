@@ -41,9 +41,10 @@ struct PassResult {
     uint32_t queue = 0;
     // Describes the work of the pass. Passes of different graphs with equal keys count as the same pass.
     std::string key;
-    std::vector<double> ms;  // Time of the pass on the device in each round; 0 while the pass rests.
-    // For a pass that can rest: its time in each round in a frame in which all passes run. Empty for all
-    // other passes.
+    // Time of the pass on the device in each round; 0 if the pass rests (does not run).
+    std::vector<double> ms;
+    // For a pass that can rest (that does not run while its inputs stay the same): its time in each round in
+    // a frame in which all passes run. Empty for all other passes.
     std::vector<double> awake_ms;
     uint64_t bytes = 0;  // Number of bytes that the pass reads and writes through its ports.
     // Number of floating-point operations that the graph file declares for the pass; 0 if the file declares
@@ -107,7 +108,7 @@ struct FrameBench {
     // Divides the frame time of the graph in each round by the frame time of the first graph in the same
     // round. Returns the median of these ratios.
     [[nodiscard]] double ratio_to_first(size_t light, size_t graph, bool with_common) const;
-    // The same, but divides the frame time by the time of the trivial reference pass.
+    // Like ratio_to_first(), but divides the frame time by the time of the trivial reference pass.
     [[nodiscard]] double ratio_to_trivial(size_t light, size_t graph, bool with_common) const;
     [[nodiscard]] std::vector<Crossing> crossings() const;
 };

@@ -54,8 +54,8 @@ std::string pass_line(const FrameBench& bench, const std::string& graph, const P
                      ms.median / limit_ms, ms.median / bench.yardsticks.trivial_ms, pass_note(pass));
 }
 
-// The frame times while passes rest, and in frames in which all passes run. Empty if no graph has such
-// passes.
+// Returns a table of the median frame times while passes rest, and in frames in which all passes run. Empty
+// if no graph has passes that rest.
 std::string awake_lines(const FrameBench& bench) {
     std::string text;
     for (const GraphResult& result : bench.results)

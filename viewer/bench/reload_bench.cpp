@@ -23,7 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kRuns = 50;
 // The benchmark waits this long before the first load. If a file changed only shortly before it was read, the
-// loader always reads it again, because a further change may have left the same time of change.
+// loader always reads it again, because a second change soon after the first may give the file the same time
+// of change.
 constexpr auto kAge = std::chrono::milliseconds(100);
 
 // A temporary folder with the file of a graph and its shaders.
@@ -62,7 +63,7 @@ class Reloading {
     Reloading(const DeviceProfile& profile, LoadSettings settings, const std::string& path)
         : loader_(profile, std::move(settings), {}, render::scene_imports({1280, 720, 1})) {
         request_.path = path;
-        load_us();  // The first load reads the files, so it is not measured.
+        load_us();  // Not measured: only the first load reads the files.
     }
 
     double unchanged_us() {

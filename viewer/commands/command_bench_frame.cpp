@@ -184,7 +184,8 @@ class Run {
         trivial_ms_.insert(trivial_ms_.end(), trivial_ms.begin(), trivial_ms.end());
         size_t graph = 0;
         for (Contestant& contestant : contestants) {
-            if (&contestant == &contestants.back()) continue;  // the reference passes
+            // Skip the reference passes, the last contestant.
+            if (&contestant == &contestants.back()) continue;
             if (contestant.awake)
                 add_awake(contestant, bench_.results.back());
             else

@@ -24,7 +24,7 @@ struct Comparison {
     double value = 0;
     const char* unit = "";
     image::Plane map;
-    // True if `map` contains the values of the metric. Then the mean and maximum of `map` can be printed.
+    // True if `map` contains the values of the metric, so that the mean and maximum of `map` can be printed.
     bool has_summary = false;
 };
 

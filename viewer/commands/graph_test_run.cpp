@@ -26,7 +26,8 @@ struct Measured {
     // "expect", such as "y.mip(0)".
     std::map<std::string, vk::ReadbackData> resources;
     size_t black_frames = 0;
-    // Names of persistent resources whose contents a change of tier did not keep.
+    // Persistent resources whose contents a change of tier did not keep. The key is the name of the resource,
+    // the value is a text with the reason.
     std::map<std::string, std::string> lost;
 };
 
@@ -178,7 +179,8 @@ class TestRun {
         }
     }
 
-    // Returns the resource of a ring that has, between two frames, the content of the last frame.
+    // `ring` is a resource, with its copies for earlier frames if it has a history. Returns the copy that
+    // has, between two frames, the content of the last frame.
     static ResourceId last_content(const FramePlan& plan, ResourceId ring) {
         if (plan.graph.resources[ring].history == 0) return ring;
         return find_resource(plan.graph, plan.graph.resources[ring].name + "[-1]");

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the path of the scene file without its extension, or an empty path. A folder contains one such
-// file.
+// Returns the path of the scene file without its extension. If `scene` is a folder, the scene file is the
+// .gltf or .glb file in it; without such a file, the function returns an empty path.
 fs::path stem_of_scene(const std::string& scene) {
     std::error_code failed;
     if (!fs::is_directory(scene, failed)) return fs::path(scene).replace_extension();

@@ -16,7 +16,7 @@ struct ProbeChoice {
     // "auto", "none", or a file. Empty: the file NAME.probes.json beside the scene if it exists, otherwise
     // "auto".
     std::string probes;
-    glm::vec3 camera{0};  // Place of the camera, for large scenes.
+    glm::vec3 camera{0};  // Place of the camera; in large scenes, the probes are placed around the camera.
 };
 
 struct FoundProbes {

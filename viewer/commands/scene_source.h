@@ -25,8 +25,8 @@ struct SceneChoice {
 // Opens a scene. The name is a .gltf or .glb file, a folder that contains such a file, or "builtin:NAME". The
 // environment `env` is "sky", "none" or the path of a Radiance picture. With "sky", a scene without its own
 // sky gets the default sky, and also a sun if it has no lights. If `lights` is set, generated lights replace
-// the lights of the scene. In builtin:lights the generated lights move. The suns of the picture become
-// directional lights behind the other lights.
+// the lights of the scene. In builtin:lights the generated lights move. The suns of the environment picture
+// become directional lights, which follow the other lights in the list.
 [[nodiscard]] Result<scene::Scene> open_scene(const SceneChoice& choice, const SceneLimits& limits,
                                               Diagnostics& warnings);
 

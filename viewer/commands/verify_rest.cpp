@@ -10,17 +10,19 @@
 namespace weft::viewer {
 namespace {
 
-// Returns true if the rest unit of the pass may have other results than if it ran in every frame. Only the
-// keys of the unit itself are examined: a port with "wakes": false, or a group whose rounds take turns, do
-// not rest, or run again after a change (`settle`).
+// A rest unit is a set of passes with "rest" that run together, or a round of a group. Returns true if the
+// rest unit of the pass may have other results than if it ran in every frame. Only the keys of the unit
+// itself are examined. The result is true for a port with "wakes": false, and for a group whose rounds take
+// turns, do not rest, or run again after a change (`settle`).
 bool may_differ(const FramePlan& plan, const PassDecl& pass) {
     const GroupDecl* group = find_group(plan.graph, pass.rest_unit);
     if (group != nullptr && (!group->rests || group->is_limited() || group->settle > 0)) return true;
     return std::ranges::any_of(pass.uses, [](const UseDecl& use) { return !use.wakes; });
 }
 
-// Returns for each unit 1 if it may have other results than if it ran in every frame, else 0. The reason is
-// in the unit itself (see may_differ()), or in a unit whose results it reads directly or indirectly.
+// Returns for each rest unit 1 if it may have other results than if it ran in every frame, and 0 otherwise.
+// The reason is in the unit itself (see may_differ()), or in another unit whose results this unit reads
+// directly or indirectly.
 std::vector<uint8_t> find_different(const FramePlan& plan) {
     std::vector<uint8_t> differs(plan.graph.rest_unit_count, 0);
     for (const PassDecl& pass : plan.graph.passes)
@@ -41,9 +43,9 @@ std::vector<uint8_t> find_different(const FramePlan& plan) {
     return differs;
 }
 
-// Returns the names of all resources that units with "rest" write, in the order of the plan. Leaves out units
-// for which find_different() returns 1. Also leaves out the transient resources of groups, which have content
-// only while a round runs.
+// Returns the names of all resources that rest units (passes with "rest", or rounds of groups) write, in the
+// order of the plan. Leaves out the units for which find_different() returns 1. Also leaves out the transient
+// resources of groups, which have content only while a round runs.
 std::vector<std::string> rested_resources(const FramePlan& plan) {
     const std::vector<uint8_t> different = find_different(plan);
     std::vector<std::string> names;

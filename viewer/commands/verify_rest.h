@@ -1,6 +1,7 @@
-// Purpose: the option --verify-rest of `weft render`. It renders the frames twice, in two sessions: in one of
-// them, passes with "rest" rest; in the other, they run in every frame. In each frame, all resources that
-// these passes write must have the same bytes in both sessions. Errors: W189, and those of open_session().
+// Purpose: the option --verify-rest of `weft render`. It renders the frames twice, in two sessions: in one
+// session, passes with "rest" do not run while their inputs stay the same; in the other session, they run in
+// every frame. In each frame, all resources that these passes write must have the same bytes in both
+// sessions. Errors: W189, and those of open_session().
 #pragma once
 
 #include <cstdint>

@@ -14,8 +14,8 @@
 namespace weft::viewer {
 
 // Returns the folder that contains graphs/ and shaders/. If the program is installed in bin/, this is
-// bin/../share/weft. Otherwise, it is the nearest folder above the program that contains them, or else the
-// current folder.
+// bin/../share/weft. Otherwise, it is the nearest folder above the program that contains these two folders,
+// or else the current folder.
 [[nodiscard]] std::filesystem::path shipped_root();
 // Returns the folder of the shader cache: $XDG_CACHE_HOME/weft/shaders or ~/.cache/weft/shaders. Returns an
 // empty path if neither XDG_CACHE_HOME nor HOME is set.

@@ -7,7 +7,8 @@
 namespace weft::viewer {
 namespace {
 
-// Returns the rest unit of each pass that belongs to one, by the name of the pass.
+// Returns the number of the rest unit of each pass, by the name of the pass. Passes that run in every frame
+// have no rest unit, and are left out.
 std::map<std::string, uint32_t> units_of_passes(const ResolvedGraph& graph) {
     std::map<std::string, uint32_t> units;
     for (const PassDecl& pass : graph.passes)

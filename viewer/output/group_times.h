@@ -1,4 +1,4 @@
-// Purpose: the times of the groups of a graph, frame by frame: the sums of the times of their passes.
+// Purpose: the time of each group of a graph in each frame: the sum of the times of the passes of the group.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct GroupTimes {
 // Returns the name of a pass without the number of its round, such as "bake::faces" for "bake::faces#3".
 [[nodiscard]] std::string name_without_round(const std::string& pass);
 
-// Returns the times of all groups of the plan. `timings` are those of frames of this plan.
+// Returns the times of all groups of the plan. `timings` are the times of frames that ran with this plan.
 [[nodiscard]] std::vector<GroupTimes> group_times(const FramePlan& plan,
                                                   std::span<const vk::FrameTiming> timings);
 

@@ -50,7 +50,7 @@ Json passes_json(const StatsInput& input) {
         uint32_t rested = 0, switched_off = 0;
         Json woken = Json::object();
         for (const vk::FrameTiming& frame : input.timings) {
-            // The times of a frame are in the order of the plan.
+            // The times of a frame are in the order of the plan, so `p` is an index into them.
             if (p >= frame.passes.size()) continue;
             const vk::PassTiming& timing = frame.passes[p];
             switched_off += timing.switched_off ? 1 : 0;
@@ -116,7 +116,8 @@ Json cpu_json(const std::vector<vk::FrameTiming>& timings) {
         {"record", distribution(record)}, {"submit", distribution(submit)}, {"frame", distribution(frame)}};
 }
 
-// Returns how many entries of the lists of turns were ignored, summed over all frames.
+// Returns how many entries of the lists of --turns (rounds of groups to run) were ignored, summed over all
+// frames.
 uint64_t dropped_turns(const std::vector<vk::FrameTiming>& timings) {
     uint64_t dropped = 0;
     for (const vk::FrameTiming& frame : timings) dropped += frame.dropped_turns;

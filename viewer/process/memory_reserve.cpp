@@ -12,9 +12,9 @@
 namespace weft::viewer {
 namespace {
 
-// Size of the memory reserve, and the smaller size that is used if the first one cannot be allocated. After
-// an error, the program destroys large JSON values. The destructor of a JSON array moves its elements to a
-// temporary list. This list needs 16 bytes for each element, and more while it grows.
+// Size of the memory reserve, and the smaller size that is used if the first one cannot be allocated. The
+// size is chosen for the destruction of large JSON values after an error. The destructor of a JSON array
+// moves its elements to a temporary list. This list needs 16 bytes for each element, and more while it grows.
 constexpr size_t kReserve_bytes = size_t{64} << 20;
 constexpr size_t kSmallReserve_bytes = size_t{16} << 20;
 

@@ -35,7 +35,8 @@ ShaderRoots shader_roots(const SchemaOptions& options) {
     return roots;
 }
 
-// Returns true for names such as "raw" and "glass::raw".
+// Returns true for an identifier such as "raw", and for identifiers that are joined by "::", such as
+// "glass::raw".
 bool is_part_name(std::string_view name) {
     for (size_t end = name.find(kInGroup); end != std::string_view::npos; end = name.find(kInGroup)) {
         if (!is_identifier(name.substr(0, end))) return false;

@@ -24,7 +24,8 @@ struct PassNames {
 };
 
 struct GraphNames {
-    // The resources and pass names of a group are here too, both as "raw" and as "relight::raw".
+    // The sets also contain the resources and the pass names of groups, each both as "raw" and as
+    // "relight::raw".
     std::set<std::string> resources, pass_names;
     std::set<std::string> draw_lists, turns, views, params, tiers;
     std::map<std::string, PassNames> passes;

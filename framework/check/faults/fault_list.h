@@ -21,11 +21,13 @@ struct Actor {
     // pass's own access.
     bool transition = false;
     QueueIndex queue = kGraphicsQueue;
-    // Number of batches of its queue, up to and including its own batch. 0 means before all frames.
+    // Number of batches that the queue of the actor has begun, including the actor's own batch. 0: before all
+    // frames.
     uint32_t batch_count = 0;
-    // For an attachment access: number of its rendering scope, counted over all frames from 1. Else 0.
+    // For an attachment access: number of the rendering scope of this access, counted over all frames from 1.
+    // Otherwise 0.
     uint32_t scope = 0;
-    uint32_t barriers = 0;  // Number of vkCmdPipelineBarrier2 calls recorded earlier on its queue.
+    uint32_t barriers = 0;  // Number of earlier vkCmdPipelineBarrier2 calls on the actor's queue.
 };
 
 class FaultList {
@@ -40,7 +42,7 @@ class FaultList {
     [[nodiscard]] std::string pass_name(PassId pass) const;
     // Returns the name in quotes, such as "hdr".
     [[nodiscard]] std::string resource_name(ResourceId resource) const;
-    // Returns the name of a part in the same way, such as "hdr".mip(0).layer(0).
+    // Returns the name of a part of a resource, such as "hdr".mip(0).layer(0).
     [[nodiscard]] std::string part_name(ResourceId resource, const SubresourceRange& range) const;
     [[nodiscard]] std::string actor_text(const Actor& actor, uint32_t current_frame) const;
     [[nodiscard]] Diagnostics take() { return std::move(faults_); }

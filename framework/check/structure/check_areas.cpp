@@ -37,7 +37,8 @@ double operate(ExprOp op, double a, double b) {
     }
 }
 
-// Evaluates the live values of a plan at scale 1. A value is empty if its expression cannot be evaluated.
+// Evaluates the live values of a plan (values that may change in each frame) with all scales set to 1. A
+// value is empty if its expression cannot be evaluated.
 class ValuesAtOne {
  public:
     explicit ValuesAtOne(const ResolvedGraph& graph) : graph_(graph) {
@@ -47,7 +48,7 @@ class ValuesAtOne {
     [[nodiscard]] std::optional<Pair> operator[](uint32_t index) const {
         return index < values_.size() ? values_[index] : std::nullopt;
     }
-    // Returns the side of an area in pixels; 0 if there is none.
+    // Returns the width (`side` 0) or height (`side` 1) of an area in pixels; 0 if the value is empty.
     [[nodiscard]] uint32_t side_px(uint32_t index, size_t side) const {
         const std::optional<Pair> value = (*this)[index];
         return value ? static_cast<uint32_t>(std::fmax(1, std::floor((*value)[side]))) : 0;
@@ -144,11 +145,13 @@ class AreaCheck {
             return fault(resource.loc, "the copies of \"" + resource.name + "\" have different areas");
         if (resource.area == kNoId) return;
         if (resource.kind != ResourceKind::image || resource.lifetime == ResourceLifetime::imported)
-            return fault(resource.loc,
-                         "\"" + resource.name + "\" has an area, but it is no image of the graph");
+            return fault(
+                resource.loc,
+                "\"" + resource.name + "\" has an area (a live size), but it is not an image of the graph");
         if (at_one_.side_px(resource.area, 0) != resource.extent.width ||
             at_one_.side_px(resource.area, 1) != resource.extent.height)
-            fault(resource.loc, "the area of \"" + resource.name + "\" at scale 1 is not its extent");
+            fault(resource.loc,
+                  "at scale 1, the area of \"" + resource.name + "\" differs from the extent of the image");
     }
 
     [[nodiscard]] Area area_of(const UseDecl& use) const {
@@ -175,14 +178,16 @@ class AreaCheck {
     }
 
     // If the area of an image changes and the image keeps its content, the whole image must be written again.
-    // A rest unit runs again because of the change. So only passes of rest units may write such an image.
+    // A rest unit is a set of passes that run only if an input has changed; a change of the area makes it
+    // run, too. So only passes of rest units may write such an image.
     void check_kept(const PassDecl& pass) {
         for (const UseDecl& use : pass.uses) {
             const ResourceDecl& resource = graph_.resources[use.resource];
             const bool keeps = resource.lifetime == ResourceLifetime::persistent && resource.history == 0;
             if (use.is_output && keeps && resource.area != kNoId && pass.rest_unit == kNoId)
-                fault(pass.loc, "pass \"" + pass.name + "\" writes \"" + resource.name +
-                                    "\", which keeps its content for other areas");
+                fault(pass.loc,
+                      "pass \"" + pass.name + "\" writes \"" + resource.name +
+                          "\", which keeps its content between frames although its area may change");
         }
     }
 
@@ -209,7 +214,7 @@ class AreaCheck {
         }
         if (!right)
             fault(pass.loc,
-                  "the workgroups of pass \"" + pass.name + "\" at scale 1 are not those of the plan");
+                  "at scale 1, pass \"" + pass.name + "\" has other numbers of workgroups than the plan");
     }
 
     void check_sides(const PassDecl& pass) {
@@ -239,7 +244,8 @@ class AreaCheck {
                         std::ranges::all_of(write.live, [&](uint32_t v) { return at_one_[v].has_value(); });
             if (!right)
                 fault(pass.loc, "the member \"" + write.member + "\" of Params of pass \"" + pass.name +
-                                    "\" follows no live size");
+                                    "\" must follow a live size, but its live values are unknown or do not "
+                                    "match its components");
         }
     }
 

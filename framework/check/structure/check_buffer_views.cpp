@@ -5,15 +5,16 @@
 namespace weft::check {
 namespace {
 
-// Returns the list of the pass's view if its views are in a buffer; otherwise null.
+// Returns the list of views that contains the view of the pass, if a buffer stores the views of this list.
+// Otherwise returns null.
 const ViewListDecl* find_buffer_list(const FramePlan& plan, const PassDecl& pass) {
     for (const ViewListDecl& list : plan.graph.views)
         if (list.source == ViewSource::buffer && pass.view.starts_with(list.name + "(")) return &list;
     return nullptr;
 }
 
-// Returns true if the use is the element of the buffer that the name of the view gives, such as element 2 for
-// "fitted(2)".
+// Returns true if the use is the buffer element whose number is in the name of the pass's view. Example:
+// element 2 for the view "fitted(2)".
 bool is_element(const ResourceDecl& buffer, const UseDecl& use, const PassDecl& pass,
                 const ViewListDecl& list) {
     if (buffer.name != list.of || buffer.kind != ResourceKind::buffer || !use.bytes) return false;

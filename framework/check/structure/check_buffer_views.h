@@ -1,4 +1,5 @@
-// Purpose: checks that passes whose view is in a buffer read the right element of this buffer. Errors: C347.
+// Purpose: checks passes that read their view (the matrices of a camera) from a buffer. Such a pass must read
+// the right element of the buffer. Errors: C347.
 #pragma once
 
 #include "check/faults/fault_list.h"

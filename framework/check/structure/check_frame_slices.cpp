@@ -115,8 +115,8 @@ class SlicedResource {
 
     void check_read(PassId reader, const UseDecl& use, const VersionSource& source) {
         for_each_part(source.range, [&](const Part& part, const SubresourceRange& cell) {
-            // A read can see a wrong version only if a writer is sliced and a writer (the same one or
-            // another) discards the previous content.
+            // A read can see a wrong version only if one writer of the part runs only in some frames (is
+            // sliced), and a writer (the same or another) discards the previous content.
             if (!part.sliced || !part.overwritten) return;
             const bool before = source.producer == kNoId;
             const PassId named = before ? last_of(part) : source.producer;

@@ -21,7 +21,7 @@ class GroupCheck {
 
     void run() {
         const uint64_t end = uint64_t{group_.first_unit} + group_.rounds;
-        if (end > plan_.graph.rest_unit_count) fault("has units that the plan does not have");
+        if (end > plan_.graph.rest_unit_count) fault("has more rounds than the plan has units for them");
         if (members_.empty()) return;
         check_order();
         for (const Position position : members_) check_step(position);
@@ -56,7 +56,7 @@ class GroupCheck {
             const Position before = members_[i - 1], position = members_[i];
             if (position != before + 1) return fault("has another pass between its passes");
             if (pass_at(position).rest_unit < pass_at(before).rest_unit)
-                return fault("has passes of one round after the beginning of the next round");
+                return fault("runs passes of one round after the next round has begun");
             if (batch == plan_.submissions.batches.end() ||
                 std::ranges::find(batch->positions, position) == batch->positions.end())
                 return fault("is divided into several batches");
@@ -70,16 +70,17 @@ class GroupCheck {
         const bool after = position != members_.back() && std::ranges::any_of(step.after, shared);
         if (before || after)
             fault("has a barrier at pass " + faults_.pass_name(step.pass) +
-                  " that is recorded in every frame, but depends on the order of the rounds");
+                  " that is recorded in every frame. Such a barrier may stand only before the first round or "
+                  "after the last round");
     }
 
-    // The accesses of all rounds to one part of a resource that the group writes, and the reads that see the
-    // result of whichever round ran last. The rounds run in any order. So any of these accesses may come
-    // before a write of the part, and any of these reads may come after the write.
+    // The accesses of all rounds to one part of a resource that the group writes, and all other reads of the
+    // result of the round that ran last. The rounds run in any order. So each write of the part must wait for
+    // all of these accesses, and all reads must wait for each write.
     struct PartUse {
         StageMask readers = stage::kNone;
         AccessMask reads = access::kNone;
-        // Writes without a barrier after their pass: the next write must wait for them.
+        // Writes that have no barrier after their pass. So the next write must wait for them.
         StageMask writers = stage::kNone;
         AccessMask writes = access::kNone;
     };
@@ -96,7 +97,8 @@ class GroupCheck {
                     visit(Part{use.resource, {mip, 1, layer, 1, static_cast<AspectMask>(bit)}});
     }
 
-    // Returns the barrier on the part that is recorded only in frames in which the round runs, or null.
+    // Returns the barrier on the part that has the mark `if_pass_runs`: it is recorded only in frames in
+    // which the round runs. Returns null if the list has no such barrier.
     [[nodiscard]] static const BarrierDecl* find(const std::vector<BarrierDecl>& list, const Part& part) {
         const auto found = std::ranges::find_if(list, [&](const BarrierDecl& barrier) {
             return barrier.if_pass_runs && barrier.resource == part.first &&
@@ -112,7 +114,7 @@ class GroupCheck {
         const QueueIndex queue = plan_.schedule.queue[members_.front()];
         for (Position position(0); position < plan_.schedule.order.size(); ++position) {
             const bool member = is_member(plan_.schedule.order[position]);
-            // Semaphores order the accesses on other queues.
+            // Accesses on other queues are ordered by semaphores, so this check ignores them.
             if (plan_.schedule.queue[position] != queue) continue;
             for (const UseDecl& use : pass_at(position).uses)
                 if (use.access != Access::none && !writes(use.access) && (member || use.latest))
@@ -121,7 +123,8 @@ class GroupCheck {
         if (queue == kGraphicsQueue) add_reads_between();
     }
 
-    // Adds the program's reads on queue 0 between two frames. Any round may have run last before them.
+    // Adds the reads by the program on queue 0 between two frames. Any of the rounds may be the last that ran
+    // before these reads.
     void add_reads_between() {
         for (auto& [part, all] : parts_) {
             const std::optional<AccessState>& between = plan_.graph.resources[part.first].between;
@@ -149,13 +152,15 @@ class GroupCheck {
         });
     }
 
-    // Returns the state of a use. The load and store operations of an attachment may need fewer accesses.
+    // Returns the stages and accesses of a use, together with those of the attachment's load and store
+    // operations.
     [[nodiscard]] AccessState state_of(const PassStep& step, const UseDecl& use) const {
         const PassDecl& pass = plan_.graph.passes[step.pass];
         return effective_state(use, ops_of(step, static_cast<uint32_t>(&use - pass.uses.data())));
     }
 
-    // Returns true if the write waits for all accesses of all rounds, and if all readers wait for it.
+    // Returns true if this write waits for all accesses of all rounds, and if all readers wait for this
+    // write.
     [[nodiscard]] bool is_guarded(const PassStep& step, const UseDecl& use, const Part& part) const {
         const PartUse& all = parts_.at(part);
         const BarrierDecl* before = find(step.barriers, part);

@@ -9,15 +9,16 @@ namespace {
 
 // One mip of one layer of one aspect of an image, or one piece of a buffer.
 struct Part {
-    uint32_t unit = kNoId;  // The unit that writes the part.
-    // True if several rounds of one group write the part. Then the part has content only while a round runs.
+    uint32_t unit = kNoId;  // The rest unit that writes the part.
+    // True if several rounds of one group (copies of its passes) write the part. Then the part has content
+    // only while a round runs.
     bool shared = false;
     PassId last = kNoId;  // The last live pass of the schedule that writes the part.
     bool home_known = false;
-    Layout home = Layout::undefined;  // Layout of the part outside the steps of its unit.
+    Layout home = Layout::undefined;  // The layout of the part before and after the steps of its unit.
 };
 
-// The parts of one resource. Empty if no rest unit writes the resource.
+// The parts of one resource. Empty if no rest unit (set of passes that rest together) writes the resource.
 class Parts {
  public:
     void create(const ResourceDecl& resource) {
@@ -179,7 +180,8 @@ class RestCheck {
         });
     }
 
-    // Checks a barrier outside the steps of rest units, or one that is recorded in every frame.
+    // A barrier outside the steps of rest units, or a barrier that is recorded in every frame, must not name
+    // a part that a rest unit writes. Reports each barrier that breaks this rule.
     void check_outside(const BarrierDecl& barrier, PassId before) {
         bool touches = barrier.if_pass_runs;
         parts_[barrier.resource].each(barrier.range,
@@ -217,7 +219,8 @@ class RestCheck {
                 check_home(step, use);
     }
 
-    // Checks that the step leaves each part that the pass writes in the part's home layout.
+    // After the step, each part that the pass writes must be in the home layout of this part (Part::home).
+    // Reports the parts that are not.
     void check_home(const PassStep& step, const UseDecl& use) {
         Layout left = use.state.layout;
         for (const BarrierDecl& barrier : step.after)

@@ -99,8 +99,9 @@ class ScopeRule {
             fault("the second pass does not load the content of " + name(bound));
     }
 
-    // Reports other uses of the attachments, such as sampling, if a pass writes the attachment. Inside a
-    // rendering scope only attachment accesses are ordered.
+    // Reports each use of an attachment that is not an attachment access, such as sampling, if this use or
+    // the attachment access writes. The reason: inside a rendering scope, Vulkan orders only attachment
+    // accesses.
     void check_other_uses(const PassDecl& pass, const std::vector<Bound>& before,
                           const std::vector<Bound>& after) {
         for (uint32_t u = 0; u < pass.uses.size(); ++u) {

@@ -160,7 +160,8 @@ void check_placements(const FramePlan& plan, FaultList& faults) {
 
 void check_alias_transitions(const FramePlan& plan, FaultList& faults) {
     const std::vector<AliasTransition>& listed = plan.memory.alias_transitions;
-    // All alias transitions of the memory plan. Key: (from, to). Value: index into `listed`.
+    // All alias transitions of the memory plan: the points at which the resource `to` takes over memory from
+    // the resource `from`. Key: (from, to). Value: index into `listed`.
     std::multimap<std::pair<ResourceId, ResourceId>, size_t> known;
     for (size_t i = 0; i < listed.size(); ++i) known.emplace(std::pair(listed[i].from, listed[i].to), i);
     std::vector<uint8_t> used(listed.size(), 0);
@@ -258,7 +259,8 @@ void check_transfers(const FramePlan& plan, FaultList& faults) {
         return std::tuple(half->resource, half->src_family, half->dst_family, half->src.layout,
                           half->dst.layout, r.mip, r.mips, r.layer, r.layers, r.aspects);
     };
-    // Number of halves with the same parameters.
+    // Key: the parameters of one half of an ownership transfer. Value: the number of barriers with these
+    // parameters.
     std::map<decltype(key(nullptr)), size_t> same;
     for (const BarrierDecl* half : halves) ++same[key(half)];
     for (const BarrierDecl* half : halves) {

@@ -27,7 +27,7 @@ class SwitchedPass {
     void check_switch() {
         if (pass_.switch_id == kNoId) {
             if (pass_.runs_in != kEveryCombination)
-                fault(pass_.loc, "has no switch, but its list of combinations of switches is not complete");
+                fault(pass_.loc, "has no switch, but does not run in all combinations of the switches");
             return;
         }
         CombinationSet on = 0;
@@ -54,13 +54,16 @@ class SwitchedPass {
     void check_use(size_t index) {
         const UseDecl& use = pass_.uses[index];
         if (!use.passes_on.empty() && (pass_.switch_id == kNoId || !writes(use.access)))
-            fault(use.loc, "hands on a version of " + faults_.resource_name(use.resource) +
-                               ", but never stops writing it");
+            fault(use.loc, "passes on an earlier version of " + faults_.resource_name(use.resource) +
+                               " for frames in which it does not write, but it has no switch or does not "
+                               "write this resource");
         if (use.used_in == kEveryCombination) return;
         if (writes(use.access) || pass_.variants.empty())
             fault(use.loc, "uses " + faults_.resource_name(use.resource) +
-                               " only in some combinations of the switches, but has no variants for them");
-        // A variant must use the same resources in all of its combinations in which the pass runs.
+                               " only in some combinations of the switches, but writes the resource or has "
+                               "no variants for these combinations");
+        // The constants of a variant hold for a set of combinations of switches. In all of these combinations
+        // in which the pass runs, the pass must use the same resources.
         for (const PassVariant& variant : pass_.variants) {
             const uint32_t runs = variant.combinations & pass_.runs_in;
             if ((runs & use.used_in) != 0 && (runs & ~use.used_in) != 0)

@@ -60,7 +60,7 @@ class TableCheck {
         for (const BarrierDecl& barrier : barriers)
             if (is_table(barrier.resource))
                 fault(barrier.resource, plan_.graph.resources[barrier.resource].loc,
-                      "has a barrier, but its images are not known to the plan");
+                      "is a table of textures and has a barrier, but the plan does not know its images");
     }
 
     const FramePlan& plan_;

@@ -1,5 +1,6 @@
-// Purpose: checks the tables of textures: passes only sample them, and the plan has no barrier for them,
-// because their textures are always in the layout in which shaders sample them.
+// Purpose: checks the tables of textures, which are lists of textures that shaders index. Passes must only
+// sample a table. The plan must have no barrier for a table, because its textures are always in the layout in
+// which shaders sample them.
 #pragma once
 
 #include "check/faults/fault_list.h"

@@ -20,7 +20,7 @@ class LoweringRule {
 
     void check() {
         if (pass_.lowering == ViewLowering::none) {
-            if (!pass_.views.empty()) fault("it has a list of views, but no lowering");
+            if (!pass_.views.empty()) fault("it has a list of views, but no method (lowering) to draw them");
             return;
         }
         if (pass_.kind != PassKind::raster && pass_.kind != PassKind::fullscreen)
@@ -52,7 +52,7 @@ class LoweringRule {
         const auto known = std::find_if(plan_.graph.views.begin(), plan_.graph.views.end(),
                                         [&](const ViewListDecl& decl) { return decl.name == list; });
         if (open == std::string::npos || known == plan_.graph.views.end())
-            return fault("its views are not those of a list of the plan");
+            return fault("its views are not part of a list of views in the plan");
         uint32_t first = 0;
         std::from_chars(pass_.view.data() + open + 1, pass_.view.data() + pass_.view.size(), first);
         for (size_t i = 0; i < pass_.views.size(); ++i)

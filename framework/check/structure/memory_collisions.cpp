@@ -47,7 +47,8 @@ struct Tenancy {
     uint64_t begin_bytes, end_bytes;
 };
 
-// Returns the tenancies of all placements that are not empty, sorted by the first position.
+// Returns the tenancies (placements with their lifetimes) of all placements that are not empty, sorted by the
+// first schedule position.
 std::vector<Tenancy> tenancies(const FramePlan& plan) {
     std::vector<Tenancy> all;
     all.reserve(plan.memory.placements.size());
@@ -63,15 +64,15 @@ std::vector<Tenancy> tenancies(const FramePlan& plan) {
     return all;
 }
 
-// Returns true if two tenancies share bytes at the same position. The function goes through the tenancies in
-// the order of their first positions. So it is fast even if thousands of resources use the same bytes one
-// after another.
+// Returns true if two resources use the same bytes at the same schedule position. A tenancy is a placement
+// with its lifetime. The function goes through the tenancies in the order of their first positions. So it is
+// fast even if thousands of resources use the same bytes one after another.
 bool any_collision(const FramePlan& plan) {
     struct Region {
         uint64_t end_bytes;
-        Position last;  // The last position of the tenancy that uses this region.
+        Position last;  // Last schedule position at which this region is in use.
     };
-    // The regions that the latest tenancies use; they do not overlap. Key: (heap, first byte).
+    // The regions of the heaps with their latest user so far; they do not overlap. Key: (heap, first byte).
     std::map<std::pair<uint32_t, uint64_t>, Region> regions;
     for (const Tenancy& tenancy : tenancies(plan)) {
         auto region = regions.upper_bound({tenancy.heap, tenancy.begin_bytes});

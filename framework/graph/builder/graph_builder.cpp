@@ -9,7 +9,7 @@
 namespace weft {
 namespace {
 
-// Returns the shortest text that is read as exactly this number.
+// Returns the shortest decimal text that is converted back to exactly this number.
 std::string shortest_text(double value) {
     std::array<char, 32> digits;
     return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
@@ -30,7 +30,8 @@ GraphValue GraphValue::json(const std::string& text) {
     SourceMap sources;
     const Result<JsonNode> node = read_json_file(sources, {}, text, {});
     GraphValue value(false);
-    // A text with a fault is added as it is, so that the reader of the graph finds the fault again.
+    // If the text is not valid JSON, it is stored unchanged. Then the stage that reads the graph reports the
+    // error.
     value.json_ = node ? json_text(*node) : text;
     return value;
 }

@@ -7,7 +7,8 @@
 namespace weft {
 namespace {
 
-// The root, its sections, and the entries of sections.
+// Number of levels of objects whose keys stand on lines of their own: the root, its sections, and the entries
+// of sections.
 constexpr uint32_t kLevelsWithLines = 3;
 
 void write_object(const GraphObject& object, uint32_t level, std::string& out) {

@@ -23,7 +23,7 @@ struct GraphObject {
 struct GraphMember {
     std::string key;
     std::string json;                     // The text of the value.
-    std::unique_ptr<GraphObject> object;  // The value if it is an object to which keys are added, or null.
+    std::unique_ptr<GraphObject> object;  // The value, if it is an object that can get keys; otherwise null.
 };
 
 // Writes each key of the graph, of its sections, and of the entries of sections on a line of its own, so that

@@ -68,8 +68,9 @@ class ByteWriter {
     std::vector<std::byte> bytes_;
 };
 
-// Fills the fields of objects that are not const, although visit_fields() passes them as const. If the bytes
-// end too early, the remaining fields keep their values and complete() returns false.
+// Reads the bytes into the fields of an object. visit_fields() passes the fields as const references, and
+// this class removes the const. So the object itself must not be const. If the bytes end too early, the
+// remaining fields keep their values and complete() returns false.
 class ByteFieldReader {
  public:
     explicit ByteFieldReader(std::span<const std::byte> bytes) : left_(bytes) {}
@@ -84,7 +85,8 @@ class ByteFieldReader {
  private:
     template <class T>
     void read(std::vector<T>& items) {
-        // Each element has at least one byte. So a wrong length cannot make the vector larger than the bytes.
+        // Each element takes at least one byte. So read_length() refuses a length above the number of bytes
+        // that are left, and a wrong length cannot allocate a huge vector.
         items.resize(read_length());
         for (T& item : items) read(item);
     }
@@ -166,7 +168,8 @@ class LayoutText {
     template <class T>
     void add(const T& value) {
         if constexpr (kIsNumber<T> || kIsId<T>) text += std::to_string(sizeof value);
-        // A struct that contains structs of its own type is listed once.
+        // Lists each struct type only once. Otherwise a struct that contains structs of its own type would be
+        // listed without end.
         else if (seen_.insert(std::type_index(typeid(T))).second)
             visit_fields(*this, value);
     }

@@ -13,7 +13,7 @@ constexpr double kMostGroups = 65535;
 // The product of a size and a scale may be above a whole number because of rounding errors, for example
 // 0.1 * 30. Such a difference must not add a pixel.
 constexpr double kTolerance_px = 1.0 / 1024;
-// Largest depth of the stack that most expressions need.
+// Most expressions need a stack of at most this depth.
 constexpr size_t kUsualDepth = 16;
 
 double finite(double x) {
@@ -61,7 +61,8 @@ double param_value(const ResolvedGraph& graph, const LiveValue& value, const Sca
     return std::isnan(scale) ? value.most : std::clamp(scale, value.least, value.most);
 }
 
-// Returns a side of a live size: the side of the allocation times the scale.
+// Returns the width or height of a live size (a size that changes with a scale): `side_px`, the side of the
+// allocated image, times the scale, rounded up; at least 1 and at most `side_px`.
 double scaled(double side_px, double scale) {
     const double most = std::max(1.0, std::floor(side_px));
     return std::clamp(std::ceil(side_px * scale - kTolerance_px), 1.0, most);

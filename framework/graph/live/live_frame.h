@@ -1,5 +1,6 @@
-// Purpose: evaluates the values of a plan that follow live scales, for one frame, and the numbers of passes
-// that are computed from them. This is arithmetic on data of the plan; it decides nothing. Units: pixels.
+// Purpose: for one frame, evaluates the values of a plan that follow live scales (factors of image sizes that
+// may change in each frame), and the numbers of passes that are computed from these values. This is
+// arithmetic on data of the plan; this code decides nothing. Units: pixels.
 #pragma once
 
 #include <array>
@@ -16,8 +17,9 @@ namespace weft {
 // texel with the weight 0. The weights have steps of 1/256.
 inline constexpr double kFilterMargin_px = 0.5 + 1.0 / 256;
 
-// The value of a LiveValue in a frame. For a number, both components are equal. If an expression has no value
-// for the scales of the frame, for example because it divides by zero, its value is 0.
+// The value of a LiveValue (a number or size that may change in each frame) in one frame. For a number, both
+// components are equal. If an expression has no value for the scales of the frame, for example because it
+// divides by zero, its value is 0.
 struct LiveNumber {
     double x = 0;
     double y = 0;
@@ -28,10 +30,10 @@ struct LiveNumber {
 // memory of `values`. A scale outside of its range is clamped to the range.
 void evaluate_live(const ResolvedGraph& graph, const Scales& scales, std::vector<LiveNumber>& values);
 
-// Returns the area of the first mip of an image: the value rounded down, from 1 to the extent of the image.
-// Without a live size, returns the extent of the image.
+// Returns the area of the first mip of an image: the live value of the image, rounded down and clamped to the
+// range from 1 to the extent of the image. For an image without a live size, returns the extent.
 [[nodiscard]] Extent3D live_area(const ResourceDecl& image, std::span<const LiveNumber> values);
-// Returns the area of a mip of a live image. `area.image` must not be kNoId.
+// Returns the area of one mip of an image with a live size. `area.image` must not be kNoId.
 [[nodiscard]] Extent3D live_area(const ResolvedGraph& graph, const LiveArea& area,
                                  std::span<const LiveNumber> values);
 // Returns the numbers of workgroups of a compute pass.

@@ -23,7 +23,8 @@ class PlaceFinder {
     PlaceFinder(const std::vector<PackItem>& items, uint64_t target_bytes)
         : items_(items), target_bytes_(target_bytes) {}
 
-    // `taken` is sorted by offset. Index of `removals`: item.
+    // Returns the cheapest place for the item `item`. `taken` must be sorted by offset. removals[i] is the
+    // number of times that item i was removed.
     [[nodiscard]] Ejection cheapest(uint32_t item, std::span<const TakenSpan> taken,
                                     const std::vector<uint32_t>& removals) {
         add_up(taken, removals);
@@ -84,7 +85,7 @@ class PlaceFinder {
 
     const std::vector<PackItem>& items_;
     uint64_t target_bytes_;
-    std::vector<uint64_t> begun_;  // Index: n. Total cost of the first n items in `taken`.
+    std::vector<uint64_t> begun_;  // begun_[n] is the total cost of the first n items in `taken`.
     std::vector<End> ends_;        // Sorted by offset.
     uint64_t best_ = kNoPlace, best_cost_ = UINT64_MAX;
 };

@@ -25,8 +25,9 @@ struct QueueTimes {
     size_t queue_count = 0;
     // Index: item × queue_count + queue. The first position on the queue that uses the item, or UINT32_MAX.
     std::vector<uint32_t> begins;
-    // Same index. The first position on the queue that surely runs after all uses of the item. If there is
-    // none: 1 + the last position on the queue, or 0 if no pass runs on the queue.
+    // Index: item × queue_count + queue. The first position on the queue that surely runs after all uses of
+    // the item. If there is no such position: 1 + the last position on the queue, or 0 if no pass runs on the
+    // queue.
     std::vector<uint32_t> ends;
 
     // Returns false if all uses of item `a` surely end before item `b` begins. `a` must not begin after `b`.

@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-constexpr size_t kMostRanges = 64;  // A part with more ranges is divided.
+constexpr size_t kMostRanges = 64;  // A part of the list with more ranges than this is divided.
 
 }  // namespace
 

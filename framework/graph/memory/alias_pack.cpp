@@ -12,11 +12,11 @@
 namespace weft {
 namespace {
 
-// For dense conflicts (see Conflicts): the sweeps, pack_sweep() and pack_sweep_back(), are good enough if the
-// heap exceeds the lower bound by at most this percentage.
+// If many pairs of items are alive together (dense, see Conflicts), the result of pack_sweep() or
+// pack_sweep_back() is good enough if the heap exceeds the lower bound by at most this percentage.
 constexpr uint64_t kGoodSweepPercent = 5;
-// With more items than this, only the sweeps are used: if most items are in conflict with each other, the
-// other methods take too long.
+// With more items than this, and if many pairs of items are alive together (dense, see Conflicts), only
+// pack_sweep() and pack_sweep_back() are used, because the other methods take too long.
 constexpr size_t kMaxDenseItems = 1024;
 // With at most this number of items, more methods are tried: one badly placed item can waste a large share of
 // the heap, and each method takes little time.
@@ -109,8 +109,9 @@ void improve(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Con
     }
 }
 
-// Improves a packing for several queues. Often no packing reaches the targets, because the lower bound does
-// not include that several queues make lifetimes longer. So this function makes fewer tries than improve().
+// Improves a packing for several queues. With several queues, the lifetimes of items are longer, but the
+// lower bound does not take this into account. So often no packing reaches the targets, and this function
+// makes fewer tries than improve().
 void improve_for_queues(const std::vector<PackItem>& items, uint64_t lower_bound_bytes, Conflicts& conflicts,
                         Packing& best) {
     const size_t count = items.size();

@@ -18,7 +18,7 @@ namespace weft {
 // Places the items by the start of their lifetimes. When a lifetime ends, its bytes become a free gap; a new
 // item takes the smallest sufficient gap.
 [[nodiscard]] Packing pack_sweep(const std::vector<PackItem>& items);
-// Does the same backwards in time, from the last position to the first.
+// Like pack_sweep(), but goes backwards in time, from the last position to the first.
 [[nodiscard]] Packing pack_sweep_back(std::vector<PackItem> items);
 // Searches for a packing whose heap is at most a few percent larger than `lower_bound_bytes`. No packing can
 // be smaller than this bound. The time is limited: it is nearly linear in the number of pairs of items whose

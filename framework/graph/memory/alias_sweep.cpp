@@ -52,7 +52,8 @@ class BlockList {
  private:
     struct Block {
         uint64_t begin = 0, end = 0;
-        uint32_t before = kNoId, behind = kNoId;  // The neighbours in the heap.
+        // Indices of the blocks directly before and behind this block.
+        uint32_t before = kNoId, behind = kNoId;
         bool free = true;
     };
     // A free block. Gaps are sorted by size, then by begin.
@@ -106,7 +107,7 @@ class BlockList {
 
     std::vector<Block> blocks_;
     SortedList<Gap> gaps_;
-    uint32_t last_ = kNoId;  // The block at the end of the heap.
+    uint32_t last_ = kNoId;  // Index of the block at the end of the heap.
 };
 
 }  // namespace

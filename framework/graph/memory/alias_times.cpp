@@ -4,8 +4,10 @@
 
 namespace weft {
 
-// On one queue, the clock of a later position is never smaller than the clock of an earlier position. So the
-// iterator `later` on queue `to` only moves forward while the loop visits the positions `p` on queue `from`.
+// The clock of a position p is a list with one number per queue. The number for queue q is 1 + the latest
+// position on q that surely runs before p. On one queue, these numbers never decrease from one position to
+// the next. So the iterator `later` on queue `to` only moves forward while the loop visits the positions `p`
+// on queue `from`.
 QueueOrder::QueueOrder(const Schedule& order)
     : queue_count_(order.queues.size()), after_(order.queue.size() * queue_count_, 0) {
     std::vector<std::vector<Position>> on_queue(queue_count_);

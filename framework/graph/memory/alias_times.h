@@ -9,7 +9,7 @@
 
 namespace weft {
 
-// Finds, for each position and each queue, the first position on the queue that surely runs after it.
+// Finds, for each position p and each queue, the first position on this queue that surely runs after p.
 class QueueOrder {
  public:
     explicit QueueOrder(const Schedule& order);

@@ -45,7 +45,7 @@ class SortedList {
 
  private:
     using Part = std::vector<Key>;
-    static constexpr size_t kMostKeys = 128;  // A part with more keys is divided.
+    static constexpr size_t kMostKeys = 128;  // A part of the list with more keys than this is divided.
 
     // Returns the index of the part that contains the key, or into which it belongs.
     [[nodiscard]] size_t part_of(const Key& key) const {

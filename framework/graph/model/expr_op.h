@@ -1,5 +1,5 @@
-// Purpose: the arithmetic of expressions, for numbers. It is used when a graph is resolved, and in each frame
-// for values that follow live scales.
+// Purpose: the arithmetic of expressions, for numbers. It is used when a graph is resolved. It is also used
+// in each frame, for values that depend on image scales that may change in each frame (live scales).
 #pragma once
 
 #include "weft/expr_op.h"

@@ -22,8 +22,9 @@ struct Rows {
     [[nodiscard]] size_t size() const { return offsets.size() - 1; }
 };
 
-// Builds rows with a counting sort. `visit` is called twice with a function add(row, item), and must both
-// times call it for the same items in the same order. Items of one row keep that order.
+// Builds rows with a counting sort. `visit` is called twice, each time with a function add(row, item). In
+// both calls, `visit` must call add() for the same items in the same order. The items of one row keep that
+// order.
 template <class Item, class Visit>
 [[nodiscard]] Rows<Item> make_rows(size_t row_count, const Visit& visit) {
     Rows<Item> rows;

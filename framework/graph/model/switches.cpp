@@ -1,4 +1,4 @@
-// The functions of the resolved graph that are about switches.
+// Functions for graphs with switches, which are parameters that turn passes on and off from frame to frame.
 #include <algorithm>
 
 #include "weft/declaration.h"

@@ -10,10 +10,10 @@ namespace {
 
 struct DrawnView {
     std::string list;
-    Expr number;  // Absent: the view has no number.
+    Expr number;  // Number of the view in its list. Absent if the view has no number.
 };
 
-// Returns the reference with which a raster pass writes the image, or null.
+// Returns the reference with which a raster pass draws to the image, or null if the pass does not draw to it.
 const RefDesc* drawn_reference(const PassDesc& pass, const std::string& image) {
     if (pass.type != "raster") return nullptr;
     if (pass.depth && pass.depth->ref.name == image) return &pass.depth->ref;

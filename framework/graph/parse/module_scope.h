@@ -1,5 +1,5 @@
-// Purpose: finds what a name means inside of a module after parsing. Shaders of a module name its parameters
-// and constants without the name of the module.
+// Purpose: after parsing, finds the part of the graph that a name means inside a module. In the shaders of a
+// module, the names of the module's own parameters and constants do not begin with the name of the module.
 #pragma once
 
 #include <string>
@@ -9,16 +9,18 @@
 
 namespace weft {
 
-// Returns the name of the module of a part: "glass" for "glass::cull"; empty for a part of the graph.
+// Returns the name of the module to which a part of the graph (for example a pass) belongs: "glass" for
+// "glass::cull". Returns an empty text if the part belongs to no module.
 [[nodiscard]] std::string_view module_of(const GraphDesc& graph, std::string_view part);
 
-// Returns the full name of the parameter, constant or size that `name` means inside of a module. An empty
-// module is the graph itself. Names that only the program provides do not change.
+// Returns the full name of the parameter, constant or size that `name` means inside a module. If `module` is
+// empty, it stands for the graph itself. Names of values that only the program provides are returned
+// unchanged.
 [[nodiscard]] std::string name_in_module(const GraphDesc& graph, std::string_view module,
                                          const std::string& name);
 
-// Returns the name of the size that an image without "size" has, in the module to which the resource
-// belongs.
+// Returns the full name of the size "render" in the module to which the resource belongs. An image without
+// the key "size" has this size.
 [[nodiscard]] std::string render_size_name(const GraphDesc& graph, std::string_view resource);
 
 }  // namespace weft

@@ -107,8 +107,9 @@ void read_text(ParseContext& context, const JsonNode& node, GraphDesc& graph) {
     read_string(context, node, graph.name);
 }
 
-// Checks only that the value is an object: a section of a tier's "patch", or the "set" of a tier. If the
-// graph is loaded with this tier, merge() has already applied the content to the graph, where it is parsed.
+// Checks only that the value is an object: either a section of the "patch" of a tier (quality level), or the
+// "set" of a tier. The content is not parsed here: if the graph is loaded with this tier, merge() has already
+// applied the content to the sections of the graph, and these are parsed.
 void skip_object(ParseContext& context, const JsonNode& node, TierDesc&) {
     expect(context, node, JsonKind::object);
 }

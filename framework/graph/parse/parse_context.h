@@ -273,7 +273,8 @@ void parse_lowering(ParseContext& context, const JsonNode& node, PassDesc& pass)
 // Checks the keys of a pass that do not go together with "views". Call it after all keys are parsed.
 void check_pass_views(ParseContext& context, const JsonNode& node, const PassDesc& pass);
 // Checks names of groups against other sections of the graph, after all sections are parsed: "turns" must
-// name an import, and no resource or pass of a group may have the name of one outside the group.
+// name an import, and no resource or pass of a group may have the same name as a resource or pass outside the
+// group.
 void check_groups(ParseContext& context, const JsonNode& root, const GraphDesc& graph);
 void parse_inputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
 void parse_outputs(ParseContext& context, const JsonNode& node, PassDesc& pass);
@@ -288,7 +289,8 @@ void parse_repeat(ParseContext& context, const JsonNode& node, PassDesc& pass);
 // Returns the names of the indices in the "repeat" of a pass or group, and those of `outer`.
 [[nodiscard]] std::set<std::string, std::less<>> indices_of(const JsonNode& node,
                                                             const std::vector<RepeatDesc>& outer);
-// Reads the indices of a repeat and appends them to `repeats`, which may already contain those of a group.
+// Reads the indices of a repeat and appends them to `repeats`, which may already contain the indices of a
+// group.
 void read_repeat(ParseContext& context, const JsonNode& node, std::vector<RepeatDesc>& repeats);
 // Checks that the limit graph.constants allows one more constant, parameter or size. If not, reports an error
 // and returns false.

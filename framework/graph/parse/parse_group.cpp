@@ -11,7 +11,8 @@
 namespace weft {
 namespace {
 
-// Skips the sections of a group that need its other keys. parse_groups() reads them later.
+// Skips the sections "resources" and "passes" of a group. They need the other keys of the group, so
+// parse_groups() reads them later.
 void skip_section(ParseContext&, const JsonNode&, GroupDesc&) {}
 
 void read_rounds(ParseContext& context, const JsonNode& node, GroupDesc& group) {
@@ -20,7 +21,8 @@ void read_rounds(ParseContext& context, const JsonNode& node, GroupDesc& group) 
 
 void read_rounds_per_frame(ParseContext& context, const JsonNode& node, GroupDesc& group) {
     group.per_frame_loc = node.loc;
-    // As in the "perFrame" of a pass, false means all rounds. The number 0 means no rounds.
+    // As in the "perFrame" of a pass, false means no limit: all rounds may run in each frame. The number 0
+    // means that no round runs.
     const bool is_all = node.kind == JsonKind::boolean && !node.boolean;
     if (!is_all) read_switch(context, node, group.per_frame);
 }
@@ -144,7 +146,7 @@ void check_turns(ParseContext& context, const GroupDesc& group, const JsonNode* 
                   "name an import of kind \"turns\"");
 }
 
-// Key: a name of the graph. Value: its place in the file.
+// Key: a name that the graph declares. Value: the place of this name in the file.
 using Places = std::map<std::string, SourceLoc, std::less<>>;
 
 void add_places(const JsonNode& root, std::string_view section, Places& places) {

@@ -108,7 +108,8 @@ void read_rest(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_bool(context, node, pass.rests);
 }
 
-// Reads the name of a parameter, or "!name" for the opposite.
+// Reads the parameter that turns the pass on and off. With "name", the pass runs while the parameter is not
+// 0. With "!name", the pass runs while the parameter is 0.
 void read_live_switch(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     pass.switch_loc = node.loc;
     std::string text;

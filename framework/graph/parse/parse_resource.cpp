@@ -250,7 +250,8 @@ void check_persistence(ParseContext& context, const JsonNode& node, const Resour
         complain("onResize", "a buffer can't be resampled", "choose \"clear\" or \"refill\"");
 }
 
-// The files of a table determine everything but the format and the mips of its textures.
+// Reports keys that a table of textures must not have. The files of a table determine all properties of its
+// textures except the format and the mips.
 void check_table_keys(ParseContext& context, const JsonNode& node) {
     if (node.find("textures") == nullptr || node.find("buffer") != nullptr) return;
     for (const std::string_view key : {"size", "layers", "depth", "kind", "cube", "samples", "clear",
@@ -262,7 +263,8 @@ void check_table_keys(ParseContext& context, const JsonNode& node) {
     }
 }
 
-// The content of a file is complete and never changes, so keys for other contents have no effect.
+// Reports keys that have no effect on a resource with a file, because its content comes from the file and
+// never changes.
 void check_file_keys(ParseContext& context, const JsonNode& node) {
     if (node.find("file") == nullptr) return;
     for (const std::string_view key :
@@ -299,7 +301,8 @@ void parse_resources(ParseContext& context, const JsonNode& node, GraphDesc& gra
         const bool table = !resource.textures.empty();
         if (!table) settle_kind(context, member.value, resource);
         if (!table) check_file_keys(context, member.value);
-        // parse_groups() refuses the keys for persistence in a group.
+        // In a group, parse_groups() reports all keys for content of earlier frames. So check_persistence()
+        // is not needed there.
         if (!table && context.group() == nullptr) check_persistence(context, member.value, resource);
         graph.resources.emplace(name, std::move(resource));
     });

@@ -186,8 +186,9 @@ GraphTestDesc finished(ParseContext& context, TestDraft draft) {
     return std::move(draft.test);
 }
 
-// Returns the total number of frames of all runs of a test. A test that gives no number of frames uses the
-// graph's number. This may be an expression without a value yet, so each run counts as one frame here.
+// Returns the total number of frames of all runs of a test. If a test gives no number of frames, the graph's
+// number applies. The graph's number may be an expression that has no value yet, so such a run counts as one
+// frame here.
 size_t stated_frames(const GraphTestDesc& test) {
     return test.swap.empty() ? test.tiers.size() * std::max(1u, test.frames)
                              : test.swap.size() * size_t{test.every};

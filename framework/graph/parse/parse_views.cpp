@@ -14,8 +14,8 @@ void read_of(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
     if (read_string(context, node, list.of)) list.of = context.view_name(list.of, node.loc);
 }
 
-// Reads the buffer of a list. Passes that draw a view of the list read an element of the buffer, so the list
-// cannot select elements itself.
+// Reads the buffer that contains the views of a list. Each pass that draws a view of the list reads the
+// element of this view. So the key must name the whole buffer.
 void read_view_buffer(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
     PortDesc port;
     port.port = std::string(kViewPort) + list.name;
@@ -183,8 +183,8 @@ void parse_pass_views(ParseContext& context, const JsonNode& node, PassDesc& pas
     RepeatDesc& repeat = pass.repeat.emplace_back();
     repeat.index = kViewIndex;
     repeat.first = number_expression(0, node.loc);
-    // The parser stores 0. resolve() sets the number of views, because for some lists the program gives this
-    // number.
+    // The parser does not know the number of views, because for some lists the program gives this number. So
+    // it stores 0 as the last index here, and resolve() sets the right value.
     repeat.last = number_expression(0, node.loc);
     repeat.loc = repeat.range_loc = node.loc;
 }

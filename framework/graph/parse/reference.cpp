@@ -105,7 +105,7 @@ class ReferenceParser {
         const auto parsed = std::from_chars(number.data(), number.data() + number.size(), ref_.history);
         if (parsed.ec != std::errc{} || parsed.ptr != number.data() + number.size() || ref_.history == 0 ||
             ref_.history > kMaxHistory)
-            return fail(digits, number.size(), "only 1 to 16 frames back are possible", help);
+            return fail(digits, number.size(), "a reference can go back 1 to 16 frames, [-1] to [-16]", help);
         return expect(']');
     }
 

@@ -1,8 +1,8 @@
 // Purpose: lists the fields of a plan once. The hash of a plan and its JSON dump both use this list.
 // visit_fields() calls the visitor as visitor("name", field) for each member of a struct. A field can also be
-// a struct, vector, array or optional; then the visitor visits its content itself.
-// These are not listed on purpose: positions in source files (`loc`, SourceMap), and the default number of
-// frames of a run (ResolvedGraph::frames).
+// a struct, vector, array or optional; then the visitor itself must visit the content of the field.
+// Two things are deliberately left out: positions in source files (`loc`, SourceMap), and the default number
+// of frames of a run (ResolvedGraph::frames).
 #pragma once
 
 #include "weft/plan.h"

@@ -16,8 +16,8 @@ namespace weft {
 [[nodiscard]] std::vector<const UseDecl*> uses_waited_for(const FramePlan& plan, const BarrierDecl& barrier,
                                                           PassId pass);
 // Returns true if the barrier waits for `pass`. If BarrierDecl::from is set, the barrier waits only for that
-// pass. Otherwise it waits for each pass with such a use: uses_waited_for() returns it, and it happens in one
-// of the source stages of the barrier.
+// pass. Otherwise the barrier waits for each pass that has a use with two properties: uses_waited_for()
+// returns the use, and the use happens in one of the source stages of the barrier.
 [[nodiscard]] bool waits_for(const FramePlan& plan, const BarrierDecl& barrier, PassId pass);
 
 // Returns the queue, first pass and last pass of a batch, such as: queue 0, 1 "a" to 3 "b". The numbers

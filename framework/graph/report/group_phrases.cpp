@@ -66,7 +66,7 @@ GroupBlock block_around(const FramePlan& plan, Position position) {
     if (position >= plan.schedule.order.size()) return {};
     const GroupDecl* group = group_of(plan, plan.schedule.order[position]);
     if (group == nullptr) return {};
-    // The passes of a group stand one after another.
+    // In the schedule, the passes of a group directly follow one another.
     const auto is_member = [&](Position p) { return group_of(plan, plan.schedule.order[p]) == group; };
     GroupBlock block{position, position};
     while (block.first > 0 && is_member(Position(block.first - 1))) block.first = Position(block.first - 1);

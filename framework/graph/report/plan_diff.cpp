@@ -59,9 +59,10 @@ std::vector<PassMove> moved_passes(const FramePlan& from, const FramePlan& to) {
         const Position position = to.schedule.position[other];
         if (position != kNoId) common.push_back({to.graph.passes[other].name, p, position});
     }
-    // Of all sequences of n + 1 passes that have the same order in both plans, one ends earliest in the plan
-    // `to`. `ends[n]` is the last pass of this sequence. `previous[i]` is the pass before pass i in the
-    // longest sequence that ends with pass i; SIZE_MAX: none. Both contain indices into `common`.
+    // Consider all sequences of n + 1 passes that have the same order in both plans. Of these sequences, take
+    // the one that ends earliest in the plan `to`: `ends[n]` is its last pass. `previous[i]` is the pass
+    // before pass i in the longest sequence that ends with pass i; SIZE_MAX: none. Both contain indices into
+    // `common`.
     std::vector<size_t> ends, previous(common.size(), SIZE_MAX);
     for (size_t i = 0; i < common.size(); ++i) {
         const auto it =

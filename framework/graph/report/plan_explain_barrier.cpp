@@ -176,8 +176,8 @@ class BarrierAnswer {
     }
 
     // Explains why the second pass needs no barrier of its own: `barrier` has already waited for the first
-    // pass. It is recorded before the pass at `position`, which runs between the two passes. `b` is the use
-    // by the second pass.
+    // pass. `barrier` is recorded before the pass at `position`, which runs between the two passes. `b` is
+    // the use by the second pass.
     std::string describe_semaphore_path(Position position, const BarrierDecl& barrier,
                                         const UseDecl& b) const {
         const PassId through = plan_.schedule.order[position];

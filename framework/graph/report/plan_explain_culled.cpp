@@ -21,7 +21,8 @@ bool writes_ring(const FramePlan& plan, PassId pass, ResourceId ring) {
            });
 }
 
-// Returns true if `pass` can have made one of `versions`, which is a list of versions of `use`.
+// Returns true if `pass` may have written one of `versions`. `versions` is a list of versions that `use`
+// reads or passes on.
 bool contains_result(const FramePlan& plan, const UseDecl& use, const std::vector<VersionSource>& versions,
                      PassId pass) {
     const ResourceId ring = plan.graph.resources[use.resource].ring;
@@ -64,8 +65,8 @@ std::string describe_root(const FramePlan& plan, PassId pass) {
     return plan.graph.passes[pass].side_effect ? "the pass has a side effect, so it always runs" : "";
 }
 
-// Returns one chain of readers from a live pass to a pass that must run because it writes the output or has a
-// side effect.
+// Returns one chain of readers that explains why `pass`, a live pass, is not culled. The chain ends at a pass
+// that must run because it writes the output or has a side effect.
 std::vector<Need> way_to_root(const FramePlan& plan, PassId pass) {
     std::vector<Need> way;
     std::vector<uint8_t> seen(plan.graph.passes.size(), 0);

@@ -11,7 +11,8 @@
 namespace weft {
 namespace {
 
-// Collects the reasons for which a rest unit runs again. Each reason is one line of the answer.
+// A rest unit is a set of passes that run only if something has changed. This class collects all changes that
+// make a rest unit run again. Each of them is one line of the answer.
 class WakeReasons {
  public:
     explicit WakeReasons(const FramePlan& plan) : plan_(plan) {}
@@ -20,7 +21,8 @@ class WakeReasons {
         const PassDecl& pass = plan_.graph.passes[id];
         add_params(id);
         if (!pass.shader.empty()) {
-            // If the view is in a buffer, the buffer is one of the uses of the pass. add_use() lists it.
+            // If a buffer contains the view, this buffer is one of the uses of the pass. Then add_use() lists
+            // the buffer, and no view is named here.
             const std::string view = pass.view_use == kNoId ? " and view \"" + view_range(pass) + "\"" : "";
             line("a constant of set 0 (frame" + view + ") that shader \"" + pass.shader +
                  "\" reads, if it reads one");
@@ -67,7 +69,7 @@ class WakeReasons {
     std::vector<std::string> lines_;
 };
 
-// Returns the live passes of the pass's unit, without the pass itself.
+// Returns the other live passes of the pass's rest unit, which always run together with the pass.
 std::string other_passes(const FramePlan& plan, PassId id) {
     std::string others;
     for (PassId pass(0); pass < plan.graph.passes.size(); ++pass)

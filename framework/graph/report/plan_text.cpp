@@ -44,7 +44,8 @@ class PlanText {
                                    : range_text(plan_.graph.resources[id], range));
     }
 
-    // Returns the number of textures of a table, such as ", 12 textures"; empty for all other resources.
+    // Returns the number of textures of a table of textures, such as ", 12 textures". Returns an empty text
+    // for all other resources.
     std::string table(ResourceId id) const {
         const uint32_t textures = plan_.graph.resources[id].textures;
         return textures > 0 ? ", " + count_text(textures, "texture") : "";
@@ -161,7 +162,8 @@ class PlanText {
         }
     }
 
-    // Returns the unit of the pass, and the names of the live passes of the unit.
+    // Returns the number of the rest unit of the pass, and the names of the live passes of this unit. In each
+    // frame, either all passes of a rest unit run, or none of them.
     std::string unit(PassId of) const {
         const uint32_t unit = plan_.graph.passes[of].rest_unit;
         std::string names;

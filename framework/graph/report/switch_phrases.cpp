@@ -5,7 +5,8 @@
 namespace weft {
 
 std::string describe_combinations(const ResolvedGraph& graph, CombinationSet set) {
-    // Each iteration appends a text for some combinations of the set and removes them from the set.
+    // Each iteration selects some combinations of the set, appends a text about these combinations, and
+    // removes these combinations from the set.
     std::string all;
     while (set != 0 && set != kEveryCombination) {
         const SwitchValues values = fewest_values(graph.switches, set);

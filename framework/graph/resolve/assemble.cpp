@@ -36,7 +36,7 @@ void add_dispatch(const PassDispatch& dispatch, PassDecl& pass) {
 }
 
 // Returns true if the CPU knows the frustum of the pass, and a draw whose box is outside of this frustum
-// cannot change the picture. This is false for lines and points, because they are wider than their vertices,
+// cannot change the picture. Returns false for lines and points, because they are wider than their vertices,
 // for indirect draws, because their commands are on the GPU, and for views in buffers, because the CPU cannot
 // read them.
 bool may_cull(const PassDecl& pass) {
@@ -52,9 +52,10 @@ void add_block(const PassBlock& block, PassDecl& pass) {
     pass.params_push = block.push_constants;
 }
 
-// Returns true if the pass writes an import that the program uses. Exports that live within one frame are
-// imports. Passes that write other exports are not counted, because a pass with side effects cannot rest;
-// cull() keeps these passes.
+// Returns true if the pass writes a resource that the program uses between frames: an import with `observed`,
+// or an export (GraphRequest::exports) that lives within one frame. Such an export has the lifetime
+// `imported`. Other exports are not counted, because a counted pass has a side effect and cannot rest. cull()
+// keeps the passes that write these other exports.
 bool writes_for_program(const Declared& declared, const std::vector<ResourceDecl>& resources,
                         const PassDecl& pass) {
     return std::ranges::any_of(pass.uses, [&](const UseDecl& use) {

@@ -43,8 +43,8 @@ class PassAttacher : PassStage<Attachments> {
         const auto own = desc().clear_ports.find(use.port);
         if (own != desc().clear_ports.end()) return evaluator_.color(own->second);
         const ResourceDecl& resource = graph_.resources[use.resource];
-        // The "clear" of a pass is a colour, so it applies to its colour attachments and not to its depth
-        // attachment.
+        // The "clear" of a pass is a colour, so it applies to the colour attachments of the pass, and not to
+        // its depth attachment.
         if (desc().clear && !(resource.aspects & aspect::kDepth)) return evaluator_.color(*desc().clear);
         // If no clear value is given, attachments are cleared to 0. For depth, 0 means infinitely far,
         // because depth is reversed.

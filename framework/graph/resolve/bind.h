@@ -48,13 +48,13 @@ struct PortDraft {
     bool is_indirect = false;
     // True if the port is the buffer with the number of indirect draws.
     bool is_draw_count = false;
-    // True if the port is the element of a buffer with the constants of the view.
+    // True if the port selects one element of a buffer, and this element contains the constants of the view.
     bool is_view = false;
-    // The combinations of the switches in which the content that the port reads is valid: a pass of this
-    // frame has written it, or the reference means the content from before the frame.
+    // The combinations of switch values in which the content that the port reads is valid. Content is valid
+    // if a pass of this frame has written it, or if the reference asks for content from before this frame.
     CombinationSet valid_in = kEveryCombination;
-    // True if "in" and "out" both name this port. The two are then one binding, which is read and written in
-    // place.
+    // True if "in" and "out" both name this port. The port then has one binding, and the shader reads and
+    // writes the resource in place.
     bool reads_own_port = false;
 
     [[nodiscard]] bool pinned() const { return !pins.empty(); }

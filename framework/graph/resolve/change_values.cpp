@@ -13,8 +13,9 @@ bool is_value(const std::string& param, const std::vector<GraphParam>& params) {
     return found != params.end() && found->cost <= ParamCost::live;
 }
 
-// Returns true if the graph need not be resolved again for any parameter of `a` that is missing or different
-// in `b`: the cost of its change is at most ParamCost::live.
+// Returns true if the graph need not be resolved again because of the parameters of `a` that are missing or
+// different in `b`. This is true if the cost of a change is at most ParamCost::live for each of these
+// parameters.
 bool differ_in_values(const std::map<std::string, double>& a, const std::map<std::string, double>& b,
                       const std::vector<GraphParam>& params) {
     return std::ranges::all_of(a, [&](const auto& param) {
@@ -40,8 +41,9 @@ bool change_block(const Declared& declared, const PassDraft& draft, const Evalua
     return true;
 }
 
-// Returns the pass of the known graph for each pass of the expansion. A carry pass that nobody needs is not
-// in the known graph; its entry is kNoId. Returns nullopt if the passes differ otherwise.
+// Returns the pass of the known graph for each pass of the expansion. A carry pass (it copies content of the
+// last frame) is not in the known graph if no pass needs it; its entry in the result is kNoId. Returns
+// nullopt if the passes differ otherwise.
 std::optional<std::vector<PassId>> find_known(const Expansion& expansion, const ResolvedGraph& known) {
     std::vector<PassId> ids;
     PassId next(0);
@@ -96,7 +98,7 @@ std::optional<ResolvedGraph> change_values(const ResolveInput& input, const Reso
     try {
         graph = with_new_values(input, known, reporter);
     } catch (const ResolveStopped&) {
-        // The reporter has an error.
+        // Nothing to do: the reporter already has the error.
     }
     return reporter.has_errors() ? std::nullopt : std::move(graph);
 }

@@ -1,5 +1,5 @@
-// Purpose: gives a resolved graph other values of parameters without resolving it again. This is possible for
-// parameters that are only values in `Params` of shaders or in C++ passes.
+// Purpose: gives a resolved graph new parameter values, without resolving the graph again. This is possible
+// for parameters that are only values in `Params` of shaders or in C++ passes.
 #pragma once
 
 #include <optional>

@@ -87,16 +87,16 @@ bool filters_linearly(const SamplerDecl& sampler, uint32_t mips) {
            (mips > 1 && sampler.mip_filter == SamplerFilter::linear);
 }
 
-// Returns the number of mips that the port samples. For a table, returns 2, because its textures may have
-// several mips.
+// Returns the number of mips that the port samples. For a table of textures, returns 2, because its textures
+// may have several mips.
 uint32_t sampled_mips(const ResourceDecl& resource, const UseDecl& use) {
     constexpr uint32_t kSeveral = 2;
     return resource.textures > 0 ? kSeveral : element_range(use, 0).mips;
 }
 
-// Returns the resource of age 0 if the resource has a history, otherwise `id` itself. The copies of a
-// resource with history change their roles every frame ("x" becomes "x[-1]"). So the requirements of all
-// roles are collected at age 0, and every copy must meet them.
+// If the resource has a history, returns the resource of the current frame (age 0). Otherwise returns `id`
+// itself. The copies of a resource with history change their roles every frame ("x" becomes "x[-1]"). So the
+// requirements of all roles are collected at age 0, and every copy must meet them.
 ResourceId base_of(const std::vector<ResourceDecl>& resources, ResourceId id) {
     const ResourceId ring = resources[id].ring;
     return ring == kNoId ? id : ring;

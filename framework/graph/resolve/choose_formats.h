@@ -16,8 +16,8 @@ struct FormattedGraph {
     std::vector<BoundPass> passes;
     Suspects suspects;
 };
-// Chooses the formats. Then fills in the parts of each use that depend on the format: the aspects of its
-// range.
+// Chooses the formats. Then fills in the parts of each use that depend on the format: the aspects of the
+// use's range.
 [[nodiscard]] FormattedGraph choose_formats(const Declared& declared, BoundPasses bound, Reporter& reporter);
 
 }  // namespace weft

@@ -24,7 +24,8 @@ void keep(PassId pass, LiveGraph& live, std::vector<PassId>& pending) {
     pending.push_back(pass);
 }
 
-// Returns for each resource of age 0 in a ring, indexed by ResourceId, the passes that write it.
+// A ring is the set of copies of a resource with history; age 0 is the copy of the current frame. Returns,
+// for each resource of age 0 in a ring, the passes that write this resource. Index: ResourceId.
 Rows<PassId> ring_writers(const ResolvedGraph& graph) {
     return make_rows<PassId>(graph.resources.size(), [&](const auto& add) {
         for (PassId id(0); id < graph.passes.size(); ++id)
@@ -34,8 +35,8 @@ Rows<PassId> ring_writers(const ResolvedGraph& graph) {
     });
 }
 
-// Keeps either all copies of a ring or none. The copies of a resource with history rotate from frame to
-// frame, so each copy is used if one of them is.
+// A ring is the set of copies of a resource with history. Keeps either all copies of a ring or none: the
+// copies rotate from frame to frame, so if one copy is used, each copy is used.
 void mark_rings(const ResolvedGraph& graph, LiveGraph& live) {
     std::vector<uint8_t> used(graph.resources.size(), 0);
     for (ResourceId id(0); id < graph.resources.size(); ++id)

@@ -77,7 +77,8 @@ double value_of(const std::string& name, const ParamDesc& param,
     return given != params.end() ? given->second : param.default_value;
 }
 
-// Checks the scale of a live size. A scale without an error is added to `scales`.
+// Checks the scale of a live size: the parameter by which the size is multiplied. Adds a scale without an
+// error to `scales`.
 void add_scale(const GraphDesc& graph, const SizeScaleDesc& scale, std::set<std::string>& scales,
                Reporter& reporter) {
     const auto refuse = [&](SourceLoc loc, const std::string& message, const std::string& help) {
@@ -117,7 +118,7 @@ void add_scale(const GraphDesc& graph, const SizeScaleDesc& scale, std::set<std:
            "\"size\" larger");
 }
 
-// Returns the parameters that are scales of live sizes.
+// Returns the parameters that are scales of live sizes. A live size is multiplied by its scale.
 std::set<std::string> find_scales(const GraphDesc& graph, Reporter& reporter) {
     std::set<std::string> scales, seen;
     for (const auto& [name, scale] : graph.size_scales)
@@ -231,7 +232,7 @@ class NamedEvaluator {
     }
 
     // Returns the value of a live size at scale 1, rounded in the same way as the sizes of images. A value of
-    // 0 or less is returned unchanged, so that the image with this size reports it.
+    // 0 or less is returned unchanged, so that the later check of an image with this size reports the error.
     static ExprValue whole_pixels(const ExprValue& size) {
         const auto side = [](double px) { return px > 0 ? std::max(1.0, std::floor(px)) : px; };
         return size_value(side(size.x), side(size.y));
@@ -291,7 +292,7 @@ void count_textures(const ResolveInput& input, Values& values) {
         if (import.kind != import_kind_name(ImportKind::textures)) continue;
         const auto offered = input.imports.imports.find(name);
         if (offered == input.imports.imports.end() || offered->second.kind != ImportKind::textures)
-            // A missing import and another kind are reported later, by shape_resources().
+            // If the import is missing or has another kind, shape_resources() reports that later.
             values.faulty.insert(name + "Count");
         else
             add(name, offered->second.resource.textures);

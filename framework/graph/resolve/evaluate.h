@@ -14,15 +14,15 @@
 
 namespace weft {
 
-// A list of views that passes may use. View i of the list is view `first` + i of `base`, which is a list of
-// the plan or a single view. A list in the section "views" without a mirror, a cube or a buffer is only a
-// part of another list, and both lists have the same `base`.
+// A list of views that passes may use. View i of the list is view `first` + i of `base`. `base` is the name
+// of a single view, or of a list of views in the plan. If a list in the section "views" has no mirror, cube
+// or buffer, it is only a part of another list, and both lists have the same `base`.
 struct ViewList {
     std::string base;
     uint32_t first = 0;
     uint32_t count = 0;
     bool single = false;  // True for a view without a number, such as "camera".
-    ViewListDecl decl;    // The list `base`; unused for a single view.
+    ViewListDecl decl;    // The declaration of the list `base`; unused for a single view.
     // The sources of the rectangles of the views: the list in the section "views" of the graph, and the list
     // of the program. Null if the list does not come from there.
     const ViewListDesc* desc = nullptr;
@@ -30,7 +30,8 @@ struct ViewList {
 };
 
 struct Values {
-    // Sizes and scales have their values at scale 1, because the plan is made for this scale.
+    // The values by name. Live sizes and their scales have the values for scale 1, because the plan is made
+    // for scale 1.
     std::map<std::string, ExprValue> by_name;
     // Names without a value, because an error in their definition was reported.
     std::set<std::string, std::less<>> faulty;

@@ -23,8 +23,8 @@ struct PassDraft {
     std::map<std::string, double> indices = {};
     // Number of this pass within its repeat, from 0.
     uint32_t instance = 0;
-    // Number of views that the pass draws, if it draws several (see PassDecl::views); its index "view" is 0.
-    // For all other passes: 0.
+    // Number of views that the pass draws, if it draws several (see PassDecl::views); the index "view" of the
+    // pass is then 0. For all other passes: 0.
     uint32_t views = 0;
     // For a pass of a group: the index of the group in Expansion::groups, and the number of the round.
     uint32_t group = kNoId;
@@ -68,8 +68,8 @@ struct Expansion {
     bool too_large = false;
     Suspects suspects;
 };
-// The key is the name, in the graph file, of a pass whose views must be drawn by one pass each. The value is
-// the reason.
+// For some passes, each view must be drawn by a pass of its own. The key is the name of such a pass in the
+// graph file. The value is the reason.
 using SeparateViews = std::map<std::string, std::string, std::less<>>;
 [[nodiscard]] Expansion expand(const ResolveInput& input, const Values& values, const Shapes& shapes,
                                Reporter& reporter, const SeparateViews& separate = {});

@@ -35,7 +35,7 @@ constexpr uint32_t kLayersPerWord = 32;
 
 class BlockFiller : PassStage<Blocks> {
  public:
-    // Fills the block for the given combination of the switches.
+    // Fills the block with the values that apply in the given combination of switch values.
     BlockFiller(const Declared& declared, const VersionedGraph& graph, PassId pass, Combination combination,
                 Blocks& blocks, Reporter& reporter)
         : PassStage(declared, graph, pass, blocks, reporter), combination_(combination) {}
@@ -135,7 +135,7 @@ class BlockFiller : PassStage<Blocks> {
     }
 
     // Returns true if the name belongs to an optional port that has no resource. The block still contains the
-    // member, so the member gets the value 0, but the shader does not read it.
+    // member, so the member gets the value 0. The shader does not use this value.
     bool stands_for_absent(std::string_view name, std::string_view suffix) const {
         if (!name.ends_with(suffix)) return false;
         name.remove_suffix(suffix.size());
@@ -192,8 +192,9 @@ class BlockFiller : PassStage<Blocks> {
         return false;
     }
 
-    // Fills a member such as "probesValidBits": one bit for each layer of the port "probes". If neither a
-    // pass with "rest" nor a pass of a group writes a layer, the bit of this layer is 1.
+    // Fills a member such as "probesValidBits": one bit for each layer of the port "probes". If passes with
+    // "rest" or passes of a group write a layer, its bit is 1 only if all these passes have run since the
+    // resource was made or cleared. If no such pass writes the layer, its bit is always 1.
     bool from_port_bits(const BlockMember& member, ParamWrite& write) {
         const std::vector<double> none(member.rows, 0);
         if (stands_for_absent(member.name, kBitsSuffix)) {
@@ -260,8 +261,9 @@ class BlockFiller : PassStage<Blocks> {
         return true;
     }
 
-    // Fills a member such as "colorUv" or "colorUvMost" for an image whose area is the whole image. For an
-    // image with a live size, follow_areas() replaces the value later.
+    // Fills a member such as "colorUv" or "colorUvMost" for an image in which the used area is the whole
+    // image. For an image with a live size (a size that is multiplied by a scale), follow_areas() replaces
+    // the value later.
     bool from_port_uv(const BlockMember& member, ParamWrite& write) {
         for (const std::string_view suffix : {kUvSuffix, kUvMostSuffix}) {
             if (!member.name.ends_with(suffix)) continue;

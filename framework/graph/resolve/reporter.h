@@ -12,9 +12,9 @@
 
 namespace weft {
 
-// The exception that Reporter throws if there are too many errors or too many steps, after it has added a
-// message about that. Only resolve() and change_values() catch it. The exception stops a stage immediately,
-// inside any loop, so that even a huge or very faulty graph takes little time.
+// If there are too many errors or too many steps, Reporter adds a message and then throws this exception.
+// Only resolve() and change_values() catch it. The exception stops a stage immediately, inside any loop, so
+// that even a huge or very faulty graph takes little time.
 struct ResolveStopped {};
 
 class Reporter {

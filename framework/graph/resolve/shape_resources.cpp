@@ -19,8 +19,8 @@ bool uses_mips_of(const ResourceDesc& desc) {
     return asks(desc.size) || asks(desc.mips) || asks(desc.layers) || asks(desc.count);
 }
 
-// Returns true if an import is an image or buffer. Draw lists, lists of views and turns are imports, but not
-// resources.
+// Returns true if an import is an image or buffer. Draw lists, lists of views and turns (lists of the rounds
+// that a group runs) are imports, but not resources.
 bool becomes_resource(const ImportDesc& import) {
     return !is_draw_list(import) && !is_view_list(import) && !is_turns(import);
 }
@@ -106,9 +106,9 @@ std::set<std::string> observed_names(const ResolveInput& input) {
     return names;
 }
 
-// Makes resources with "history" or "keep" persistent, and links each earlier frame to the resource of age 0.
-// Also makes the observed resources of groups persistent, because they can be shown before a round has run.
-// Called after all resources have their ids.
+// Makes resources with "history" or "keep" persistent, and links each earlier frame to the resource of the
+// current frame (age 0). Also makes the observed resources of groups persistent, because they can be shown
+// before a round has run. Called after all resources have their ids.
 void tie_rings(const ResolveInput& input, const Evaluator& evaluator, Shapes& shapes) {
     const std::set<std::string> shown = observed_names(input);
     for (ResourceId id(0); id < shapes.resources.size(); ++id) {

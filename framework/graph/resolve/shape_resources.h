@@ -17,8 +17,8 @@ namespace weft {
 struct ResourceOrigin {
     // The description in the graph file; null for an import.
     const ResourceDesc* desc = nullptr;
-    // True if the resource has content before the frame begins. These resources have it: imports (except
-    // images with entry layout UNDEFINED), earlier frames of a history, and resources with "keep".
+    // True if the resource has content before the frame begins. These resources have such content: imports
+    // (except images with entry layout UNDEFINED), earlier frames of a history, and resources with "keep".
     bool has_content = false;
 };
 

@@ -16,8 +16,8 @@ struct VersionedGraph {
     // The dependencies between passes, sorted by (to, from, kind, resource).
     std::vector<EdgeDecl> edges;
     Suspects suspects;
-    // Index: PassId. The unit of each pass (see find_rest_units()), or kNoId. Empty if no pass has "rest" or
-    // belongs to a group.
+    // Index: PassId. The unit of each pass, or kNoId. A unit is a set of passes that run together; see
+    // find_rest_units(). Empty if no pass has "rest" or belongs to a group.
     std::vector<uint32_t> rest_units = {};
     uint32_t rest_unit_count = 0;
     std::vector<GroupDecl> groups = {};  // Sorted by name.

@@ -1,10 +1,10 @@
 // Purpose: computes what each batch of a frame waits for if some batches are not submitted, because all their
-// passes rest. The order of all other batches is then the same as if each of these batches were submitted
-// with no commands in it. Let B be a batch that is not submitted. The next batch on the queue of B also waits
-// for everything for which B would wait. A batch on another queue that would wait for B waits for the same,
-// and for the batch before B on the queue of B. The program may use a resource between two frames. A batch
-// that therefore waits for the end of the previous frame also waits for what the program has submitted since
-// then. Call the functions for each batch in submission order.
+// passes rest. The other batches run in the same order as if every batch were submitted, and the batches
+// whose passes rest contained no commands. Let B be a batch that is not submitted. The next batch on the
+// queue of B also waits for everything for which B would wait. A batch on another queue that would wait for B
+// waits for the same, and for the batch before B on the queue of B. Between two frames, the program may use
+// resources. So a batch that waits for the end of the previous frame for this reason also waits for the work
+// that the program has submitted since then. Call the functions for each batch in submission order.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 namespace weft {
 
 // A point on the timeline of a queue: the end of a batch. The values are those of Batch in plan.h. If `queue`
-// is the number of queues, it is a point on the timeline of the program: the value f comes after all that the
-// program has submitted to queue 0 before frame f.
+// is equal to the number of queues, the point is on the timeline of the program: the value f means that all
+// work has finished that the program submitted to queue 0 before frame f.
 struct QueuePoint {
     QueueIndex queue = kGraphicsQueue;
     uint64_t value = 0;
@@ -28,7 +28,7 @@ class BatchOrder {
     BatchOrder() = default;
     explicit BatchOrder(const FramePlan& plan);
 
-    // Returns true if batches of the plan wait for the program.
+    // Returns true if batches of the plan wait for work that the program submits between two frames.
     [[nodiscard]] bool awaits_program() const;
     // Returns the point that the batch reaches when it has finished.
     [[nodiscard]] QueuePoint end_of(uint32_t batch, uint64_t frame) const;
@@ -59,12 +59,13 @@ class BatchOrder {
     std::vector<Values> pending_;  // Index: queue. Waits of skipped batches that the next batch must include.
     // Index: queue. The points after which the last batch of the queue, submitted or not, has finished.
     std::vector<Values> queue_ends_;
-    // Index: batch. The same for each batch of this frame and of the previous frame.
+    // Index: batch. The points after which the batch has finished, for the batches of this frame and of the
+    // previous frame.
     std::vector<Values> ends_, previous_ends_;
 };
 
-// Returns true if nothing of the batch is recorded in a frame in which some units rest. Index of `resting`:
-// unit; 1: the unit rests.
+// A unit is a set of passes with "rest", or a round of a group. Returns true if nothing of the batch is
+// recorded in a frame in which the units in `resting` rest. Index of `resting`: unit; 1: the unit rests.
 [[nodiscard]] bool is_empty_batch(const FramePlan& plan, const Batch& batch,
                                   const std::vector<uint8_t>& resting);
 

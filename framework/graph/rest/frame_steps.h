@@ -1,5 +1,5 @@
-// Purpose: lists what a batch records in a frame in which some units do not run and the rounds of groups run
-// in a given order.
+// Purpose: lists the steps that a batch records in a frame in which some units do not run. A unit is a set of
+// passes with "rest", or a round of a group. The rounds of a group run in a given order.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,15 @@ struct FrameStep {
     // Returns true for the step that only records shared barriers before or after the rounds of a group.
     [[nodiscard]] bool is_border() const { return shared_before != shared_after; }
     [[nodiscard]] bool is_empty() const { return !shared_before && !runs && !shared_after; }
-    // Returns true if the barrier, of the list before or after the pass, is recorded.
+    // Returns true if the barrier is recorded. `is_before` says whether the barrier is in the list before or
+    // after the pass.
     [[nodiscard]] bool records(const BarrierDecl& barrier, bool is_before) const {
         return barrier.if_pass_runs ? runs : (is_before ? shared_before : shared_after);
     }
 };
 
-// `runs`: index unit; 1: it runs. `rounds`: UnitChoice::rounds. For each position of the batch, the result
-// has one step that is not a border of a group.
+// `runs`: the index is a unit; 1: the unit runs. `rounds`: UnitChoice::rounds. For each position of the
+// batch, the result has one step for which is_border() is false.
 [[nodiscard]] std::vector<FrameStep> frame_steps(const FramePlan& plan, const Batch& batch,
                                                  const std::vector<uint8_t>& runs,
                                                  const std::vector<uint32_t>& rounds);

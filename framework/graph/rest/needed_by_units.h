@@ -1,5 +1,5 @@
-// Purpose: some frames only prepare results before the first picture: those of passes with "rest" and of the
-// rounds of groups. This file finds the passes that such a frame needs.
+// Purpose: some frames come before the first picture and only prepare the results of passes with "rest" and
+// of rounds of groups. This file finds the passes that such a frame needs.
 #pragma once
 
 #include <cstdint>

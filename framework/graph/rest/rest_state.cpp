@@ -25,7 +25,7 @@ std::string wake_text(const FramePlan& plan, const Wake& wake) {
         case WakeReason::unit:
             break;
     }
-    // The first pass of the unit that is not culled.
+    // The first pass of the unit, without culled passes.
     const auto is_of_unit = [&](PassId pass) { return plan.graph.passes[pass].rest_unit == wake.unit; };
     const auto pass = std::ranges::find_if(plan.schedule.order, is_of_unit);
     return "pass \"" + plan.graph.passes[*pass].name + "\" ran";
@@ -44,8 +44,8 @@ RestState::RestState(const FramePlan& plan) : units_(plan.graph.rest_unit_count)
     }
 }
 
-// Finds the units that write what the pass reads. If a pass without a unit writes a part of it, this content
-// may change in every frame, and the unit of the reading pass can never rest.
+// Finds the units that write the content that the pass reads. If a pass without a unit writes a part of this
+// content, the content may change in every frame, and the unit of the reading pass can never rest.
 void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
     Unit& unit = units_[pass.rest_unit];
     const auto add_writer = [&](PassId writer, bool previous_frame) {
@@ -62,7 +62,8 @@ void RestState::add_sources(const FramePlan& plan, const PassDecl& pass) {
                 add_writer(source.producer, false);
                 continue;
             }
-            // The content is from before the frame: any writer of this part or ring may have written it.
+            // The content is from before the frame: any writer of this part, or of another copy in the ring
+            // of a resource with history, may have written it.
             const ResourceId ring = plan.graph.resources[use.resource].ring;
             for (const PassId writer : plan.schedule.order)
                 for (const UseDecl& written : plan.graph.passes[writer].uses)
@@ -92,9 +93,9 @@ Wake RestState::own_wake(const Unit& unit, const UnitInput& input) const {
     return {unit.settles > 0 ? WakeReason::settles : WakeReason::rests};
 }
 
-// A unit that runs also wakes the units that read its results in the same frame. A reader can be a
-// round that would run only to settle. The round sees a change, so it begins to settle again. `decided`: for
-// each group, 1 if it is known which of its rounds run.
+// A unit that runs also wakes the units that read its results in the same frame. A reader can be a round that
+// would run only to settle, that is, to run again after an earlier change. This round now sees a new change,
+// so it begins to settle again. `decided`: for each group, 1 if it is known which of its rounds run.
 void RestState::wake_readers(std::vector<Wake>& wakes, const std::vector<uint8_t>& decided) const {
     const auto runs = [&](const Source& source) {
         const uint32_t group = units_[source.unit].group;
@@ -189,7 +190,8 @@ void RestState::inherit(const RestState& old, const std::vector<MatchedUnit>& ma
     }
 }
 
-// Remembers whether the unit waits for a turn, and how often it must run again to settle.
+// Remembers whether the unit waits for a turn, and how often it must run again after a change
+// (GroupDecl::settle).
 void RestState::commit_unit(Unit& unit, const Wake& wake) const {
     const bool waits = wake.reason == WakeReason::waits;
     // A round of a group without "rest" begins to wait when it has run.

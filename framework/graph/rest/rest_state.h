@@ -45,11 +45,11 @@ struct Wake {
 // For each import of kind "turns": the rounds to run in a frame, in this order.
 using TurnLists = std::map<std::string, std::vector<uint32_t>, std::less<>>;
 
-// The units that run in a frame.
+// The units that run in a frame. A unit is a set of passes with "rest", or a round of a group.
 struct UnitChoice {
     std::vector<Wake> wakes;  // Index: unit.
-    // The units of rounds that run, in the order in which they run. The rounds of one group are in the right
-    // order; rounds of different groups have no order.
+    // The rounds that run, as unit numbers, in the order in which they run. The rounds of one group are in
+    // the right order; rounds of different groups have no order.
     std::vector<uint32_t> rounds;
     uint32_t dropped_turns = 0;  // Number of entries of lists that were ignored; see TurnChoice::dropped.
 };
@@ -95,7 +95,7 @@ class RestState {
         uint32_t group = kNoId;  // For a round: index into groups_.
         // True if the unit has run since the resources that it writes were created or cleared.
         bool has_result = false;
-        uint32_t settles = 0;      // How many more times the unit must run until it has settled.
+        uint32_t settles = 0;      // How many more times the unit must run after a change.
         uint64_t waits_since = 0;  // The frame in which the unit began to wait for its turn.
         bool waits = false;
         uint64_t version = 0;  // Number of runs.

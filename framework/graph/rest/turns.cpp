@@ -5,7 +5,7 @@
 namespace weft {
 namespace {
 
-// Takes the rounds one by one.
+// Collects the rounds that run, one by one, and counts the entries of the list that are ignored.
 class Taker {
  public:
     Taker(const GroupDecl& group, std::span<const AwakeRound> awake)
@@ -18,7 +18,7 @@ class Taker {
         awake_[round] = 0;
     }
 
-    // Takes the rounds of the list that are awake.
+    // Chooses the rounds of the list that are awake, at most GroupDecl::per_frame rounds.
     void take_list(const std::vector<uint32_t>& list) {
         uint32_t taken = 0;
         for (const uint32_t round : list) {
@@ -39,8 +39,8 @@ class Taker {
 
  private:
     const GroupDecl& group_;
-    std::vector<uint8_t> awake_;   // Index: round. 1: it is awake and not chosen yet.
-    std::vector<uint8_t> listed_;  // Index: round. 1: it is in the list.
+    std::vector<uint8_t> awake_;   // Index: round. 1: the round is awake and not chosen yet.
+    std::vector<uint8_t> listed_;  // Index: round. 1: the round is in the list.
     TurnChoice choice_;
 };
 
@@ -53,7 +53,7 @@ TurnChoice choose_turns(const GroupDecl& group, std::span<const AwakeRound> awak
         waiting, {}, [](const AwakeRound& r) { return std::pair(r.has_run, r.has_run ? r.since : 0); });
     const bool warms_up = !waiting.empty() && !waiting.front().has_run;
     const uint32_t in_turn = warms_up ? std::max(group.per_frame, group.warm_up) : group.per_frame;
-    // With a list, only the rounds that have never run take turns of their own.
+    // If there is a list, a round that is not in it can be chosen only if it has never run.
     const uint32_t most = list == nullptr ? in_turn : group.warm_up;
     Taker taker(group, awake);
     for (const AwakeRound& round : waiting)

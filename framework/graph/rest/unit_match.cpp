@@ -77,9 +77,9 @@ class UnitMatch {
     }
 
  private:
-    // Returns for each transient, by ResourceId, 1 if a pass uses it that does not belong to the unit that
-    // writes it. Such a pass may run in a frame in which the unit does not run. Other rounds of the same
-    // group do not count: they use the same resources, but do not read the content of this round.
+    // For each transient resource (index: ResourceId), returns 1 if a pass outside the writing unit uses the
+    // resource. Such a pass may run in a frame in which the unit does not run. Other rounds of the same group
+    // do not count: they use the same resources, but do not read the content of this round.
     static std::vector<uint8_t> find_read_outside(const FramePlan& plan) {
         const ResolvedGraph& graph = plan.graph;
         std::vector<uint32_t> writer(graph.resources.size(), kNoId);

@@ -1,5 +1,6 @@
-// Purpose: finds the rest units of a new plan that compute the same as a unit of the previous plan. These
-// units need not run again after a resize, a reload or a change of the tier.
+// Purpose: finds the rest units of a new plan that compute the same as a unit of the previous plan. A rest
+// unit is a set of passes with "rest" that run together, or a round of a group. These units need not run
+// again after a resize, a reload or a change of the tier.
 #pragma once
 
 #include <functional>

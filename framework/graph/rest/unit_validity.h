@@ -1,6 +1,7 @@
-// Purpose: tells shaders whether the content of a resource that units write exists. The content exists if
-// each unit that writes it has run since the resource was made or cleared. The values are those of the
-// builtins `unit_valid` and `unit_bits` of Params.
+// Purpose: tells shaders whether the content of a resource that units write exists. A unit is a set of passes
+// with "rest" that run together, or a round of a group. The content exists if each unit that writes it has
+// run since the resource was made or cleared. The values are those of the builtins `unit_valid` and
+// `unit_bits` of Params.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@ class UnitValidity {
  public:
     explicit UnitValidity(const FramePlan& plan);
 
-    // Remembers which units have results at the start of the frame, and which units run in it.
+    // Remembers which units have results at the start of the frame, and which units run in this frame.
     void begin_frame(const RestState& state, const UnitChoice& choice);
     // Returns the value of one component of a member of Params at the time when the pass runs. The value of
     // `unit_bits` has one bit for each layer of the port: component 0 is for layers 0 to 31.

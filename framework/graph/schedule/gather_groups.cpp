@@ -28,7 +28,8 @@ class BlockSorter {
     }
 
     std::vector<PassId> run() {
-        // Culled passes stand in the order, too, because edges lead through them.
+        // Culled passes are sorted, too, because paths of edges lead through them. The result contains only
+        // live passes.
         for (PassId pass(0); pass < block_.size(); ++pass)
             if (!problem_.live[pass]) passes_[block_[pass]].push_back(pass);
         std::vector<uint32_t> waiting(passes_.size(), 0);
@@ -51,7 +52,8 @@ class BlockSorter {
     }
 
  private:
-    // A block without a live pass is taken at once, because other blocks may wait only for it.
+    // A block without a live pass gets rank 0, so it is taken at once. It adds no pass to the order, but
+    // other blocks may wait for it.
     [[nodiscard]] uint32_t rank_of(uint32_t block) const {
         uint32_t rank = UINT32_MAX;
         for (const PassId pass : passes_[block]) rank = std::min(rank, rank_[pass]);
@@ -69,7 +71,8 @@ class BlockSorter {
     const ScheduleProblem& problem_;
     // Index: PassId. The place of the pass in the given order; UINT32_MAX if it is culled.
     std::vector<uint32_t> rank_;
-    std::vector<uint32_t> block_;              // Index: PassId. Groups have the lowest numbers.
+    // Index: PassId. The block of the pass. Groups have the lowest block numbers.
+    std::vector<uint32_t> block_;
     std::vector<std::vector<PassId>> passes_;  // Index: block. The passes in the order in which they run.
 };
 

@@ -14,8 +14,9 @@ void add_to_queue(LifetimeSpan& span, QueueIndex queue, Position position) {
         own->last = position;
 }
 
-// The memory of a transient that a rest unit writes is never shared. So a readback can read the content in
-// the frames in which the unit rests. And no pass has to wait for the unit only because of shared memory.
+// The memory of a transient that a rest unit (passes with "rest" that run together, or a round of a group)
+// writes is never shared with another resource. So a readback can read the content in the frames in which the
+// unit rests. And no pass has to wait for the unit only because of shared memory.
 void extend_rested(const ResolvedGraph& graph, const Schedule& order, Lifetimes& result) {
     LifetimeSpan whole{0, Position(order.order.size() - 1), {}};
     if (order.queues.size() > 1)

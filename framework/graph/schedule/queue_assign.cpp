@@ -47,9 +47,9 @@ uint32_t family_of(const DeviceProfile& profile, QueueKind kind) {
                                         : 0;
 }
 
-// Gives all passes of each group one queue: the queue of the first pass. Exception: the graphics queue, if a
-// pass of the group was assigned to it or cannot run on the queue of the first pass. `order` has the passes
-// of a group one after another.
+// Gives all passes of each group one queue: the queue of the first pass. Exception: they get the graphics
+// queue if a pass of the group was assigned to it or cannot run on the queue of the first pass. `order` has
+// the passes of a group one after another.
 void unite_groups(const ResolvedGraph& graph, const std::vector<PassId>& order,
                   const std::vector<LogicalQueue>& queues, std::vector<QueueIndex>& assigned) {
     for (const GroupDecl& group : graph.groups) {

@@ -26,9 +26,10 @@ std::vector<uint32_t> row_sizes(const Rows<PassId>& rows) {
     return sizes;
 }
 
-// Greedy list scheduling: it always takes the ready pass with the lowest score. The score of a pass can only
+// Greedy list scheduling: it always takes the ready pass with the lowest score. The score of a pass is the
+// number of bytes that it would allocate, minus the number of bytes that it would free. A score can only
 // fall: when another pass allocates a resource of the pass, or when the pass becomes the last user of a
-// resource. So each change pushes a new heap entry, and outdated entries are skipped when they reach the top.
+// resource. Each change pushes a new heap entry. Outdated entries are skipped when they reach the top.
 class Greedy {
  public:
     explicit Greedy(const Walk& walk)
@@ -111,7 +112,7 @@ class Greedy {
     // Index: ResourceId. Number of passes that use the resource and are not in the order yet.
     std::vector<uint32_t> users_left_;
     // Index: ResourceId. Sum of the ids of the passes that use the resource and are not in the order yet. If
-    // only one such pass is left, the sum is its id.
+    // only one such pass is left, the sum is the id of that pass.
     std::vector<uint64_t> user_sum_;
     // Index: PassId. Score of the pass: bytes that it would allocate, minus bytes that it would free.
     std::vector<int64_t> score_;

@@ -30,20 +30,20 @@ struct ScheduleProblem {
 [[nodiscard]] ScheduleProblem schedule_problem(const ResolvedGraph& graph, const LiveGraph& live,
                                                const MemoryNeeds& needs);
 
-// Returns a topological order of the live passes. Among ready passes, the one with the lowest rank comes
-// first.
+// Returns a topological order of the live passes. Among the passes whose predecessors are all in the order
+// already, the pass with the lowest ScheduleProblem::rank comes first.
 [[nodiscard]] std::vector<PassId> program_order(const ScheduleProblem& problem);
-// Returns the order that a greedy algorithm finds from the first pass to the last: next comes the ready pass
-// with the lowest (bytes it allocates - bytes it frees).
+// Returns the order that a greedy algorithm finds from the first pass to the last. The next pass is always
+// the ready pass with the lowest value of: bytes that it allocates, minus bytes that it frees.
 [[nodiscard]] std::vector<PassId> forward_greedy_order(const ScheduleProblem& problem);
 // Returns the order that the greedy algorithm of forward_greedy_order() finds when it starts at the last pass
 // and goes backwards in time.
 [[nodiscard]] std::vector<PassId> backward_greedy_order(const ScheduleProblem& problem);
 
 [[nodiscard]] uint64_t peak_live_bytes(const ScheduleProblem& problem, const std::vector<PassId>& order);
-// Returns the number of positions that would need a barrier if every barrier waited for all earlier work.
-// Such a position uses a transient for the first time, or depends on a pass at or after the last such
-// position.
+// Returns how many barriers the order needs if every barrier waits for all earlier work. A pass needs a
+// barrier before it in two cases: it uses a transient for the first time in the frame, or one of its
+// predecessors runs after the latest barrier.
 [[nodiscard]] uint32_t barrier_batches(const ScheduleProblem& problem, const std::vector<PassId>& order);
 
 }  // namespace weft

@@ -27,7 +27,8 @@ AccessMask writes_of(StageMask stages) {
     return mask;
 }
 
-// Finds the alias transitions by their new owner.
+// Finds the alias transitions by their new owner. An alias transition is a takeover of memory: from the
+// resource that used the memory before, to the new owner.
 class AliasTransitionRows {
  public:
     AliasTransitionRows(const std::vector<AliasTransition>& all, size_t resource_count)
@@ -38,18 +39,21 @@ class AliasTransitionRows {
         for (ResourceId id(0); id < resource_count; ++id) own_.push_back({id, id, true});
     }
 
-    // Returns the alias transitions whose new owner is `to`. Every transient in use has at least one: if no
-    // other resource uses its memory, it takes the memory over from its own use in the previous frame.
+    // Returns the alias transitions (takeovers of memory) whose new owner is `to`. Every transient in use has
+    // at least one: if no other resource uses its memory, the transient takes the memory over from its own
+    // use in the previous frame.
     [[nodiscard]] std::span<const AliasTransition> into(ResourceId to) const {
         if (first_[to] == first_[to + 1]) return {&own_[to], 1};
         return std::span(all_).subspan(first_[to], first_[to + 1] - first_[to]);
     }
 
  private:
-    const std::vector<AliasTransition>& all_;  // Sorted by the new owner.
+    const std::vector<AliasTransition>& all_;  // All alias transitions, sorted by the new owner.
     // Index: ResourceId. The index in all_ of the first transition whose new owner is this resource.
     std::vector<uint32_t> first_;
-    std::vector<AliasTransition> own_;  // Index: ResourceId. The transition from the resource to itself.
+    // Index: ResourceId. The alias transition with which the resource takes over its own memory from the
+    // previous frame.
+    std::vector<AliasTransition> own_;
 };
 
 // Resources A, B and C use the same memory, one after the other. The alias barrier before C waits for B, the
@@ -141,8 +145,8 @@ BarrierDecl barrier_of(ResourceId resource, const TrackedBarrier& tracked) {
     return barrier;
 }
 
-// Returns a plan with all steps, in which the lists of barriers are empty but have enough memory for the
-// barriers of `sync`.
+// Returns a plan with one step for each pass. The lists of barriers in the steps are empty, but have enough
+// memory for the barriers of `sync`.
 BarrierPlan empty_plan(const Schedule& order, const SyncTable& sync, const AttachmentTable& attachments) {
     BarrierPlan plan;
     plan.concurrent = sync.concurrent;
@@ -173,8 +177,8 @@ BarrierDecl& add_barrier(const PlacedBarrier& placed, ResourceId resource, const
     return barrier;
 }
 
-// Marks the barriers around the writes of rest units: they are recorded only in frames in which the pass
-// runs.
+// Marks the barriers around the writes of rest units (sets of passes that run only in some frames). Marked
+// barriers are recorded only in frames in which the pass runs.
 void mark_rest_units(const ResolvedGraph& graph, BarrierPlan& plan) {
     for (PassStep& step : plan.steps) {
         const PassDecl& pass = graph.passes[step.pass];

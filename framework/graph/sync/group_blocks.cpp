@@ -11,7 +11,8 @@ const GroupBlock* block_of(const std::vector<GroupBlock>& blocks, Position posit
     return found == blocks.end() ? nullptr : &*found;
 }
 
-// Moves the barriers that are recorded in every frame from one list to the end of another.
+// Moves barriers from the list `from` to the end of the list `into`: those that are recorded in every frame,
+// even if the pass does not run.
 void move_shared(std::vector<BarrierDecl>& from, std::vector<BarrierDecl>& into) {
     const auto own = std::ranges::stable_partition(from, &BarrierDecl::if_pass_runs);
     into.insert(into.end(), own.begin(), own.end());

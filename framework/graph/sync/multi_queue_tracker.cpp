@@ -115,7 +115,8 @@ void MultiQueueTracker::merge_drawing(const AccessEvent& event) {
 }
 
 // Adds a reader of the current content. If another queue made the content, adds a dependency, from which a
-// semaphore wait results. If the same queue made it and it is not visible to the reader yet, adds a barrier.
+// semaphore wait results. If the same queue made the content, and the content is not visible to the reader
+// yet, adds a barrier.
 void MultiQueueTracker::join(std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     if (source_ && source_->queue != event.queue) {
@@ -163,8 +164,8 @@ void MultiQueueTracker::begin(std::span<const AccessEvent> events, CellSync& syn
 void MultiQueueTracker::share(const Past& past, std::span<const AccessEvent> events, CellSync& sync) {
     const AccessEvent& event = events.front();
     AccessState dst = state_on(group_of(events), past.queue);
-    // If the transition has no reader on this queue, its destination stages are its source stages, so that
-    // later barriers on this queue chain with it.
+    // If no reader on this queue uses the transition, the destination stages of its barrier are the same as
+    // the source stages. Then later barriers on this queue wait for the transition too.
     if (dst.stages == stage::kNone) dst.stages = past.stages;
     sync.barriers.push_back({.position = past.position,
                              .after = true,
@@ -243,7 +244,8 @@ void MultiQueueTracker::change(std::span<const AccessEvent> events, CellSync& sy
     }
     const AccessState dst = event.writes ? event.state : state_on(group_of(events), event.queue);
     const bool new_layout = rules_->image && layout_ != dst.layout;
-    if (new_layout && elsewhere) src.stages |= dst.stages;  // The barrier must chain with the semaphore wait.
+    // The barrier includes the stages that wait for the semaphore, so that it runs after the semaphore wait.
+    if (new_layout && elsewhere) src.stages |= dst.stages;
     if (taken_over_ || new_layout || src.stages != stage::kNone)
         sync.barriers.push_back({.position = event.position,
                                  .src = src,

@@ -72,7 +72,8 @@ class MultiQueueTracker {
     bool taken_over_ = false;
     bool entered_ = false;
     bool written_ = false;
-    // True for an import without a pending write: all accesses see its content until the frame changes it.
+    // True for an import without a pending write: all accesses see the content of the import until the frame
+    // changes the content or the layout.
     bool enters_visible_ = false;
     bool touched_ = false;
     Layout layout_ = Layout::undefined;
@@ -80,8 +81,8 @@ class MultiQueueTracker {
     std::optional<Past> source_;
     // Writes of the last writer that no barrier on the writer's queue has made available yet.
     AccessMask unflushed_ = access::kNone;
-    // All writes of the last writer, also those that a barrier has made available already. If a later barrier
-    // does not wait for the stages of that first barrier, it must make the writes available again.
+    // All writes of the last writer, also those that a barrier has made available already. A later barrier
+    // that does not wait for the stages of that first barrier must make the writes available again.
     AccessMask source_writes_ = access::kNone;
     // Index: bit of the stage. Access types to which the content is visible, on the queue of the last writer.
     std::array<AccessMask, stage::kCount> visible_{};

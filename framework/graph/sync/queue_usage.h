@@ -1,5 +1,5 @@
-// Purpose: finds out which queues and queue families use a resource. From this follow the sharing mode of the
-// resource, and whether barriers transfer its ownership between families.
+// Purpose: finds out which queues and queue families use a resource. This determines the sharing mode of the
+// resource, and whether barriers transfer its ownership between queue families.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ namespace weft {
 struct QueueUsage {
     bool several_queues = false;
     bool several_families = false;
-    // True for a transient image that several queue families use, but only one family at a time. Then
-    // barriers transfer its ownership between the uses.
+    // True for a transient image that several queue families use, but only one family at a time. Between
+    // these uses, barriers transfer the ownership of the image.
     bool exclusive = false;
 
     // True if several families use the resource without ownership transfers.

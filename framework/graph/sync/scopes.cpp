@@ -6,7 +6,8 @@ namespace weft {
 namespace {
 
 bool draws(const PassDecl& pass) {
-    // A pass that does not run in every frame cannot share a rendering scope.
+    // A pass with frame slices, a rest unit or a switch does not run in every frame, so it cannot share a
+    // rendering scope.
     return (pass.kind == PassKind::raster || pass.kind == PassKind::fullscreen) && pass.frame_slices == 0 &&
            pass.rest_unit == kNoId && pass.switch_id == kNoId;
 }

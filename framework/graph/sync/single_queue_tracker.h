@@ -31,7 +31,7 @@ struct LastUse {
 struct CellBarrier {
     // Schedule position at which the barrier is recorded; kEpiloguePosition means the end of the frame.
     Position position = 0;
-    bool after = false;  // True if the barrier is recorded after that pass, not before it.
+    bool after = false;  // True: the barrier is recorded after the pass at `position`, not before it.
     uint32_t cell = 0;
     AccessState src;
     AccessState dst;
@@ -40,8 +40,9 @@ struct CellBarrier {
     bool previous_frame = false;  // True if the accesses to wait for are in the previous frame.
     uint32_t src_family = 0, dst_family = 0;
     // Only for an ownership transfer between queue families, which needs two barriers: a release and an
-    // acquire. Each of the two stores here the position and the state of the other. Barriers of several cells
-    // are merged only if these values are equal too. So release and acquire get the same ranges.
+    // acquire. The release stores the position and the state of the acquire here, and the acquire stores
+    // those of the release. Barriers of several cells (blocks of subresources) are merged only if these
+    // values are equal too. So release and acquire get the same ranges.
     Position pair_position = 0;
     AccessState pair_state;
 };
@@ -69,13 +70,14 @@ struct CellSync {
 class SingleQueueTracker {
  public:
     enum class Start : uint8_t {
-        // A transient resource. Its first access always needs a barrier, because it takes memory over. The
-        // source of that barrier, the last users of the memory, is filled in later by barriers().
+        // A transient resource. Its first access always needs a barrier, because the resource takes memory
+        // over. barriers() fills in the source of that barrier later: the last users of the memory.
         taken_over,
         known,  // A persistent resource: its layout is known, and no access is pending.
     };
     explicit SingleQueueTracker(Start start) : taken_over_(start == Start::taken_over) {}
-    // Starts with an import in its entry state, in which the program passes it to the frame.
+    // Starts with an import in its entry state: the state in which the program passes the import to the
+    // frame.
     explicit SingleQueueTracker(const AccessState& entry);
 
     // Processes the first of `events`, and adds the barrier that it needs, if any. `events` are all events
@@ -107,7 +109,7 @@ class SingleQueueTracker {
     void merge_drawing(AccessEvent event);
     void note_pass(PassId pass);
 
-    bool taken_over_ = true;  // True until the first access to a transient, which takes memory over.
+    bool taken_over_ = true;  // True until the first access to a transient; that access takes memory over.
     bool entered_ = false;    // True until the first access to an import in this frame.
     Layout layout_ = Layout::undefined;
     StageMask writer_stages_ = stage::kNone;
@@ -118,7 +120,8 @@ class SingleQueueTracker {
     PassId pass_ = kNoId;  // The pass of the pending accesses; kNoId if there are several.
     bool several_ = false;
     bool written_ = false;
-    // True for an import without a pending write: all accesses see its content until the frame changes it.
+    // True for an import without a pending write: all accesses see the content of the import until the frame
+    // changes the content or the layout.
     bool enters_visible_ = false;
     bool touched_ = false;
     bool previous_frame_ = false;        // True if the last access was in the previous frame.

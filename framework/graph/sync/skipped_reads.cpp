@@ -9,14 +9,15 @@ bool may_be_skipped(const PassDecl& pass, const UseDecl& use) {
     return (pass.switch_id != kNoId || use.used_in != kEveryCombination) && reads(use.access);
 }
 
-// Returns the resource itself or, for a copy of a ring, the copy of age 0: the copies rotate from frame to
-// frame.
+// Returns the resource itself or, for one of the copies of a resource with history, the copy of age 0. All
+// copies count as one resource here, because they change places from frame to frame.
 ResourceId whole_ring(const ResolvedGraph& graph, ResourceId resource) {
     const ResourceId ring = graph.resources[resource].ring;
     return ring == kNoId ? resource : ring;
 }
 
-// Returns the states of all reads that do not happen in every frame. Index: whole_ring() of the resource.
+// Returns the states of all reads that do not happen in some combinations of the switches. Index:
+// whole_ring() of the resource.
 Rows<AccessState> skipped_reads(const ResolvedGraph& graph, const BarrierPlan& plan) {
     return make_rows<AccessState>(graph.resources.size(), [&](const auto& add) {
         for (const PassStep& step : plan.steps)

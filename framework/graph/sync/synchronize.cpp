@@ -115,8 +115,9 @@ SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order, const A
     for (;;) {
         SyncTable table = with_scopes(graph, order, attachments, candidates);
         candidates = undivided(table.scopes, table.histories.barriers());
-        // If a barrier must be recorded inside a rendering scope, the scope is divided and all barriers are
-        // computed again. Only the pass that then begins its own scope needs more barriers than before.
+        // If a barrier must be recorded inside a rendering scope, undivided() divides the scope, and all
+        // barriers are computed again. Only the pass that then begins its own scope needs more barriers than
+        // before.
         if (candidates == table.scopes) return table;
     }
 }

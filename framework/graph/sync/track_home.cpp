@@ -48,15 +48,18 @@ HomeTrace track_home(const ResourceDecl& decl, ResourceId resource, std::span<co
         const bool elsewhere =
             std::ranges::any_of(events, [&](const AccessEvent& other) { return other.queue != event.queue; });
         const bool returns = !alone || event.state.layout != trace.home;
-        // If no reader is on this queue, the barrier after the pass ends in the stages of the writers, so
-        // that the barrier before the next write chains with it.
+        // If no reader is on this queue, the barrier after the pass has the stages of the writers as its
+        // destination. Then the barrier before the next write waits for it, because that barrier has the same
+        // stages as its source.
         const StageMask home_stages = readers.stages != stage::kNone ? readers.stages : writers.stages;
         AccessState src{home_stages, returns ? access::kNone : writers.access & access::kAllWrites,
                         trace.home};
-        // A transient has no content before its first write. It takes its memory over from itself.
+        // A transient has no content before its first write. With this write, it takes its memory over from
+        // its own use in the previous frame.
         const bool begins = !event.reads && decl.lifetime == ResourceLifetime::transient;
         if (begins) src.layout = Layout::undefined;
-        // The barrier must also chain with the semaphore waits for accesses on other queues.
+        // If other queues access the cell, the pass waits for semaphores. The barrier includes the stages
+        // that wait, so that it runs after the semaphore waits.
         if (elsewhere) src.stages |= event.state.stages;
         trace.sync.barriers.push_back({.position = event.position,
                                        .src = src,

@@ -88,14 +88,16 @@ CellTrace run_tracker(State state, const std::vector<CellAccesses>& roles, uint3
     return trace;
 }
 
-// Returns true if a rest unit writes the cell with these accesses.
+// Returns true if one of these accesses is a write of a rest unit (a set of passes that run only in some
+// frames).
 bool has_home(const HistoryInput& input, std::span<const AccessEvent> events) {
     return input.graph->rest_unit_count > 0 && std::ranges::any_of(events, [&](const AccessEvent& event) {
                return is_unit_write(*input.graph, event);
            });
 }
 
-// Traces a cell that a rest unit writes. Such a cell is in its home state at the start of each frame.
+// Traces a cell that a rest unit (a set of passes that run only in some frames) writes. At the start of each
+// frame, such a cell is in its home state: the layout that its readers need.
 CellTrace trace_home(const HistoryInput& input, std::span<const AccessEvent> events) {
     HomeTrace home = track_home(*input.roles.front().decl, input.resource, events);
     CellTrace trace;
@@ -124,7 +126,7 @@ CellTrace trace_cell(const HistoryInput& input, const QueueUsage& usage, const Q
 }
 
 // Adds the layout of each cell at the start of a frame to the resource's history. A cell that no pass uses
-// keeps the layout of the prologue's clear, TRANSFER_DST.
+// stays in TRANSFER_DST, the layout in which the prologue cleared it.
 void add_entry(const SubresourceGrid& grid, ResourceKind kind, std::vector<Layout> layouts,
                ResourceHistory& history) {
     if (kind == ResourceKind::image)
@@ -138,7 +140,8 @@ void add_entry(const SubresourceGrid& grid, ResourceKind kind, std::vector<Layou
     }
 }
 
-// Moves a barrier before the program's read between frames to the end of the frame.
+// `barrier` is the barrier before the read that the program makes between frames. Moves the barrier to the
+// end of the frame.
 void leave_to_program(CellBarrier& barrier) {
     barrier.position = kEpiloguePosition;
     barrier.reason = BarrierReason::release_import;
@@ -188,7 +191,8 @@ RingHistory track_resource(const HistoryInput& input) {
     std::vector<CellAccesses> roles;
     for (const Role& role : input.roles) roles.push_back(events_by_cell(grid, role.events));
     QueueUsage usage = queue_usage(input, roles);
-    // A transfer of ownership needs both passes in one frame, but a rest unit runs only in some frames.
+    // A transfer of ownership needs both passes in one frame: the pass that releases and the pass that
+    // acquires. But passes of a rest unit run only in some frames, so there are no ownership transfers here.
     if (std::ranges::any_of(roles.front(), [&](const auto& events) { return has_home(input, events); }))
         usage.exclusive = false;
     const QueueRules rules{input.order->queues, input.resource,

@@ -12,8 +12,8 @@
 
 namespace weft {
 
-// One resource with its accesses. The resources of a ring (this frame's copy, the copy of one frame ago, ...)
-// are its roles.
+// One resource with its accesses. A ring contains all copies of one resource with history: the copy of this
+// frame, the copy of one frame ago, and so on. Each copy is a role of the ring.
 struct Role {
     const ResourceDecl* decl = nullptr;
     std::span<const RangeAccess> events;  // The accesses to the resource, sorted by schedule position.
@@ -22,7 +22,7 @@ struct Role {
 struct HistoryInput {
     ResourceId resource = kNoId;  // The ring's resource of age 0, or the single resource.
     // The copies of a resource with history form a ring. Index: age, in frames (0: the copy that this frame
-    // writes). A resource without history has one element.
+    // writes). For a resource without history, the list has one element.
     std::vector<Role> roles;
     const ResolvedGraph* graph = nullptr;
     const Schedule* order = nullptr;

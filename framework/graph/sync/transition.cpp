@@ -15,9 +15,9 @@ bool same_shape(const ResourceDecl& a, const ResourceDecl& b) {
     return a.extent == b.extent && a.mips == b.mips && a.layers == b.layers && a.size_bytes == b.size_bytes;
 }
 
-// Returns true if a blit can write the content of one image to the other. An average of depths is
-// meaningless. If the formats differ, both must hold floats or normalised numbers. resolve() has checked that
-// the device can blit the formats of images with "onResize": "resample".
+// Returns true if a blit can write the content of one image to the other. Depth images cannot be blitted,
+// because an average of depths is meaningless. If the formats differ, both must hold floats or normalised
+// numbers. resolve() has checked that the device can blit the formats of images with "onResize": "resample".
 bool can_blit(const ResourceDecl& from, const ResourceDecl& to) {
     const auto is_float = [](const ResourceDecl& d) {
         return format_info(d.format).numeric == NumericClass::float_like;
@@ -30,8 +30,8 @@ bool can_blit(const ResourceDecl& from, const ResourceDecl& to) {
 
 // Decides how a resource of the new plan gets its first content. Either it continues the content of the old
 // plan's resource: in the same memory, as a copy, or scaled and converted. Or it is cleared.
-// An old image with a live size may have content only in its area. So a new image without a live size cannot
-// copy it.
+// Passes use only a part of an image with a live size, its area. So an old image with a live size may have
+// content only in its area, and a new image without a live size cannot copy it.
 ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
                            old_decl.image_kind == decl.image_kind && old_decl.samples == decl.samples;
@@ -83,7 +83,7 @@ class Builder {
         const ContentAction action =
             lived ? choose_action(old_.graph.resources[from], decl) : ContentAction::clear;
         if (action != ContentAction::clear && decl.ring != kNoId) plan_.keeps_validity[decl.ring] = 1;
-        // The first new frame overwrites the ring's resource of age 0, so its old content is not needed.
+        // The first new frame overwrites the copy of age 0, so the old content of this copy is not needed.
         const bool forgotten = decl.history > 0 && decl.age == 0;
         if (action == ContentAction::clear || forgotten) {
             plan_.cleared.push_back(id);
@@ -106,7 +106,8 @@ class Builder {
             if (state.resource != from) continue;
             for (BarrierDecl after : new_.barriers.prologue.after) {
                 if (after.resource != id) continue;
-                // The two plans may divide a buffer into different pieces, and a buffer has no layouts.
+                // The two plans may divide a buffer into different pieces. A buffer has no layouts, so the
+                // first old piece is enough, and the others are skipped.
                 const bool buffer = new_.graph.resources[id].kind == ResourceKind::buffer;
                 if (buffer && state.range.layer > 0) continue;
                 const std::optional<SubresourceRange> part =
@@ -121,7 +122,7 @@ class Builder {
 
     // Returns the resource of the old plan whose content the new resource continues, or kNoId. Between two
     // frames, a resource with `history` has the content of the last frame in its copy of age 1. A resource
-    // with `keep` alone has it in its only copy.
+    // with `keep` but without `history` has this content in its only copy.
     [[nodiscard]] ResourceId find_content(const ResourceDecl& decl) const {
         if (decl.ring == kNoId) return kNoId;
         const ResourceId ring = find_resource(old_.graph, new_.graph.resources[decl.ring].name);
@@ -152,7 +153,7 @@ class Builder {
         BarrierDecl barrier;
         barrier.resource = id;
         barrier.range = decl.whole();
-        // Frames of an even older plan may still use shared memory.
+        // Frames of an even older plan may still use shared memory, so the barrier waits for everything.
         if (decl.shared) barrier.src = everything(Layout::undefined);
         barrier.dst = written;
         barrier.reason = BarrierReason::prologue;

@@ -26,7 +26,7 @@ struct IncludeItem {
     std::map<std::string, PortTarget> with;
 };
 
-// Returns the keys of an item that is an object.
+// Returns the keys that an item of the list "include" may have if the item is an object.
 [[nodiscard]] const std::vector<std::string>& include_keys();
 
 // Returns nullopt after an error. Errors: W101 unknown key, W102 wrong type, W108 "file" or "as" is missing,

@@ -51,7 +51,7 @@ class Patcher {
     }
 
     // Reports each null inside a value that is added or that replaces another value. A null removes a member
-    // of the target, but here the target has no such member.
+    // of the target. Here the target has no such member, so the null is an error.
     void check_nulls(JsonNode& node) {
         if (keeps_nulls()) return;
         if (node.kind == JsonKind::null) {

@@ -38,7 +38,8 @@ std::string pointer_at(const JsonDoc& document, const std::string& file, uint32_
     std::string pointer;
     const std::vector<SourceFile>& files = document.sources.files;
     if (!files.empty() && files.front().path == file) find_at(document.root, line, column, pointer);
-    // If a file belongs to several modules, all its copies have the same values.
+    // If a file belongs to several modules, the list contains it several times, with the same values. The
+    // first match is enough.
     for (const IncludedJson& included : document.included)
         if (pointer.empty() && files[included.file].path == file)
             find_at(included.root, line, column, pointer);

@@ -120,7 +120,7 @@ std::string ModuleNames::look_up(NameKind kind, uint32_t module, std::string_vie
     std::string full = name_in_group(owner.name, name);
     if (has(kind, full)) return full;
     if (kind == NameKind::value && name == kRenderSize) return look_up(kind, owner.parent, name);
-    // The name may be one that the program provides, and that all modules share.
+    // The program may provide something with this name. All modules share such names, so they get no prefix.
     const bool is_shared =
         kind == NameKind::resource ? imports_.contains(name) : kind != NameKind::pass && !has(kind, name);
     return is_shared ? std::string(name) : full;

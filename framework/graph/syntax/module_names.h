@@ -23,7 +23,8 @@ enum class NameKind : uint8_t { value, resource, view, pass };
 inline constexpr size_t kNameKinds = 4;
 
 // Replaces the short names of all parts that a file of a module declares by full names. Removes the parts
-// that "with" replaces, and the keys that only describe a run of the file itself.
+// that "with" replaces by parts of the including graph. Also removes the keys that have a meaning only if the
+// file is run itself.
 void qualify_names(JsonNode& root, const ModuleInstance& module);
 
 class ModuleNames {
@@ -36,7 +37,8 @@ class ModuleNames {
     [[nodiscard]] std::string full_name(NameKind kind, std::string_view name, SourceLoc place) const;
     // Returns the full name of an import: the name that "with" gives, or `name` itself.
     [[nodiscard]] std::string import_name(std::string_view name, SourceLoc place) const;
-    // Returns the name without the longest name of a module at its beginning: "cull" for "glass::cull".
+    // Returns the name without the name of its module: "cull" for "glass::cull". If modules are nested, the
+    // longest name of a module at the beginning is removed.
     [[nodiscard]] std::string_view own_part(std::string_view full) const;
     // Returns the name of the module of a part: "glass" for "glass::cull"; empty for a part of the graph.
     [[nodiscard]] std::string_view module_of(std::string_view full) const;
@@ -44,7 +46,8 @@ class ModuleNames {
     [[nodiscard]] std::vector<std::string> names() const {
         return {module_names_.begin(), module_names_.end()};
     }
-    // Returns the full name of the value that replaces a port, for use in the module that includes `module`.
+    // A port of a module is a name that "with" replaces by a name of the including module. Returns the full
+    // name of the parameter, constant or size that replaces the port. `module` is the module with the port.
     [[nodiscard]] std::string target_value(const ModuleInstance& module, const PortTarget& target) const;
 
     // Returns the kind of the part that `name` means in the module. If there is a part of the kind `wanted`
@@ -53,8 +56,9 @@ class ModuleNames {
     [[nodiscard]] std::optional<NameKind> kind_of(uint32_t module, std::string_view name,
                                                   NameKind wanted) const;
 
-    // Checks the ports of all modules: each is replaced by a name that the including graph has, or the module
-    // itself declares it. Errors: W239 a module has the name of a group, W240 a port has no target.
+    // Checks the ports of all modules. For each port, "with" must give a name that the including graph has,
+    // or the module must declare the port itself. Errors: W239 a module has the name of a group, W240 a port
+    // has no target.
     void check(const JsonDoc& merged, Diagnostics& errors) const;
 
  private:

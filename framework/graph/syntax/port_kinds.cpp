@@ -22,7 +22,7 @@ void note_reference(const JsonDoc& merged, const JsonNode* reference, PortKinds&
     if (reference == nullptr || reference->kind != JsonKind::string) return;
     const uint32_t file = reference->loc.file;
     const uint32_t module = file < merged.module_of_file.size() ? merged.module_of_file[file] : 0;
-    // A name with an owner is a part of another module or of a group.
+    // A name with the prefix "owner::" is a part of another module or of a group.
     const std::string_view name =
         std::string_view(reference->string).substr(0, reference->string.find_first_of("@[."));
     if (module == 0 || name.find(kInGroup) != std::string_view::npos) return;

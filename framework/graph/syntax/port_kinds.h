@@ -13,15 +13,15 @@ namespace weft {
 // For the modules of a document, by their index: the kinds of those ports whose kind is known.
 using PortKinds = std::map<uint32_t, std::map<std::string, NameKind>>;
 
-// Finds the kinds of those replaced ports that a file of the module declares itself. Call it before
-// qualify_names(), which removes these declarations.
+// Finds the kinds of the ports that "with" replaces and that a file of the module declares itself. Call this
+// function before qualify_names(), which removes these declarations.
 void find_declared_kinds(const JsonNode& root, const ModuleInstance& module,
                          std::map<std::string, NameKind>& kinds);
-// Finds the replaced ports that the inputs, outputs or depth attachments of passes name. These ports are of
-// the kind `resource`. `merged` is the
-// document after all files were merged.
+// Finds the ports that "with" replaces and that the inputs, outputs or depth attachments of passes name.
+// These ports are of the kind `resource`. `merged` is the document after all files were merged.
 void find_used_kinds(const JsonDoc& merged, PortKinds& kinds);
-// Checks that the name in "with" is of the kind of the port. `names` are the names of `merged`. Errors: W240.
+// Checks that each name in "with" is of the same kind as the port that it replaces. `names` are the names of
+// `merged`. Errors: W240.
 void check_port_kinds(const JsonDoc& merged, const ModuleNames& names, const PortKinds& kinds,
                       Diagnostics& errors);
 

@@ -67,7 +67,8 @@ class IncludeReader {
         for (const ModuleInstance& module : doc_.modules)
             for (const auto& [port, target] : module.with)
                 if (!module.ports.contains(port)) report_unknown_port(module, port, target);
-        // Without instances, the lists stay empty: no later stage then looks up names in modules.
+        // If no file was included as a module, these lists become empty. Then no later stage looks up names
+        // in modules.
         if (doc_.modules.size() > 1) return;
         doc_.modules.clear();
         doc_.module_of_file.clear();
@@ -140,7 +141,8 @@ class IncludeReader {
         return static_cast<uint32_t>(it - doc_.modules.begin());
     }
 
-    // Returns true if the file was already read for the same instance, or for the graph itself.
+    // Returns true if the file was already read for the same module. This is the module instance named by the
+    // item's "as" or, without "as", the module (or the graph) whose file is being read.
     [[nodiscard]] bool is_known(const IncludeItem& item, std::optional<uint32_t> instance,
                                 const std::string& path) const {
         const std::filesystem::path real = real_path(path);
@@ -200,8 +202,8 @@ class IncludeReader {
                                         "\"" + doc_.sources.files[other.file].path + "\" has this name"});
     }
 
-    // `instance` is the instance of the item's name if it was included before. Then both must have the same
-    // "with". If not, reports an error.
+    // Two items with the same "as" must have the same "with"; if they do not, reports an error. `instance` is
+    // the module that an earlier item with this "as" made; nullopt if there is none.
     void check_same(const IncludeItem& item, std::optional<uint32_t> instance) {
         if (!instance) return;
         const auto same = [](const auto& a, const auto& b) {
@@ -216,8 +218,8 @@ class IncludeReader {
             {doc_.sources.files[first.file].path, first.line, first.column, "first included here"});
     }
 
-    // Reports a file that is being read already: it would include itself. A file that was read before, but
-    // includes nothing at the moment, may be included again.
+    // Reports an error and returns true if the file is being read at the moment, because the file would then
+    // include itself. A file that has been read completely may be included again.
     bool is_circle(const IncludeItem& item, const std::string& path) {
         const std::vector<SourceFile>& files = doc_.sources.files;
         const std::filesystem::path real = real_path(path);
@@ -266,7 +268,8 @@ class IncludeReader {
         doc_.included.push_back({file, std::move(*root)});
     }
 
-    // Returns the instance to which an included file belongs: a new one if the item has "as".
+    // Returns the module instance to which an included file belongs. If the item has "as", this is a new
+    // instance, otherwise the instance of the including file.
     uint32_t begin_module(const IncludeItem& item, uint32_t file) {
         if (item.as.empty()) return module();
         const std::string name = name_in_group(doc_.modules[module()].name, item.as);

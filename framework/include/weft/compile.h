@@ -24,8 +24,9 @@ struct StageTime {
 };
 
 // Returns the first `count` of these four logical queues for a device: graphics, compute, transfer, a second
-// compute queue. Each queue uses a family whose most capable kind (QueueFamilyProfile::kind) is the kind of
-// the queue. If the device has no such family, the queue uses a more capable one.
+// compute queue. QueueFamilyProfile::kind is the most capable kind of work of a family. Each queue uses a
+// family with the same kind as the queue. If the device has no such family, the queue uses a more capable
+// one.
 [[nodiscard]] std::vector<LogicalQueue> logical_queues(const DeviceProfile& profile, uint32_t count);
 
 // Returns the options for a plan on a device with this profile, with `queue_count` logical queues.

@@ -31,8 +31,8 @@ namespace weft {
 
 using PassId = Id<struct PassTable>;
 
-// The pass `producer` wrote the content that a read sees in `range`. kNoId: the content is from before the
-// frame (an import, or history).
+// Where a read gets its content from: the pass `producer` wrote the content that the read sees in `range`.
+// kNoId: the content is from before the frame (an import, or history).
 struct VersionSource {
     SubresourceRange range;
     PassId producer = kNoId;
@@ -61,17 +61,20 @@ struct UseDecl {
     // ports of copies, ports of passes in C++.
     uint32_t binding = kNoId;
     SamplerDecl sampler;
-    // Only for passes with `rest`. False: a change of the content does not make the pass run.
+    // Only for passes with `rest`, which run only if something that they read has changed. False: a change of
+    // the content of this port does not make the pass run.
     bool wakes = true;
-    // The combinations of the switches in which the pass uses the port's resource. In all other combinations,
-    // another use of the same port takes its place, or the port has no resource.
+    // The pass uses the port's resource only in these combinations of the switches (which switches are on).
+    // In all other combinations, another use of the same port takes its place, or the port has no resource.
     CombinationSet used_in = kEveryCombination;
     // Only for writes of a pass with a switch. In frames in which the pass does not run, the readers of this
     // write see these versions instead.
     std::vector<VersionSource> passes_on;
-    // True for a pass of a group that reads what other rounds of the group write, and for a readback of a
-    // resource of a group. Such a pass sees the content at the time when it runs, whichever rounds have run
-    // before, unless a pass of its own round has written the content.
+    // Only for resources that a group writes. A group is a set of passes that runs in rounds; each round is
+    // one copy of all its passes. True for a pass of a group that reads what other rounds write, and for a
+    // readback of a resource of a group. Such a pass sees the content at the time when it runs, and this
+    // content depends on the rounds that have run before. But if a pass of its own round has written the
+    // content, it sees that content.
     bool latest = false;
     SourceLoc loc;
 };
@@ -81,8 +84,8 @@ struct UseDecl {
 // Returns how many elements of the shader's array the range fills: its mips or layers; 1 if the port is not
 // an array.
 [[nodiscard]] uint32_t element_count(const UseDecl& use);
-// Returns the part of the range that is element `element`. Elements after the last one are the last one
-// again.
+// Returns the part of the range that is element `element`. If `element` is greater than the index of the last
+// element, returns the last element.
 [[nodiscard]] SubresourceRange element_range(const UseDecl& use, uint32_t element);
 
 enum class EdgeKind : uint8_t { raw, war, waw, after };
@@ -114,15 +117,18 @@ struct AttachmentDecl {
     bool covers = false;
 };
 
-// A value that changes from frame to frame. `valid` belongs to a resource with history
-// (ParamWrite::resource): 1 if a frame has written its content, 0 if the content is still the initial value.
-// `unit_valid` and `unit_bits` belong to a port (ParamWrite::use). Units write the resource of this port.
-// `unit_valid`: 1 if all of these units have run since the resource was made or cleared. `unit_bits`: the
-// same, with one bit for each layer of the port. The values from `live` on follow live scales. `live`: each
-// component is a value of the list ResolvedGraph::live_values (ParamWrite::live). The last three belong to a
-// port (ParamWrite::use) with a live image. `area_size`: the size of the area of the image in pixels.
-// `area_uv`: the size of the area divided by the size of the image. `area_uv_most`: the largest texture
-// coordinate at which a linear filter reads only the area.
+// A value that changes from frame to frame.
+// `valid` belongs to a resource with history (ParamWrite::resource): 1 if a frame has written its content, 0
+// if the content is still the initial value.
+// `unit_valid` and `unit_bits` belong to a port (ParamWrite::use) whose resource is written by units: sets of
+// passes that run only in some frames (PassDecl::rest_unit). `unit_valid`: 1 if all of these units have run
+// since the resource was made or cleared. `unit_bits`: the same, with one bit for each layer of the port.
+// The values from `live` on follow the scales of live sizes, which the program may change in each frame.
+// `live`: each component is a value of the list ResolvedGraph::live_values (ParamWrite::live).
+// `area_size`, `area_uv` and `area_uv_most` belong to a port (ParamWrite::use) whose image has a live size.
+// Passes use only a part of this image, the area. `area_size`: the size of the area in pixels. `area_uv`: the
+// size of the area divided by the size of the image. `area_uv_most`: the largest texture coordinate at which
+// a linear filter reads only the area.
 enum class Builtin : uint8_t {
     none,
     frame_index,
@@ -147,11 +153,11 @@ struct ParamWrite {
     uint8_t components = 1;
     Builtin builtin = Builtin::none;
     ResourceId resource = kNoId;  // Only for Builtin::valid: the resource with history.
-    // Only for unit_valid, unit_bits, area_size, area_uv and area_uv_most: index into PassDecl::uses of the
-    // port.
+    // Only for unit_valid, unit_bits, area_size, area_uv and area_uv_most: the index of the port's use in
+    // PassDecl::uses.
     uint32_t use = kNoId;
     std::array<double, 4> value{0, 0, 0, 0};
-    // Only for Builtin::live: the value of each component, an index into ResolvedGraph::live_values.
+    // Only for Builtin::live: the source of each component, as an index into ResolvedGraph::live_values.
     std::vector<uint32_t> live;
 };
 
@@ -206,9 +212,11 @@ struct PassDecl {
     // For indirect draws: the index, in `uses`, of the buffer that contains one draw command for each draw.
     // kNoId: the draws are direct.
     uint32_t draw_commands_use = kNoId;
-    // The index, in `uses`, of the buffer whose first word is the number of draws; kNoId: all are drawn.
+    // The index, in `uses`, of the buffer whose first word is the number of draws. kNoId: all commands are
+    // drawn.
     uint32_t draw_count_use = kNoId;
-    // For indirect draws without a list or with a number in a buffer: number of commands in the buffer.
+    // For indirect draws without a draw list, or with their number of draws in a buffer: how many draw
+    // commands the buffer of `draw_commands_use` contains.
     uint32_t most_draws = 0;
     // For a raster pass without draw lists: number of vertices. The shader computes their positions from
     // gl_VertexIndex.
@@ -217,12 +225,12 @@ struct PassDecl {
     uint32_t instances = 0;
     // The view from which the pass looks at the scene: "camera", or a view of a list, such as "sun(1)".
     std::string view = "camera";
-    // If the view comes from a buffer and the shader reads it: the index, in `uses`, of the element with its
-    // constants. kNoId: the draw source provides the constants of the view.
+    // Only if the view comes from a buffer and the shader reads the view: the index, in `uses`, of the port
+    // that reads the constants of the view. kNoId: the draw source provides these constants.
     uint32_t view_use = kNoId;
-    // For a pass that draws several views: the names of all its views, which are successive views of one
-    // list. View i is drawn to layer i of the range of each attachment. The first of them is `view`. Empty:
-    // the pass draws only `view`.
+    // For a pass that draws several views: the names of all these views, which are successive views of one
+    // list. The first of them is `view`. View i is drawn to layer i of the range of each attachment. If the
+    // list is empty, the pass draws only `view`.
     std::vector<std::string> views;
     ViewLowering lowering = ViewLowering::none;
     // The reason why Weft has chosen this lowering, for a pass with "views" and "into": "layers" in the
@@ -233,10 +241,10 @@ struct PassDecl {
     bool culls_draws = false;
     std::array<float, 4> clear{0, 0, 0, 0};  // Clear value; only for passes of kind `clear`.
     double flops = 0;  // Number of floating-point operations, as declared in the graph's key `cost`.
-    // For the passes of a repeat with `perFrame`. They are divided into `frame_slices` slices, and this pass
-    // belongs to slice `frame_slice`. Frame f runs slice f mod frame_slices; frame 0 runs all slices. In a
-    // frame in which the pass does not run, its earlier results are kept. If frame_slices is 0, the pass runs
-    // in every frame.
+    // For the passes that a repeat with `perFrame` makes. These passes are divided into `frame_slices`
+    // slices, and this pass belongs to slice `frame_slice`. Frame f runs slice f mod frame_slices; frame 0
+    // runs all slices. In a frame in which the pass does not run, its earlier results are kept. If
+    // frame_slices is 0, the pass runs in every frame.
     uint32_t frame_slice = 0;
     uint32_t frame_slices = 0;
     // For a pass with `rest` or in a group: the number of its unit, less than ResolvedGraph::rest_unit_count.
@@ -247,17 +255,18 @@ struct PassDecl {
     // The combinations of the switches in which the pass runs. The barriers of the pass are recorded in every
     // frame, even if the pass does not run.
     CombinationSet runs_in = kEveryCombination;
-    // For a pass whose inputs depend on switches: one variant for each set of combinations in which all its
-    // inputs are the same. Each combination is in one variant. Empty: all combinations have `spec_values` and
-    // `params`. Otherwise these are the values of the first variant.
+    // For a pass whose inputs depend on switches: its variants. All combinations of the switches that give
+    // the pass the same inputs have the same variant, and each combination has one variant. Empty:
+    // `spec_values` and `params` are used in all combinations. Otherwise these two members are the values of
+    // the first variant.
     std::vector<PassVariant> variants;
     // True for a pass that Weft adds to a resource with `history` and `keep`: it copies the content of the
     // last frame to the copy of this frame, before all other passes that use this copy.
     bool carries = false;
-    // The area that the pass draws to or writes in each frame, if its images have a live size.
-    // `render_extent` and `groups` are those of scale 1. The executor replaces the numbers of workgroups by
-    // `live_groups` (empty, or one for each dimension), and the numbers of viewport and scissor by
-    // `live_sides`.
+    // The area that the pass draws to or writes in each frame, if its images have a live size: a size that is
+    // multiplied by a scale, which the program may change in each frame. `render_extent` and `groups` are the
+    // values for the scale 1. The executor replaces the numbers of workgroups by `live_groups` (empty, or one
+    // for each dimension), and the numbers of viewport and scissor by `live_sides`.
     LiveArea area;
     std::vector<LiveCount> live_groups;
     std::vector<LiveSide> live_sides;
@@ -286,20 +295,23 @@ struct PassDecl {
 // the variant. Uses that the variant does not have keep their index, but have no access and no binding.
 [[nodiscard]] PassDecl pass_of_variant(const PassDecl& pass, uint32_t variant);
 
-// A group of passes. Its rounds are units, and each frame runs some of them, in any order.
+// A group of passes. It runs in rounds: each round is one copy of all passes of the group, and is a unit
+// (PassDecl::rest_unit). Each frame runs some of the rounds, in any order.
 struct GroupDecl {
     static constexpr uint32_t kAll = UINT32_MAX;
 
     std::string name;
-    // Round r is the unit first_unit + r.
+    // Round r has the unit number first_unit + r.
     uint32_t first_unit = 0;
     uint32_t rounds = 0;
     uint32_t per_frame = kAll;  // Number of rounds that may run in each frame.
-    uint32_t warm_up = kAll;    // The same while some rounds have not run yet, if this number is larger.
+    uint32_t warm_up = kAll;    // Replaces per_frame while some rounds have never run, if it is larger.
     // True: a round runs only if something that affects its result has changed.
     bool rests = false;
     uint32_t settle = 0;  // How often a round runs again after a change.
-    std::string turns;    // The import with the list of the rounds to run; empty: the rounds run in turn.
+    // Name of the import with the list of rounds that run in a frame. Empty: the rounds run in the order of
+    // their numbers, `per_frame` of them in each frame.
+    std::string turns;
     SourceLoc loc;
 
     [[nodiscard]] bool has_unit(uint32_t unit) const {
@@ -318,21 +330,23 @@ struct ResolvedGraph {
     // The import of kind "output", to which the picture is written; kNoId if the graph has no output.
     ResourceId output = kNoId;
     std::vector<GraphParam> params;  // The graph's parameters with their values.
-    // The values that depend on live scales. Each value depends only on values before it.
+    // The values that depend on live scales (scales of sizes, which the program may change in each frame).
+    // Each value depends only on values before it.
     std::vector<LiveValue> live_values;
     uint32_t rest_unit_count = 0;      // Number of units; see PassDecl::rest_unit.
-    std::vector<GroupDecl> groups;     // Sorted by name. Their units have the highest numbers.
+    std::vector<GroupDecl> groups;     // Sorted by name. The units of groups come after all other units.
     std::vector<SwitchDecl> switches;  // Sorted by the name of the parameter.
-    // The lists of views that passes use, sorted by name. If such a list shows another list in a mirror, the
-    // other list is included, too.
+    // The lists of views that passes use, sorted by name. A list may show the views of another list in a
+    // mirror. Then the other list is included, too.
     std::vector<ViewListDecl> views;
     uint32_t frames = 1;  // Default number of frames of a run. The plan's hash does not include it.
     SourceMap sources;    // File names and texts for messages. The plan's hash does not include them.
 };
 
-// Returns the combination of the switches that the values of the parameters give.
+// Returns the combination of the switches (which of them are on) that follows from the values of the
+// parameters.
 [[nodiscard]] Combination switches_of(const ResolvedGraph& graph);
-// Returns the group with this unit; null if the unit belongs to no group, or if it is kNoId.
+// Returns the group that has this unit. Returns null if the unit belongs to no group, or if `unit` is kNoId.
 [[nodiscard]] const GroupDecl* find_group(const ResolvedGraph& graph, uint32_t unit);
 // Both functions return kNoId if the graph has no resource or pass of this name.
 [[nodiscard]] ResourceId find_resource(const ResolvedGraph& graph, std::string_view name);

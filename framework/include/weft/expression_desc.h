@@ -41,7 +41,7 @@ struct ColorDesc {
 };
 
 // A reference to a resource or to a part of it: name@pass[-N].mip(a..b).layer(a..b).depth, or .range(a..b)
-// for a buffer. Only the name is required. The brackets of [-N] are written, as in "hdr[-1]".
+// for a buffer. Only the name is required. The square brackets are part of the text, as in "hdr[-1]".
 struct RefDesc {
     std::string name;
     // The pass after which the resource is read, as in "hdr@lighting"; empty if the reference has no `@pass`.
@@ -49,7 +49,7 @@ struct RefDesc {
     uint32_t history = 0;  // N of [-N]: the content at the end of the N-th previous frame; 0: of this frame.
     // The ranges of mips, of layers, and of the elements of a buffer, as in ".mip(a..b)". If only the first
     // bound is given, the range is this single mip, layer or element. If both bounds are absent, the range
-    // has all.
+    // contains all mips, layers or elements.
     std::optional<Expr> mip_first, mip_last;
     std::optional<Expr> layer_first, layer_last;      // The range of layers.
     std::optional<Expr> element_first, element_last;  // The range of elements of a buffer.

@@ -178,7 +178,8 @@ class GraphBuilder {
 
  private:
     std::string name_;
-    std::unique_ptr<GraphObject> root_;  // Not a member by value, so that its address stays the same.
+    // A pointer, so that the address of the object stays the same if the builder is moved.
+    std::unique_ptr<GraphObject> root_;
 };
 
 }  // namespace weft

@@ -65,8 +65,8 @@ struct ImportDesc {
     SourceLoc loc;
 };
 
-// A list of views in the section "views". Its views are the views of another list or the camera, unchanged or
-// in a mirror; or the six faces of a cube; or the elements of a buffer.
+// A list of views in the section "views". Its views are of one of three kinds: the views of another list or
+// the camera (unchanged, or seen in a mirror), the six faces of a cube, or the elements of a buffer.
 struct ViewListDesc {
     std::string name;
     std::string of;  // Name of the other list, or "camera"; empty for a cube and for a buffer.
@@ -74,15 +74,16 @@ struct ViewListDesc {
     // The part of the other list: the number of its first view, and the number of views. Absent: all views.
     // A list whose views are the elements of a buffer always has `count`.
     Expr first, count;
-    // The buffer whose elements are the views, as an input of the passes that read them.
+    // The buffer whose elements are the views. It is described like an input port, because the passes that
+    // use these views read it.
     std::optional<PortDesc> buffer;
     // The plane of a mirror: the points (x, y, z) with a x + b y + c z + d = 0.
     std::optional<std::array<Expr, 4>> plane;
     // The centre of a cube in metres, in world space, and the distance of the near planes of its faces.
     std::optional<std::array<Expr, 3>> at;
     Expr near_m;
-    // The rectangle of a view for passes with "into": "rects": x, y, width and height in pixels. The
-    // expressions may name the index "view". Absent: the views form a grid.
+    // The rectangle of each view for passes with "into": "rects": x, y, width and height in pixels. The
+    // expressions may contain the number of the view, with the name "view". Absent: the views form a grid.
     std::optional<std::array<Expr, 4>> rect;
     SourceLoc loc;
 };
@@ -192,13 +193,14 @@ struct StateNumberDesc {
     std::optional<RectSideDesc> rect = {};  // Absent: the number belongs to no rectangle.
 };
 
-// Places in the file of state that only some devices support, for the messages about missing features.
+// Some pipeline state is supported only by some devices. These are the places of such state in the file, for
+// the messages about missing features.
 struct StateLocs {
     SourceLoc fill, depth_clamp, depth_bias_clamp;
 };
 
 struct PassDesc {
-    // For a pass of a group: "relight::filter".
+    // The name of a pass in a group contains the name of the group: "relight::filter".
     std::string name;
     std::string group;  // Name of the group to which the pass belongs; empty: none.
     // True for the pass of a debug view, which Weft adds to show a resource. It may read resources of groups.
@@ -222,7 +224,8 @@ struct PassDesc {
     std::string view;  // "camera", or the name of a numbered view without its number: "sun" for "sun(i)".
     Expr view_number;  // The number of a numbered view: i in "sun(i)"; absent: the view has no number.
     SourceLoc view_loc;
-    // With the key "views", `view` is a list, and the last index of `repeat` is kViewIndex.
+    // If the pass has the key "views", it draws all views of a list. Then `view` is the name of the list, and
+    // the last index of `repeat` is kViewIndex.
     ViewTarget view_target = ViewTarget::one;
     LoweringDesc lowering = LoweringDesc::automatic;
     SourceLoc lowering_loc;
@@ -347,13 +350,14 @@ struct GraphDesc {
     std::map<std::string, Expr> consts;
     std::map<std::string, ParamDesc> params;
     std::map<std::string, Expr> sizes;
-    std::map<std::string, SizeScaleDesc> size_scales;  // The scales of live sizes, by the name of the size.
+    // The scale of each size with the key "scale" (live size). Key: name of the size.
+    std::map<std::string, SizeScaleDesc> size_scales;
     std::map<std::string, ImportDesc> imports;
     std::map<std::string, ViewListDesc> views;
     std::map<std::string, ResourceDesc> resources;
     std::map<std::string, PassDesc> passes;
     std::map<std::string, GroupDesc> groups;
-    std::map<std::string, ModuleDesc> modules;  // By full name, for example "glass".
+    std::map<std::string, ModuleDesc> modules;  // Key: full name of the module, for example "glass".
     Expr frames;                                // Number of frames of a run; absent: 1.
     std::map<std::string, DebugViewDesc> debug;
     std::vector<GraphTestDesc> tests;

@@ -56,8 +56,7 @@ struct ImportDecl {
     // The members `views` and `rects` describe a list of views: the number of its views, and for each view
     // its rectangle in pixels for passes with "into": "rects". If `rects` is empty, the views form a grid.
     uint32_t views = 0;
-    // True: `views` is a number that Weft assumes. The real number depends on the scene, and there is no
-    // scene.
+    // True: no scene is loaded, so Weft assumes the number `views`. The real number depends on the scene.
     bool assumes_views = false;
     std::vector<RectPx> rects;
 };
@@ -80,7 +79,8 @@ struct ImportCatalog {
     std::vector<std::string> views;
     // Numbers that expressions may use by name, such as "directionalLights".
     std::map<std::string, double, std::less<>> numbers;
-    // Size in bytes of each element type of buffers that graphs may name, such as "Light".
+    // The element types of buffers that graphs may name, such as "Light". Value: size of one element in
+    // bytes.
     std::map<std::string, uint32_t, std::less<>> strides;
     // All descriptors that the program binds. If the list is empty, the descriptors are unknown, and only the
     // set numbers in shaders are checked.

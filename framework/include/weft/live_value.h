@@ -35,27 +35,28 @@ struct LiveStep {
 //   up, and clamped to the range from 1 to this size;
 // - any other expression: `steps` computes it from values that stand earlier in the list of live values.
 struct LiveValue {
-    std::string name;            // Of a parameter, size or constant; empty for an expression without a name.
+    std::string name;            // The parameter, size or constant; empty for an expression without a name.
     uint32_t param = kNoId;      // An index into ResolvedGraph::params.
     double least = 0, most = 0;  // The range of a scale; `most` is 0 for all other values.
     std::vector<LiveStep> steps;
     uint32_t scale = kNoId;  // For a live size: the index of its scale in ResolvedGraph::live_values.
 };
 
-// The area of a mip level of an image with a live size: an index into ResolvedGraph::resources, and the mip
-// level. kNoId: there is no such image.
+// Names the area of one mip level of an image with a live size (the part of the image that passes use).
+// `image` is an index into ResolvedGraph::resources. kNoId: there is no such image.
 struct LiveArea {
     uint32_t image = kNoId;
     uint32_t mip = 0;
     bool operator==(const LiveArea&) const = default;
 };
 
-// The number of workgroups in one dimension: a side of a live value, divided by `per`, rounded up.
+// The number of workgroups in one dimension: one side (width or height) of a live value, divided by `per`,
+// rounded up.
 struct LiveCount {
     uint32_t value = kNoId;  // kNoId: the number does not change.
-    uint32_t side = 0;       // 0: x or a number, 1: y.
-    uint32_t mip = kNoId;    // The side of the area of this mip level; kNoId: the value as it is.
-    uint32_t per = 1;        // Invocations per workgroup.
+    uint32_t side = 0;       // 0: the width, or the value itself if it is a number. 1: the height.
+    uint32_t mip = kNoId;    // The side of this mip level's area; kNoId: the side of the value itself.
+    uint32_t per = 1;        // Number of shader invocations per workgroup in this dimension.
     bool operator==(const LiveCount&) const = default;
 };
 

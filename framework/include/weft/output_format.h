@@ -7,10 +7,11 @@
 
 namespace weft {
 
-// The format decides who encodes the colours. With a UNORM format, the last pass writes encoded values. With
-// an sRGB format, the last pass must write linear values, and the device encodes them. With rgba16f, the last
-// pass must write linear values, too; nothing encodes them. Expressions of a graph can read the number
-// `outputIsLinear`: 1 if the last pass must write linear values, else 0.
+// The format decides whether the last pass or the device encodes the colours. With a UNORM format, the last
+// pass writes encoded values. With an sRGB format, the last pass must write linear values, and the device
+// encodes them. With rgba16f, the last pass must write linear values, too; the program or the display encodes
+// them. Expressions of a graph can read the number `outputIsLinear`: 1 if the last pass must write linear
+// values, else 0.
 struct OutputFormat {
     Format format = Format::rgba8;
     // transfer_src: the program may copy or blit the image. shader_read_only: fragment and compute shaders of

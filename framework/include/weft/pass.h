@@ -80,8 +80,9 @@ class Uploads {
     // Stores `bytes` for a port: at most capacity(port) bytes.
     virtual void put(std::string_view port, std::span<const std::byte> bytes) = 0;
     [[nodiscard]] virtual uint64_t capacity(std::string_view port) const = 0;
-    // Chooses the rounds of groups that run in this frame, in this order, for an import of kind "turns". This
-    // list replaces the list of the program.
+    // For an import of kind "turns": chooses the rounds of groups that run in this frame, and their order. A
+    // group is a set of passes; each round is one copy of all its passes. This list replaces the list of the
+    // program.
     virtual void set_turns(std::string_view import, std::span<const uint32_t> rounds) = 0;
 };
 

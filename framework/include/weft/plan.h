@@ -14,8 +14,8 @@ namespace weft {
 using QueueIndex = Id<struct QueueTable>;
 // An index into Schedule::order.
 using Position = Id<struct OrderTable>;
-// The first queue of each plan, a graphics queue. It runs the prologue before the first frame, and the
-// epilogue of each frame.
+// The first queue of each plan, a graphics queue. It runs the prologue (the commands before the first frame)
+// and the epilogue (the commands at the end of each frame).
 inline constexpr QueueIndex kGraphicsQueue(0);
 
 // A queue of a plan. The executor maps it to a device queue of the given family. Several logical queues may
@@ -34,7 +34,8 @@ enum class CullReason : uint8_t {
 
 struct LiveGraph {
     std::vector<uint8_t> live_passes;  // By PassId: 1 if the pass is live (not culled), else 0.
-    // By ResourceId: 1 if a live pass uses the resource or another resource of its ring, else 0.
+    // By ResourceId: 1 if a live pass uses the resource or another resource of its ring (the copies of a
+    // resource with history), else 0.
     std::vector<uint8_t> live_resources;
     std::vector<CullReason> reasons;  // By PassId: the kind of reason why the pass is culled.
     // By PassId: the reason as text, such as "no pass reads \"ssao\""; empty for live passes.
@@ -99,11 +100,13 @@ struct Lifetimes {
 struct MemoryNeed {
     uint64_t size_bytes = 0;
     uint64_t alignment_bytes = 1;
-    // The memory types that the resource may use, one bit each, as in VkMemoryRequirements.
+    // The memory types that the resource may use, one bit for each type, as in
+    // VkMemoryRequirements::memoryTypeBits.
     uint32_t type_bits = UINT32_MAX;
 };
 
-// By ResourceId. The size is 0 for imports, because the plan does not allocate their memory.
+// The memory requirements of each resource; index: ResourceId. The size is 0 for imports, because the plan
+// does not allocate their memory.
 using MemoryNeeds = std::vector<MemoryNeed>;
 
 struct Placement {
@@ -138,7 +141,8 @@ struct HeapPlan {
 
 struct MemoryPlan {
     std::vector<HeapPlan> heaps;
-    // Sorted by (heap, offset, resource). Transient resources may overlap; persistent resources never do.
+    // The places of all resources in the heaps, sorted by (heap, offset, resource). Transient resources may
+    // overlap; persistent resources never do.
     std::vector<Placement> placements;
     // All takeovers of memory by transient resources, sorted by (to, from, wrap).
     std::vector<AliasTransition> alias_transitions;
@@ -191,8 +195,8 @@ struct BarrierDecl {
     PassId from = kNoId;  // The pass to wait for, if a single pass is the reason for the barrier; else kNoId.
     PassId to = kNoId;    // The pass before which the barrier is recorded; kNoId if it is not before a pass.
     bool from_previous_frame = false;  // True: the accesses to wait for are in the previous frame.
-    // True: the barrier is recorded only in frames in which the pass of its step runs. That pass has a rest
-    // unit.
+    // True: the pass of this step has a rest unit (passes that run together or not at all in a frame). The
+    // barrier is recorded only in frames in which this pass runs.
     bool if_pass_runs = false;
     std::vector<ResourceId> aliased_from;  // For alias transitions: the resources whose memory is taken over.
 };
@@ -213,7 +217,7 @@ struct PassStep {
 };
 
 // The commands that run once before the first frame, on queue 0. They initialise the persistent resources
-// that frames use, including all resources of each ring (ResourceDecl::history).
+// that frames use, including all copies of each resource with history (ResourceDecl::history).
 struct ProloguePlan {
     std::vector<BarrierDecl> before;  // Layout transitions from `undefined`, before the clears.
     std::vector<ResourceId> cleared;  // Resources to clear completely to ResourceDecl::first_frame.
@@ -221,7 +225,8 @@ struct ProloguePlan {
 };
 
 struct BarrierPlan {
-    std::vector<PassStep> steps;  // By position: the barriers and operations of each pass.
+    // For each pass: its barriers and attachment operations. Index: the position of the pass.
+    std::vector<PassStep> steps;
     // Transitions of imports to their exit states, and of persistent resources to ResourceDecl::between. They
     // are recorded at the end of the last batch of queue 0.
     std::vector<BarrierDecl> epilogue;
@@ -234,13 +239,13 @@ struct BarrierPlan {
 
 // The pass at position `to` must not start before the pass at position `from` completes, and the two passes
 // run on different queues. If `previous_frame` is true, `from` is a position in the previous frame. The
-// position after the last pass stands for the epilogue.
+// position after the last pass stands for the barriers at the end of the frame (BarrierPlan::epilogue).
 struct QueueDependency {
     Position from = 0;
     Position to = 0;
     bool previous_frame = false;
-    // The resource that is the reason for the dependency; kNoId if the reason is the key `after` in the
-    // graph.
+    // The resource that is the reason for the dependency; kNoId if the reason is the key `after` of a pass in
+    // the graph file.
     ResourceId resource = kNoId;
     bool operator==(const QueueDependency&) const = default;
 };
@@ -273,8 +278,8 @@ struct SubmissionPlan {
 };
 
 // The state of a part of a persistent or imported resource at the start of every frame. For a persistent
-// resource, only the layout in `state` is set. ResourceDecl::between has the reads of the program between
-// frames.
+// resource, only the layout in `state` is set. The reads of the program between frames are not in `state`,
+// but in ResourceDecl::between.
 struct BoundaryState {
     ResourceId resource = kNoId;
     SubresourceRange range;

@@ -33,7 +33,7 @@ enum class ImageKind : uint8_t { d2, d2_array, cube, cube_array, d3 };
 enum class ResourceLifetime : uint8_t {
     // The content lives within one frame. The memory may be shared with other transient resources.
     transient,
-    // Memory and content are kept from frame to frame, as for a resource with `history` or `keep`.
+    // Memory and content are kept from frame to frame. Resources with `history` or `keep` have this lifetime.
     persistent,
     // The program owns the resource and declares its states before and after the frame (ImportState).
     imported,
@@ -93,20 +93,22 @@ struct ResourceDecl {
     // the memory that was placed for age (f - a) mod (n + 1). A resource with `keep` is a ring of one, which
     // keeps its content.
     uint32_t history = 0;  // Number of earlier frames whose content is kept.
-    // The resource of age 0 in the ring of this resource; kNoId if the resource is not persistent.
+    // The resource of age 0 among the copies of this resource (its ring); kNoId if the resource is not
+    // persistent.
     ResourceId ring = kNoId;
     uint32_t age = 0;
     // Initial value (r, g, b, a) of every copy in the ring, before the first write.
     std::array<float, 4> first_frame{0, 0, 0, 0};
     OnResize on_resize = OnResize::clear;
-    // True: all tiers of the graph use the same memory for the resource. Its `usage` then has the flags of
-    // all tiers. Only for resources with `keep` and without `history`.
+    // True: all tiers (quality levels) of the graph use the same memory for the resource. Its `usage` then
+    // has the flags of all tiers. Only for resources with `keep` and without `history`.
     bool shared = false;
     bool pre_exposed = false;
     std::optional<ImportState> import;
     // For a persistent resource that the program reads between two frames (GraphRequest::exports): these
     // reads. The frame leaves the resource in this state, and the next frame waits for the reads before it
-    // writes the resource. In a ring, only the resource of age 0 has `between`.
+    // writes the resource. Of the copies of a resource with `history`, only the copy of age 0 (the current
+    // frame) has `between`.
     std::optional<AccessState> between;
     // Name of the file with the content, as in the graph; empty: none. Such a resource is imported: Weft
     // itself provides it, and passes only read it.
@@ -122,9 +124,9 @@ struct ResourceDecl {
     // Clear value for a raster pass that is the first in a frame to write the image and has no clear value of
     // its own; absent: 0.
     std::optional<std::array<float, 4>> clear;
-    // For an image with a live size: an index into ResolvedGraph::live_values, the size of the area that
-    // passes use in a frame. The area of the first mip is this size, rounded down, from 1 to `extent`. kNoId:
-    // passes use the whole image.
+    // For an image with a live size, of which each frame uses only an area: the size of this area, as an
+    // index into ResolvedGraph::live_values. The area of the first mip is this size, rounded down, from 1 to
+    // `extent`. kNoId: passes use the whole image.
     uint32_t area = kNoId;
     SourceLoc loc;
 
@@ -132,11 +134,12 @@ struct ResourceDecl {
 };
 
 // Returns the text of a part of a resource, such as ".mip(0).layer(1..2)", or ".range(0..63)" for elements 0
-// to 63 of a buffer. Empty for the whole of a buffer that has only one piece, and for a table of textures.
+// to 63 of a buffer. Empty for a whole buffer that has no cuts_bytes, and for a table of textures.
 [[nodiscard]] std::string range_text(const ResourceDecl& resource, const SubresourceRange& range);
-// Returns the bytes of the pieces in `range`.
+// Returns the offset and the size in bytes of the pieces in `range`; see ResourceDecl::cuts_bytes.
 [[nodiscard]] ByteRange piece_bytes(const ResourceDecl& buffer, const SubresourceRange& range);
-// Returns the bytes of all texels in all mips and layers, without padding; for a buffer, its size.
+// Returns the number of bytes of all texels in all mips, layers and samples, without padding; for a buffer,
+// its size.
 [[nodiscard]] uint64_t content_bytes(const ResourceDecl& resource);
 [[nodiscard]] Extent3D mip_extent(const Extent3D& extent, uint32_t mip);
 // Returns the state of a resource while a clear command writes it.

@@ -19,7 +19,7 @@ struct Note {
     std::string message;
 };
 
-// One fault or warning. It contains all texts that are printed, so that it outlives the file.
+// One fault or warning. It has copies of all texts that are printed, so that it does not depend on the file.
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string code;  // Code such as "W103". docs/diagnostics.md explains every code.
@@ -52,7 +52,7 @@ using Diagnostics = std::vector<Diagnostic>;
                                                     const std::vector<std::string>& known);
 // Returns a text such as `did you mean "a" or "b"?`; empty if no name is similar.
 [[nodiscard]] std::string did_you_mean_text(const std::string& name, const std::vector<std::string>& known);
-// Returns the same text for the names that did_you_mean() returned.
+// Returns a text such as `did you mean "a" or "b"?` for the names that did_you_mean() returned.
 [[nodiscard]] std::string did_you_mean_text(const std::vector<std::string>& names);
 
 // Contains a value, or the diagnostics with the reasons why there is no value. Functions that also have

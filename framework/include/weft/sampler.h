@@ -31,8 +31,8 @@ struct SamplerDecl {
     bool operator==(const SamplerDecl&) const = default;
 };
 
-// For a port that is an array in the shader: each element of the array is one mip, or one layer, of the
-// range.
+// For a port that is an array in the shader: each element of the array is one mip, or one layer, of the range
+// of the image that the port names.
 enum class EachPart : uint8_t { none, mip, layer };
 
 }  // namespace weft

@@ -34,16 +34,18 @@ struct TransitionPlan {
     std::vector<ResourceId> cleared;  // Resources to clear to ResourceDecl::first_frame.
     // Barriers for resources of the new plan, to the states that its first frame expects.
     std::vector<BarrierDecl> after;
-    // Index: ResourceId of the new plan; only the entry of the resource of age 0 in each ring is used. The
-    // shader value `<port>Valid` (Builtin::valid) depends on the number of frames that have written a ring.
-    // 1: frames of the old plan count, too. 0: the count starts again.
+    // Index: ResourceId of the new plan. For a resource with several copies (a ring), only the entry of the
+    // copy of age 0 (the current frame) is used. The shader value `<port>Valid` (Builtin::valid) depends on
+    // the number of frames that have written the resource. 1: frames of the old plan count, too. 0: the count
+    // starts again.
     std::vector<uint8_t> keeps_validity;
 };
 
 [[nodiscard]] TransitionPlan transition(const FramePlan& old_plan, const FramePlan& new_plan);
 
-// Returns what the transition does with the content of a resource of the new plan, with the reason, if the
-// content is lost. Example: `"glow" is converted from rgba16f to rgba32f`. `id` has age 0 or 1.
+// Returns a text about the content of a resource of the new plan: it is kept, copied, scaled, converted or
+// lost. If it is lost, the text gives the reason. Example: `"glow" is converted from rgba16f to rgba32f`.
+// `id` is the content of the current frame (age 0) or of the previous frame (age 1).
 [[nodiscard]] std::string content_text(const FramePlan& old_plan, const FramePlan& new_plan,
                                        const TransitionPlan& transition, ResourceId id);
 

@@ -27,8 +27,8 @@ std::string texture_name(const ResourceDecl& table, size_t texture) {
     return table.name + "[" + std::to_string(texture) + "]";
 }
 
-// Returns the objects that a resource needs: itself if it has a file, an image for each texture if it is a
-// table with files, otherwise nothing.
+// Returns one declaration for each object that a resource needs: `decl` itself if the resource has a file, or
+// one image for each texture if the resource is a table with files. Otherwise the result is empty.
 std::vector<ResourceDecl> with_files(const ResourceDecl& decl) {
     if (!decl.file.empty()) return {decl};
     std::vector<ResourceDecl> textures;
@@ -116,7 +116,7 @@ FileObject* FileStore::find(const ResourceDecl& decl, uint64_t hash) {
     return &*found;
 }
 
-// The returned object already counts the use of the caller.
+// Returns an object whose number `uses` already includes the use by the caller.
 Result<FileObject*> FileStore::find_or_make(const ResolvedGraph& graph, const ResourceDecl& decl,
                                             const LoadSettings& settings) {
     {
@@ -125,7 +125,8 @@ Result<FileObject*> FileStore::find_or_make(const ResolvedGraph& graph, const Re
         if (reads_disk(settings) && known != known_.end() && known->second.stamps.hold())
             if (FileObject* object = find(decl, known->second.hash)) return object;
     }
-    FileStamps stamps;  // Created before the file is read, so that it reveals a change during the reading.
+    // Created before the file is read: then `stamps` shows if the file changes during the reading.
+    FileStamps stamps;
     Result<ResourceContent> content = read_resource_content(graph, decl, settings);
     if (!content) return content.take_errors();
     stamps.take({decl.file_path});

@@ -1,7 +1,8 @@
 // Purpose: the buffers and images whose content comes from files (the key "file" of a resource). Each content
 // exists once: plans that need the same content share it. An object lives as long as a FileUse refers to it.
 // Threads: acquire() may run on any thread, upload_files() on the thread that submits. Errors: W145 a file
-// cannot be used; V… the device lacks memory or does not support the image.
+// cannot be used; errors of Vulkan (their codes begin with V) if the device lacks memory or does not support
+// the image.
 #pragma once
 
 #include <list>

@@ -18,7 +18,8 @@ MovingObjects::MovingObjects(const scene::Scene& scene, bool program_moves) {
         object.node = instance.node;
         object.transform = object.previous = object.next = instance.transform;
         object.mesh_bounds = scene.meshes[instance.mesh].bounds;
-        // An object that follows a node stays active: only its node knows when it moves.
+        // An object that follows a node of the scene always stays active, because the node may move it in any
+        // frame.
         object.active = instance.node != scene::kNone;
         if (object.active) active_.push_back(index);
         objects_.push_back(object);

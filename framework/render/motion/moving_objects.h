@@ -18,8 +18,8 @@ struct MovingObject {
     glm::mat4 transform{1};
     glm::mat4 previous{1};
     glm::mat4 next{1};  // The transform of the next frame, if the program moves the object.
-    // True if one of the two transforms differs from that of the last frame. An object that stops therefore
-    // changes once more, because its velocity becomes 0.
+    // True if `transform` or `previous` differs from its value in the last frame. So an object that stops
+    // counts as changed for one more frame: then `previous` changes, and the velocity becomes 0.
     bool changed = false;
     bool active = false;  // True if the object is in MovingObjects::active().
     // Number of frames in which the object must still be written: every frame slot needs the last change.
@@ -51,12 +51,13 @@ class MovingObjects {
  private:
     std::vector<MovingObject> objects_;
     std::vector<uint32_t> active_;
-    std::vector<uint32_t> object_of_;  // The object of each instance; kNone: the instance does not move.
+    // Index: instance. Index into objects_; kNone: the instance does not move.
+    std::vector<uint32_t> object_of_;
     bool has_moved_ = false;
     bool any_changed_ = false;
 };
 
-// Returns the smallest box that contains both boxes. Each may be nullopt: nothing.
+// Returns the smallest box that contains both boxes. An argument that is nullopt is an empty box.
 [[nodiscard]] std::optional<scene::Bounds> united(const std::optional<scene::Bounds>& a,
                                                   const std::optional<scene::Bounds>& b);
 

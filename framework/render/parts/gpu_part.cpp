@@ -74,12 +74,12 @@ void GpuPart::sort_draws(const scene::Scene& scene) {
 }
 
 void GpuPart::find_moving_draws() {
-    std::map<uint32_t, uint32_t> objects;  // From the index of an instance to its moving object.
+    std::map<uint32_t, uint32_t> objects;  // Key: index of an instance. Value: index of its moving object.
     for (uint32_t i = 0; i < moving_.all().size(); ++i) objects[moving_.all()[i].instance] = i;
     draws_of_object_.resize(moving_.all().size());
     for (const MovingObject& object : moving_.all()) is_still_.push_back(object.node == scene::kNone);
     for (auto& [name, list] : lists_) {
-        // An object that moves leaves these lists.
+        // Lists of objects that do not move need no entry here: an object is removed from them when it moves.
         if (is_still_list(name)) continue;
         for (uint32_t i = 0; i < list.draws.size(); ++i) {
             const auto object = objects.find(list.draws[i].instance);
@@ -126,7 +126,7 @@ void GpuPart::drop_from_still_lists(uint32_t object) {
 void GpuPart::write_object(uint32_t slot, const MovingObject& object) {
     shared::Instance instance = gpu_instance(object.transform);
     instance.prev_object_to_world = object.previous;
-    // The members after the matrices do not change.
+    // Only the matrices are written. The members after them, from color_offset on, do not change.
     std::memcpy(geometry_.instances[slot].mapped().data() + uint64_t{object.instance} * sizeof instance,
                 &instance, offsetof(shared::Instance, color_offset));
 }

@@ -110,7 +110,7 @@ class GpuPart {
     std::optional<scene::Bounds> bounds_;
     std::optional<scene::Bounds> still_bounds_;
     SurfaceTree still_surfaces_;
-    bool has_begun_ = false;  // True after the first begin_frame() of a part that moves.
+    bool has_begun_ = false;  // True after the first begin_frame() of a part with moving objects.
 };
 
 }  // namespace weft::render

@@ -1,5 +1,6 @@
 // Purpose: the parts of a scene that are drawn, and removed parts that frames in flight still use. A frame
-// that has begun sees the parts of its beginning. All functions must be called on the thread that submits.
+// draws the parts that are in the list when the frame begins. All functions must be called on the thread that
+// submits.
 #pragma once
 
 #include <map>
@@ -21,8 +22,8 @@ class PartList {
     // Draws the part no longer. Its memory is freed when the frame `until` has begun: frames in flight may
     // use it until then. Returns false if there is no such part. The first part cannot be removed.
     [[nodiscard]] bool remove(PartId part, uint64_t until);
-    // Frees the memory that frames before the frame `frame` have used, and staging memory of finished
-    // uploads.
+    // Frees the removed parts whose `until` is at most `frame`: no frame in flight uses them any more. Also
+    // frees the staging memory of finished uploads.
     void drop_retired(uint64_t frame);
 
     // Returns null if there is no such part.
@@ -45,10 +46,10 @@ class PartList {
     struct Entry {
         PartId id = kFirstPart;
         std::unique_ptr<GpuPart> part;
-        // Null if the copies have finished. Declared after `part`, so that it is destroyed first: it waits
-        // for the copies to the part.
+        // Null if the copies have finished. Declared after `part`, so that `uploads` is destroyed first: its
+        // destructor waits for the copies to the part.
         std::unique_ptr<vk::UploadBatch> uploads;
-        uint64_t until = 0;  // Only for removed parts.
+        uint64_t until = 0;  // Only for removed parts: see remove().
     };
     void note_change(const GpuPart& part);
 

@@ -11,7 +11,7 @@ namespace weft::render {
 
 struct PendingPart {
     std::unique_ptr<GpuPart> part;
-    // Declared last, so that it is destroyed first: it waits for the copies to the part.
+    // Declared last, so that `uploads` is destroyed first: its destructor waits for the copies to the part.
     std::unique_ptr<vk::UploadBatch> uploads;
 };
 

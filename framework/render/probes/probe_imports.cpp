@@ -59,7 +59,7 @@ Result<GpuProbes> GpuProbes::create(vk::Device& device, const scene::Probes& sce
     probes.faces_ = probe_face_views(tables.points);
     probes.reflection_points_ = reflections.points;
     probes.reflection_faces_ = probe_face_views(reflections.points);
-    // Vulkan has no empty buffers.
+    // Vulkan has no empty buffers, so an empty list gets one unused element.
     if (tables.points.empty()) tables.points.emplace_back();
     if (reflections.points.empty()) {
         reflections.points.emplace_back();

@@ -24,8 +24,8 @@ inline constexpr const char* kReflectionTurns = "reflectionTurns";
 inline constexpr std::array kProbeBuffers{"probePoints", "probeCells", "probeGrid", "reflectionPoints",
                                           "reflectionBoxes"};
 
-// Adds the imports, the strides of their structs, and the numbers. `probes`: those of a scene; null: the
-// catalogue describes no scene, and has one probe of each kind.
+// Adds the imports, the strides of their structs, and the numbers. `probes`: the light probes of a scene. If
+// it is null, the catalogue describes no scene, and one probe of each kind is assumed.
 void add_probe_imports(ImportCatalog& catalog, const scene::Probes* probes);
 
 class GpuProbes {

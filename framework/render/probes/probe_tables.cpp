@@ -11,7 +11,7 @@ namespace {
 static_assert(sizeof(shared::ProbePoint) == 16 && sizeof(shared::ProbeCell) == 64 &&
               sizeof(shared::ProbeGrid) == 64);
 
-// Distance of the near planes of the faces of a probe.
+// Distance from a probe to the near planes of the views of its six faces, in metres.
 constexpr double kProbeNear_m = 0.01;
 constexpr int kNeighbours = 27;
 
@@ -82,8 +82,8 @@ ProbeTables probe_tables(const scene::ProbeVolume& volume) {
     for (const scene::ProbeCell& cell : cells)
         for (uint32_t i = 0; i < cell.corners.size(); ++i) {
             const uint32_t corner = cell.corners[i];
-            // If the cell uses a probe at another grid point instead, the cell does not change the spacing of
-            // that probe.
+            // A cell may use a probe at another grid point instead of a probe at its corner. Then the cell
+            // does not change the spacing of that probe.
             if (corner == scene::ProbeCell::kNoProbe ||
                 volume.probes[corner].at != corner_at(cell, i, volume))
                 continue;
@@ -108,7 +108,8 @@ ReflectionTables reflection_tables(const std::vector<scene::ReflectionProbe>& pr
         tables.points.push_back({probe.position, 0});
         shared::ReflectionBox& box = tables.boxes.emplace_back();
         if (!probe.box) continue;
-        // The inverse of: scale, then rotate, then move to the centre.
+        // The matrix from world space to the box, where the box reaches from -1 to 1 on each axis. It is the
+        // inverse of this order of steps: scale, rotate, move to the centre.
         const glm::mat3 rows = glm::mat3_cast(probe.box->rotation);
         for (int i = 0; i < 3; ++i) {
             const glm::vec3 axis = rows[i] / probe.box->half_size_m[i];

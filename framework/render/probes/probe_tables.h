@@ -28,9 +28,9 @@ struct ReflectionTables {
 };
 [[nodiscard]] ReflectionTables reflection_tables(const std::vector<scene::ReflectionProbe>& probes);
 
-// Returns the number of probes that exist.
+// Returns the number of probes, without those that were dropped.
 [[nodiscard]] uint32_t count_probes(const scene::ProbeVolume& volume);
-// Returns the number of slots of a hash table with so many cells.
+// Returns the number of slots that a hash table with `cells` cells has.
 [[nodiscard]] uint32_t slots_for(size_t cells);
 // Returns the views of all probes: view 6 p + f is the face f of probe p; see cube_face(). The previous view
 // is the same view, and viewport_px is 1 x 1.

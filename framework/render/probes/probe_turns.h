@@ -1,8 +1,9 @@
-// Purpose: chooses the light probes that are lit anew in a frame. At most kMostTurns irradiance probes, or
-// kMostReflectionTurns reflection probes, have a turn in a frame, and none has two turns within
-// kLeastFramesBetween frames. Probes with fewer turns come first,
-// and among these the ones nearest to the camera. So of n probes, each has a turn at least every 2 ⌈n / 4⌉
-// frames, if there are enough probes for four turns in each frame (more than 40). Pure data. Units: metres.
+// Purpose: chooses the light probes that are lit anew in a frame. Such a probe "has a turn" in this frame. In
+// a frame, at most kMostTurns irradiance probes or kMostReflectionTurns reflection probes have a turn. After
+// a turn, a probe has no other turn for kLeastFramesBetween frames. Probes with fewer turns come first, and
+// among these the ones nearest to the camera. So each of n irradiance probes has a turn at least every 2
+// ⌈n/4⌉ frames, if there are enough probes for four turns in each frame (more than 40). Pure data. Units:
+// metres.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ namespace weft::render {
 class ProbeTurns {
  public:
     static constexpr uint32_t kMostTurns = 4;
-    // A reflection probe has 16 times the texels of an irradiance probe.
+    // Only 1 per frame, because a reflection probe has 16 times as many texels as an irradiance probe.
     static constexpr uint32_t kMostReflectionTurns = 1;
     static constexpr uint64_t kLeastFramesBetween = 10;
 

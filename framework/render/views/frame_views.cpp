@@ -73,7 +73,8 @@ void FrameViews::set_plan(const FramePlan& plan) {
     add_area_views(plan);
 }
 
-// Adds the views for passes with an area, one for each pair of a view and an area.
+// Adds the views for passes that draw only into an area of their image (an image with a live size). There is
+// one view for each pair of a view and an area.
 void FrameViews::add_area_views(const FramePlan& plan) {
     area_views_.clear();
     camera_area_ = {};
@@ -177,7 +178,7 @@ shared::ViewConstants FrameViews::make(const Frame& frame, const std::string& na
         case ViewSource::mirror:
             return mirrored(make(frame, list->of, list->first + index), list->plane);
         case ViewSource::cube:
-        case ViewSource::buffer:  // update() makes no such view.
+        case ViewSource::buffer:  // update() never calls make() for a view in a buffer.
             break;
     }
     return constants_of(cube_face({list->at[0], list->at[1], list->at[2]}, index, list->near_m));
@@ -193,7 +194,8 @@ shared::ViewConstants FrameViews::make_given(const Frame& frame, const ViewListD
     if (list.name == kSceneSunViews)
         return frame.sources.further_suns.scene_views[std::min(index, shared::kMostSceneSuns - 1u)];
     if (list.name == kLampViews)
-        // A lamp that has moved too far away gives no light and no views.
+        // A lamp that has moved to a position outside the allowed range (scene::clamp_light()) gives no light
+        // and has no views. Then `lamps` has fewer views than the plan uses.
         return index < frame.lamps.size() ? constants_of(frame.lamps[index]) : shared::ViewConstants{};
     return constants_of(frame.sources.program.find(list.name)->second[index]);
 }

@@ -51,15 +51,17 @@ struct ViewSources {
 
 class FrameViews {
  public:
-    // Finds the views that the live passes of a plan use, and the sizes at which they draw them. Views from
-    // buffers are not among them.
+    // Finds the views that the scheduled passes of a plan use, and the size at which passes draw each view.
+    // Leaves out views that the GPU reads from buffers.
     void set_plan(const FramePlan& plan);
-    // Checks that the program gives all views of its lists that the plan uses. Error: W193.
+    // Returns an error W193 if the program gives fewer views of one of its lists than the plan uses.
     [[nodiscard]] Status check(const ViewLists& program) const;
-    // Evaluates the live sizes of the plan for the next frame. Call it before camera_px() and update().
+    // Computes the live sizes of the plan (sizes that change with scales while the plan runs) for the next
+    // frame. Call it before camera_px() and update().
     void set_scales(const ResolvedGraph& graph, const Scales& scales);
-    // Returns the area in which raster passes draw the camera, if it has a live size; else `output_px`. The
-    // jitter of the camera moves the picture by fractions of these pixels.
+    // Returns the size in pixels at which raster passes draw the view of the camera: the size of the area if
+    // they draw into an image with a live size, else `output_px`. The jitter of the camera moves the picture
+    // by fractions of these pixels.
     [[nodiscard]] glm::uvec2 camera_px(const ResolvedGraph& graph, glm::uvec2 output_px) const;
     // Computes all views of the next frame. check() must have accepted the lists of the program.
     void update(const ViewSources& sources, const ResolvedGraph& graph);
@@ -92,15 +94,17 @@ class FrameViews {
     std::vector<ViewNames> united_views_;
     // The size of each view in pixels; 0 if no raster or fullscreen pass draws it.
     std::vector<glm::uvec2> sizes_px_;
-    // A view for passes with an area: the same view with another viewport.
+    // A view for passes that draw only into an area of an image. It is a copy of a view in views_, with
+    // another viewport.
     struct AreaView {
-        uint32_t view = 0;  // Index into views_ of the view.
+        uint32_t view = 0;  // Index into views_ of the view that is copied.
         LiveArea area;
     };
-    std::vector<AreaView> area_views_;  // They follow the other views in views_.
-    LiveArea camera_area_;              // The largest area in which raster passes draw the camera.
-    std::vector<LiveNumber> live_;      // The values of ResolvedGraph::live_values in this frame.
-    // The matrices of the previous frame, without jitter, by the name of the view.
+    std::vector<AreaView> area_views_;  // In views_, these views follow all other views.
+    // The largest area in which raster passes draw the view of the camera.
+    LiveArea camera_area_;
+    std::vector<LiveNumber> live_;  // The values of ResolvedGraph::live_values in this frame.
+    // The matrices view_projection of the previous frame, without jitter, by the name of the view.
     std::map<std::string, glm::mat4> before_;
 };
 

@@ -9,7 +9,8 @@ namespace {
 // Share by which the sides of the frustum are wider than the picture, and the additional width in pixels. The
 // rasteriser rounds positions to parts of a pixel, and a pass may draw fewer pixels than the view has.
 constexpr double kWiderShare = 0.01, kWiderPx = 4;
-// Share of the terms of a sum that its rounding error can have, in positions and in clip space.
+// Bound for the rounding error of a sum, as a share of the sum of the absolute values of its terms. It holds
+// for positions in world space and for distances from the planes.
 constexpr double kRounding = 1e-5;
 constexpr size_t kSidePlanes = 4;
 

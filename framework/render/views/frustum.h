@@ -10,8 +10,8 @@
 
 namespace weft::render {
 
-// The planes of a view: points with dot(plane, (x, y, z, 1)) < 0 are outside. A view without a far plane has
-// a last plane that no point is outside of.
+// The planes of a view: points with dot(plane, (x, y, z, 1)) < 0 are outside. If a view has no far plane, no
+// point is outside of its last plane.
 struct Frustum {
     std::array<glm::dvec4, 6> planes;
 };

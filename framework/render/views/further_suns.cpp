@@ -9,8 +9,8 @@ namespace {
 
 static_assert(sizeof(shared::FurtherSuns) == 672);
 
-// Width in texels of the border around the sphere. It has room for the filter and the offset along the
-// normal.
+// Width in texels of the border between the bounding sphere of the objects and the edge of a shadow map. The
+// border has room for the filter and for the offset along the normal.
 constexpr double kFurtherBorderTexels = 6;
 
 // The matrix from world space to a space in which x and y are in the plane of the map and z points to the
@@ -42,7 +42,8 @@ void make_map(const shared::Light& light, const Sphere& sphere, uint32_t side_px
     const glm::dmat4 view = light_space(to_sun);
     const glm::dvec3 middle(view * glm::dvec4(sphere.center, 1));
     const double side_m = texel_m * size_px, depth_m = 2.02 * sphere.radius_m;
-    // Light space to (x, y) from -1 to 1, y downwards, and depth 1 nearest to the light.
+    // The matrix from light space to clip space: x and y from -1 to 1, y downwards, and depth 1 nearest to
+    // the light.
     glm::dmat4 projection(1);
     projection[0][0] = 2 / side_m;
     projection[1][1] = -2 / side_m;
@@ -63,7 +64,7 @@ void make_map(const shared::Light& light, const Sphere& sphere, uint32_t side_px
     constants.inverse_viewport = 1.0f / constants.viewport_px;
 }
 
-// Sets the sizes of the maps of a list of views that the pass draws.
+// If `view`, which the pass draws, is a view of the list `list`, sets the size of its shadow map.
 void note_sizes(const PassDecl& pass, const std::string& view, const char* list,
                 std::span<uint32_t> sizes_px) {
     for (uint32_t i = 0; i < sizes_px.size(); ++i)

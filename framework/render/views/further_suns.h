@@ -17,7 +17,7 @@
 
 namespace weft::render {
 
-// Name of the list with the views of these lights.
+// Name of the list with the views of the directional lights 2 to 4.
 inline constexpr const char* kFurtherSunViews = "furtherSuns";
 // Name of the list with the views of the directional lights 1 to 4 over all objects that do not move.
 inline constexpr const char* kSceneSunViews = "sceneSuns";

@@ -123,7 +123,8 @@ double farthest_of(const scene::Bounds& box, const glm::dvec3& eye) {
     return glm::length(glm::max(glm::abs(glm::dvec3(box.min) - eye), glm::abs(glm::dvec3(box.max) - eye)));
 }
 
-// The scene as the result of rounded_camera() sees it. So it changes rarely while the camera moves.
+// The part of the scene that the camera sees. `camera` is the result of rounded_camera(), which rounds the
+// position and the direction. So these data change rarely while the camera moves.
 struct Sight {
     scene::Camera camera;
     SeenScene seen;
@@ -131,14 +132,14 @@ struct Sight {
         0;  // Distance from the eye at which shadows end. Infinite if all of the scene has shadows.
 };
 
-// Returns the steps to which the eye is rounded.
+// Returns the size in metres of the steps to which the position of the eye is rounded.
 double step_of(const SunScene& scene) {
     if (scene.is_unbounded) return kMostStep_m;
     return std::clamp(diameter_of(scene.bounds) * 0.5 * kStepShare, kLeastSide_m, kMostStep_m);
 }
 
-// If objects may be anywhere, extends the bounds of the scene to kMostReach_m around the eye. These objects
-// have no shadows farther away.
+// If there are objects that may be anywhere, extends the bounds of the scene to kMostReach_m around the eye.
+// Farther away from the eye, these objects have no shadows.
 SunScene with_bounds(const SunScene& scene, const glm::vec3& eye) {
     SunScene bounded = scene;
     if (!scene.is_unbounded) return bounded;

@@ -38,7 +38,7 @@ struct SunScene {
     glm::vec3 to_sun{0, 1, 0};
     // Bounds of all objects that cast or receive shadows.
     scene::Bounds bounds;
-    // The still surfaces. Each tree must outlive the call.
+    // The surfaces of the objects that do not move. Each tree must exist until sun_cascades() returns.
     std::vector<const SurfaceTree*> surfaces;
     // Bounds of objects about which nothing else is known, if there are any.
     std::optional<scene::Bounds> unknown;

@@ -8,13 +8,14 @@
 namespace weft::render {
 namespace {
 
-// Shares of the patches of a group after which it may be divided along each axis. The shares near 0 and 1
-// separate few patches far away from the others.
+// A group of patches is sorted along an axis and divided into a first part and a second part. These are the
+// shares of all patches that the first part may have. With the shares near 0 and 1, a few patches far away
+// can be separated from the others.
 constexpr std::array kPlaces{1.0 / 256, 1.0 / 64,  1.0 / 16,  2.0 / 16,  3.0 / 16,   4.0 / 16,  5.0 / 16,
                              6.0 / 16,  7.0 / 16,  8.0 / 16,  9.0 / 16,  10.0 / 16,  11.0 / 16, 12.0 / 16,
                              13.0 / 16, 14.0 / 16, 15.0 / 16, 63.0 / 64, 255.0 / 256};
-// The group of all patches can be divided in many ways. Only this number of divisions is tried with further
-// divisions: those with the lowest cost without further divisions.
+// The group of all patches can be divided in many ways. Only this number of these divisions is examined
+// further, by dividing their two sides again: the divisions with the lowest cost without further divisions.
 constexpr size_t kFollowed = 8;
 // Additional cost of a patch that is left to the map that covers everything: the texels of this map count as
 // four times as wide. So only few patches are left to this map.
@@ -29,7 +30,7 @@ double position(const VisiblePatch& patch, size_t axis) {
     return axis == 2 ? patch.distance_m : (patch.rect.min[i] + patch.rect.max[i]) * 0.5;
 }
 
-// Returns the rectangle that contains the plane.
+// Returns a rectangle that contains the whole plane.
 LightRect everywhere() {
     return {glm::dvec2(std::numeric_limits<double>::lowest()),
             glm::dvec2(std::numeric_limits<double>::max())};
@@ -65,20 +66,22 @@ class Cost {
 // Patches that one or more maps cover: their indices in the order along each axis.
 struct PatchGroup {
     std::array<std::vector<uint32_t>, kDivisionAxes> orders;
-    // The map covers the patches only inside of this rectangle. Other maps cover the rest.
+    // The maps of this group cover the patches only inside of this rectangle. Maps of other groups cover the
+    // rest.
     LightRect limits;
 
     [[nodiscard]] size_t size() const { return orders[0].size(); }
 };
 
-// How a group is divided. One of the sides may be left to the map that covers everything.
+// Which sides of a divided group get maps of their own: both, only the side before the division, or only the
+// side after it. If only one side gets maps, the other side is left to the map that covers everything.
 enum class Kept : uint8_t { both, before, after };
 constexpr std::array kWaysToKeep{Kept::both, Kept::before, Kept::after};
 
 struct Division {
     double cost = 0;
     size_t axis = 0;
-    size_t place = 0;  // Number of patches before the division.
+    size_t place = 0;  // Number of patches on the side before the division.
     Kept kept = Kept::both;
 };
 
@@ -151,8 +154,8 @@ class Fitter {
         for (const uint32_t i : group.orders[0]) cost.add(patches_[i]);
         return cost.shares() * whole_;
     }
-    // Returns the costs of the first patches of a group along an axis (or of the last, if `backward`), for
-    // all places.
+    // For each element of kPlaces, returns the cost of the patches before this place along an axis (or of the
+    // patches after this place, if `backward`).
     [[nodiscard]] std::array<Cost, kPlaces.size()> costs_along(const PatchGroup& group, size_t axis,
                                                                bool backward) const {
         std::array<Cost, kPlaces.size()> costs;
@@ -191,7 +194,7 @@ class Fitter {
         }
         return found;
     }
-    // Returns the limits of both sides of a division.
+    // Returns PatchGroup::limits for the two sides of a division.
     [[nodiscard]] std::pair<LightRect, LightRect> limits_of(const PatchGroup& group,
                                                             const Division& division) const {
         std::pair limits(group.limits, group.limits);
@@ -217,7 +220,7 @@ class Fitter {
     }
 
     std::span<const VisiblePatch> patches_;
-    double whole_ = 0;  // Cost of a patch that no other map covers.
+    double whole_ = 0;  // Cost of a patch that only the map that covers everything contains.
     std::vector<uint8_t> side_;
 };
 

@@ -9,8 +9,8 @@ namespace {
 
 // Distance of the near planes of lamps, in metres.
 constexpr float kLampNear_m = 0.05f;
-// Smallest and largest half angle of a spot light's view, in radians. A wider cone does not fit into one
-// plane.
+// Smallest and largest half angle of a spot light's view, in radians. A wider cone does not fit into one flat
+// picture.
 constexpr float kLeastHalf_rad = 0.01f, kMostHalf_rad = 1.5f;
 
 // The axes of one face: the directions in which the column number and the row number in the picture grow, and
@@ -83,16 +83,18 @@ void replace_row(glm::mat4& matrix, int row, const glm::dvec4& values) {
     for (int column = 0; column < 4; ++column) matrix[column][row] = static_cast<float>(values[column]);
 }
 
-// Returns the row of a matrix to clip space that gives z, so that points on the plane have depth 1, points on
-// its positive side less, and no point in the picture less than 0. Returns nullopt for a parallel projection,
-// and if the viewer is in the plane. `plane` is in the space that the matrix transforms, and `from_clip` is
-// the inverse of the matrix. Source: Lengyel 2005, "Oblique View Frustum Depth Projection and Clipping", for
-// reversed depth and a far plane that is infinitely far.
+// Returns a new third row (the row that gives z) for `to_clip`, a matrix to clip space. With this row, points
+// on the plane have depth 1, points on the positive side of the plane have less, and no point in the picture
+// has less than 0. Returns nullopt for a parallel projection, and if the viewer is in the plane. `plane` is
+// in the space that the matrix transforms, and `from_clip` is the inverse of the matrix. Source: Lengyel
+// 2005, "Oblique View Frustum Depth Projection and Clipping", changed for reversed depth and a far plane that
+// is infinitely far.
 std::optional<glm::dvec4> oblique_depth(const glm::dmat4& to_clip, const glm::dmat4& from_clip,
                                         const glm::dvec4& plane) {
     const glm::dvec4 w = row_of(to_clip, 3);
     if (glm::dvec3(w) == glm::dvec3(0)) return std::nullopt;
-    // The value of the plane equation, divided by w, is largest in the direction of one of the corners.
+    // The value of the plane equation at a point of the picture is a linear function of the position in clip
+    // space. So it is largest in one of the corners of the picture.
     double fastest = 0;
     for (const glm::dvec2 corner : {glm::dvec2(-1, -1), {1, -1}, {-1, 1}, {1, 1}})
         fastest = std::max(fastest, std::abs(glm::dot(plane, from_clip * glm::dvec4(corner, 0, 1))));

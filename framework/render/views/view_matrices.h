@@ -30,8 +30,8 @@ inline constexpr uint32_t kCubeFaces = 6;
 // x 1.
 [[nodiscard]] shared::ViewConstants constants_of(const ViewInput& view);
 // Returns the constants of a view in the mirror with this plane: (a, b, c) is a unit vector, and the points
-// with a x + b y + c z + d = 0 are on the mirror. In a perspective view, the mirror is the near plane: depth is
-// 1 on the mirror, and what is on the other side of the mirror than the viewer is cut off.
+// with a x + b y + c z + d = 0 are on the mirror. In a perspective view, the mirror is the near plane: depth
+// is 1 on the mirror, and everything behind the mirror, as seen from the eye of `view`, is cut off.
 [[nodiscard]] shared::ViewConstants mirrored(const shared::ViewConstants& view,
                                              const std::array<double, 4>& plane);
 

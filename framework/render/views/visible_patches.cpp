@@ -15,8 +15,9 @@ constexpr double kSameSurface = 1.5;
 // A ray that meets no known surface is divided into this number of parts. The length of a part is
 // proportional to its distance from the eye.
 constexpr size_t kParts = 4;
-// For the lengths of the parts, the first part begins at least at this share of the distance at which the
-// last part ends. The patch of the first part also covers the ray before this place.
+// Lower limit for the start of the first part when the lengths of the parts are computed, as a share of the
+// distance at which the last part ends. If the ray enters the box before this limit, the patch of the first
+// part also covers the ray from there.
 constexpr double kFirstPartShare = 1.0 / 256;
 
 struct Ray {
@@ -54,8 +55,8 @@ class Rays {
     [[nodiscard]] double half_width() const {
         return std::max(tan_x_ / (kColumns - 1), tan_y_ / (kRows - 1));
     }
-    // Returns the surface around the point that a ray meets: it reaches halfway to the points of the
-    // neighbouring rays on the same surface.
+    // Returns a rectangle in the plane of the axes around the point where a ray meets a surface. The
+    // rectangle reaches halfway to the points of those neighbouring rays that meet the same surface.
     [[nodiscard]] LightRect patch(size_t i, const LightAxes& axes) const {
         const Ray& ray = rays_[i];
         const glm::dvec2 center = axes.place(at(ray, ray.distance_m));
@@ -93,7 +94,8 @@ glm::dvec2 span_in_box(const scene::Bounds& box, const glm::dvec3& eye, const gl
     return span;
 }
 
-// Adds patches for objects that may be anywhere in a box on a ray.
+// An object may be at any place where the ray is inside the box `seen.unknown`. Adds patches for all these
+// places.
 void add_unknown(const Rays& rays, const Ray& ray, const SeenScene& seen, double near_m,
                  const LightAxes& axes, std::vector<VisiblePatch>& patches) {
     const glm::dvec2 span = span_in_box(*seen.unknown, rays.eye(), ray.direction);

@@ -21,7 +21,8 @@ struct SeenScene {
     double reach_m = 0;  // Distance from the eye at which shadows end.
 };
 
-// A part of the picture: the place of its surface in the plane perpendicular to the light.
+// A part of the picture, and the place of the surface in this part: a rectangle in the plane perpendicular to
+// the light.
 struct VisiblePatch {
     LightRect rect;
     double distance_m = 0;  // From the eye.

@@ -37,7 +37,8 @@ struct NoiseAt {
     return {bank, x * stride, y * stride};
 }
 
-// Adds an opaque material. Its three textures repeat every `surface.period_m` metres. Returns its index.
+// Adds an opaque material and returns its index. The three textures of the material repeat every
+// `surface.period_m` metres.
 uint32_t add_material(Parts& parts, const std::string& name, const Surface& surface);
 // Adds a material for leaves: alpha-masked and double-sided. Its textures are clamped to the edge, because
 // they do not repeat: they cover a leaf card, a frond or a lily pad once. Returns the index of the material.

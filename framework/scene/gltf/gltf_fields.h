@@ -36,8 +36,8 @@ class Fields {
     uint32_t index(const char* key, Need need, size_t size, const char* array) const;
     std::vector<uint32_t> indices(const char* key, uint64_t max_items, size_t size, const char* array) const;
     std::optional<double> number(const char* key, Need need) const;
-    // Checks an optional number. A value outside [min, max] causes only a warning, because the code that
-    // reads the value later clamps it.
+    // Checks an optional number. A value outside [min, max] causes only a warning, because other code clamps
+    // the value later.
     void number_in(const char* key, double min, double max) const;
     // Returns exactly `length` numbers, or an empty vector when the member is absent or wrong.
     std::vector<double> numbers(const char* key, size_t length) const;
@@ -54,7 +54,7 @@ class Fields {
 
     // Reports a wrong member. `found` and `wanted` are parts of the message: "KEY is FOUND; wanted WANTED".
     void wrong(const char* key, const std::string& found, const std::string& wanted) const;
-    // Does the same; the found value in the message is the value that the JSON contains.
+    // Reports a wrong member, too. In this message, FOUND is the value that the JSON contains.
     void wrong(const char* key, const std::string& wanted) const;
 
  private:

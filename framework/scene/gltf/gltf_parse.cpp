@@ -23,8 +23,8 @@ namespace {
 
 using Buffers = std::vector<std::vector<uint8_t>>;
 
-// Returns the buffer that a file name in the checked JSON refers to: the name "3" means buffer 3. Returns
-// nullptr for any other name.
+// Returns the buffer for a file name in the JSON. After the checks, these names are only numbers: the name
+// "3" means buffer 3. Returns nullptr for any other name.
 std::vector<uint8_t>* buffer_named(const std::string& name, void* buffers) {
     Buffers& all = *static_cast<Buffers*>(buffers);
     size_t index = 0;
@@ -303,8 +303,7 @@ std::optional<Camera> convert(const tinygltf::Camera& source) {
 
 void place(const tinygltf::Node& source, Node& out) {
     if (source.matrix.size() == 16) {
-        for (size_t i = 0; i < 16; ++i)
-            glm::value_ptr(out.local)[i] = static_cast<float>(source.matrix[i]);
+        for (size_t i = 0; i < 16; ++i) glm::value_ptr(out.local)[i] = static_cast<float>(source.matrix[i]);
         // The last row of an affine matrix is 0, 0, 0, 1. check_matrix() has warned if the file has other
         // numbers there.
         for (int column = 0; column < 4; ++column) out.local[column][3] = column == 3 ? 1.0f : 0.0f;

@@ -1,6 +1,6 @@
-// Purpose: converts the checked JSON and the loaded bytes to a Document with tinygltf. tinygltf gets a
-// callback that returns the loaded buffers by number. So tinygltf never opens a file, and it is built without
-// code that could do so.
+// Purpose: converts the checked JSON (the text of the file after all checks) and the loaded bytes to a
+// Document with tinygltf. A callback gives tinygltf the loaded buffers by number. So tinygltf never opens a
+// file, and it is built without the code that opens files.
 #pragma once
 
 #include <optional>

@@ -16,8 +16,8 @@ class Loader {
             is_data_uri(uri) ? decode(uri, pointer) : read(uri, pointer);
         if (!bytes) return std::nullopt;
         if (bytes->size() > bytes_left_) {
-            report_fault(ReadFault::too_large,
-                         "the data: URI is larger than the memory that the limit leaves", pointer);
+            report_fault(ReadFault::too_large, "the data: URI needs more memory than the limit leaves",
+                         pointer);
             return std::nullopt;
         }
         if (!take_memory(memory_, {bytes->size(), "S107", pointer, "this data"}, report_))
@@ -26,8 +26,8 @@ class Loader {
         return bytes;
     }
 
-    // Counts the `bytes` of a copy of the binary chunk against both limits: the total bytes of all files, and
-    // the memory budget. Returns false after an error was reported.
+    // Reserves `bytes` bytes for a copy of the binary chunk. Subtracts them from both limits: the total bytes
+    // of all files, and the memory budget. Returns false after an error was reported.
     bool reserve(uint64_t bytes, const std::string& pointer) {
         if (bytes > bytes_left_) {
             report_fault(ReadFault::too_large, "the buffers together are larger than the limit", pointer);

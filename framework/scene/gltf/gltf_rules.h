@@ -14,7 +14,8 @@
 
 namespace weft::scene::gltf {
 
-// Limit of values that have no limit of their own: Fields::number() accepts no larger number.
+// Largest accepted value of numbers for which glTF sets no upper limit. Fields::number() accepts no larger
+// number.
 inline constexpr double kUnbounded = 1e18;
 inline constexpr double kHalfPi = std::numbers::pi / 2;
 
@@ -41,23 +42,26 @@ struct Checker {
 };
 
 [[nodiscard]] bool is_known_extension(std::string_view name);
-// True if the checks read the extension: it is known, or the messages name it.
+// Returns true if the checks read the content of this extension. This is so for the extensions that Weft
+// supports, and for KHR_texture_basisu, which Weft reads only to name it in messages.
 [[nodiscard]] bool is_kept_extension(std::string_view name);
 
 void check_header(Checker& c);     // Checks `asset`, the extensions, and the sizes of the arrays.
 void check_geometry(Checker& c);   // Checks buffers, buffer views, accessors and meshes.
 void check_materials(Checker& c);  // Checks images, textures, samplers and materials.
 void check_nodes(Checker& c);      // Checks lights, cameras, nodes and scenes.
-// Checks the objects `extras.weft` in the lights of the file. `objects` has one entry per light: this object,
-// or null if the light does not have it.
+// Checks the objects `extras.weft` of the lights of the file. `objects` has one entry for each light: the
+// object, or null if the light has no such object.
 void check_light_extras(Checker& c, const nlohmann::json& objects);
-// Checks the objects `extras.weft.probe` of the nodes. `objects` has one entry per node, which may be null.
+// Checks the objects `extras.weft.probe` of the nodes. `objects` has one entry for each node: the object, or
+// null if the node has no such object.
 void check_probe_extras(Checker& c, const nlohmann::json& objects);
 // Warns of keys that are not known.
 void warn_of_other_keys(Checker& c, const Fields& fields, std::initializer_list<const char*> known);
 // Warns that skins and morph targets are ignored: the meshes are drawn in their rest pose.
 void check_motion(Checker& c);
-// Checks the animations. Warns of those that are not played, because an earlier one moves the same node.
+// Checks the animations. Warns of each animation that is not played because an earlier animation moves the
+// same node.
 void check_animations(Checker& c);
 void check_instancing(Checker& c);  // Checks EXT_mesh_gpu_instancing of all nodes.
 

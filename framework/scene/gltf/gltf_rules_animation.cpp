@@ -9,7 +9,8 @@
 namespace weft::scene::gltf {
 namespace {
 
-// A node and one of its three properties: no two channels that are played may have the same target.
+// A node and the property that a channel changes: the translation, the rotation or the scale. Two channels
+// that are played must not have the same target.
 using Target = std::pair<uint32_t, MotionPath>;
 
 constexpr const char* kExportAnimation = "export the animation again";
@@ -25,11 +26,12 @@ std::string text_of(const AccessorShape& shape) {
 
 void report_data(const Fields& at, const char* key, const std::string& found, const std::string& wanted,
                  Report& report) {
-    report.error("S115", at.pointer_to(key), "\"" + std::string(key) + "\" is " + found + "; wanted " + wanted,
-                 kExportAnimation);
+    report.error("S115", at.pointer_to(key),
+                 "\"" + std::string(key) + "\" is " + found + "; wanted " + wanted, kExportAnimation);
 }
 
-// Checks one animation. Its channels are collected in `out`, without those that Weft does not play.
+// Checks one animation. Stores the channels of the animation in `out`, except the channels that Weft does not
+// play.
 class AnimationCheck {
  public:
     AnimationCheck(Checker& c, const Fields& animation, const std::vector<bool>& has_matrix,
@@ -99,7 +101,8 @@ class AnimationCheck {
                         c_.report);
     }
 
-    // Checks the kind and the number of the values of a sampler for a channel of this kind.
+    // Checks the output values of the sampler with this index: their type and their number. `path` is the
+    // property that a channel changes with these values.
     void check_output(uint32_t index, MotionPath path) {
         const AnimationSamplerSource& sampler = out_.samplers[index];
         if (sampler.input == kNone || sampler.output == kNone) return;
@@ -156,7 +159,8 @@ void check_animations(Checker& c) {
             warn_not_played(animation, name, ", because it moves no node", "animate the nodes", c.report);
             return;
         }
-        const bool twice = std::ranges::any_of(check.targets(), [&](const Target& t) { return taken.contains(t); });
+        const bool twice =
+            std::ranges::any_of(check.targets(), [&](const Target& t) { return taken.contains(t); });
         if (twice) {
             warn_not_played(animation, name, ", because an earlier animation moves the same node",
                             "remove the other animations of this node from the file", c.report);
@@ -185,8 +189,7 @@ void check_instancing(Checker& c) {
         std::optional<uint64_t> count;
         InstancingSource source;
         for (const auto& [key, components] : kRead) {
-            const uint32_t accessor =
-                attributes->index(key, Need::optional, c.accessors.size(), "accessors");
+            const uint32_t accessor = attributes->index(key, Need::optional, c.accessors.size(), "accessors");
             if (accessor == kNone) continue;
             const AccessorShape& shape = c.accessors[accessor];
             const bool is_signed = shape.component_type == static_cast<uint64_t>(ComponentType::i8) ||
@@ -197,14 +200,16 @@ void check_instancing(Checker& c) {
                                "export the instances again");
             };
             if (shape.components != components || !(is_float(shape) || (components == 4 && is_signed)))
-                report(text_of(shape),
-                       components == 4 ? "a VEC4 accessor of floats or normalised 8- or 16-bit integers"
-                                       : "a VEC3 accessor of floats");
+                report(text_of(shape), components == 4
+                                           ? "a VEC4 accessor of floats or normalised 8- or 16-bit integers"
+                                           : "a VEC3 accessor of floats");
             if (count && *count != shape.count)
                 report("an accessor with " + std::to_string(shape.count) + " elements",
                        std::to_string(*count) + ", as the other attributes have");
             count = shape.count;
-            (components == 4 ? source.rotation : key[0] == 'T' ? source.translation : source.scale) = accessor;
+            (components == 4 ? source.rotation
+             : key[0] == 'T' ? source.translation
+                             : source.scale) = accessor;
         }
         if (count) c.out.instancing[index] = source;
     });

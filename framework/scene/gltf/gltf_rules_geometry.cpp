@@ -121,8 +121,8 @@ void check_accessor_data(Checker& c, const Fields& accessor, uint64_t count, uin
     if (count == 0 || element == 0) return;
     check_sparse(c, accessor, count, element);
     if (view == kNone) {
-        // Without a buffer view there are no bytes that limit this count. So the scene's limit for vertices
-        // applies.
+        // An accessor without a buffer view has no bytes in the file that limit the number of its elements.
+        // So the scene's limit for vertices applies.
         if (count <= c.limits.vertices) return;
         c.report.error("S107", accessor.pointer_to("count"),
                        "the accessor has " + std::to_string(count) +

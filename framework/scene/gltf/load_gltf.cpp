@@ -67,11 +67,12 @@ FileBytes read_scene_file(const fs::path& file, const SceneLimits& limits, Memor
     return bytes;
 }
 
-// Estimated memory in bytes, per byte of the JSON text and per JSON value, for the parsed JSON, the strings
-// copied from it and tinygltf's model. The estimate is larger than the largest measured use.
+// Estimated memory in bytes for the parsed JSON, for the strings that are copied from the JSON, and for the
+// model of tinygltf. The estimate is the number of bytes of the JSON text times the first constant, plus the
+// number of JSON values times the second constant. It is larger than the largest measured use.
 constexpr uint64_t kBytesPerJsonByte = 3, kBytesPerJsonValue = 400;
-// The Document uses 1 / kJsonPartOfDocument of the memory for the JSON. This part remains in use while
-// build_scene() runs. The rest is released before build_scene() begins.
+// The Document (the result of parsing) keeps 1 / kJsonPartOfDocument of the memory that was taken for the
+// JSON. This part remains in use while build_scene() runs. The rest is released before build_scene() begins.
 constexpr uint64_t kJsonPartOfDocument = 4;
 
 // Adds a default material if a primitive has no material, and returns its index. Otherwise returns kNone.
@@ -95,8 +96,8 @@ Scene build_scene(gltf::Document& document, const fs::path& file, const SceneLim
     gltf::BuiltMeshes built = gltf::build_meshes(document, limits, options, memory, report);
     scene.materials = std::move(document.materials);
     scene.light_functions = std::move(document.light_functions);
-    // After an error, no textures are loaded. If the memory is exhausted, loading them would only report this
-    // again.
+    // After an error, no textures are loaded. If the memory is exhausted, loading textures would only report
+    // the same error again.
     if (report.failed()) return scene;
     scene.textures = gltf::build_textures(document, limits, options, memory, report, scene.materials,
                                           scene.light_functions);

@@ -33,8 +33,9 @@ constexpr uint64_t kHostBytesPerVertex = 12 + 12 + 16 + 8, kHostBytesPerColor = 
 // Bytes per vertex in total: main memory, the position (16 bytes) and the other attributes (24 bytes) on the
 // GPU, and the staging buffer (24 bytes, because the positions and the attributes are uploaded in turn).
 constexpr uint64_t kBytesPerVertex = kHostBytesPerVertex + 16 + 24 + 24;
-// Bytes in total: main memory and the copy on the GPU. The copy has 8 bytes per colour or second uv, and 4
-// bytes per index. The last 2 bytes per index are a reserve.
+// Bytes for each colour, second uv and index in total: main memory and the copy on the GPU. The copy has 8
+// bytes for each colour or second uv, and 4 bytes for each index. The last 2 bytes for each index are a
+// reserve.
 constexpr uint64_t kBytesPerColor = kHostBytesPerColor + 8, kBytesPerSecondUv = kHostBytesPerSecondUv + 8,
                    kBytesPerIndex = 4 + 4 + 2;
 

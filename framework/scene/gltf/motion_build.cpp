@@ -9,9 +9,10 @@
 namespace weft::scene::gltf {
 namespace {
 
-// A larger number in a transform makes a node invisible; see transforms_at().
+// Largest number that a key (a keyframe) of an animation may have. A node with a larger number in its
+// transform is invisible; see transforms_at().
 constexpr float kMaxKeyValue = 1e15f;
-// The keys exist in the loaded scene and in the copy for drawing.
+// Number of copies of the keys in memory: one in the loaded scene, and one that is used for drawing.
 constexpr uint64_t kCopies = 2;
 
 struct SamplerPlace {

@@ -14,8 +14,9 @@ namespace weft::scene::gltf {
 // Returns for each node of the document whether a channel of an animation moves it.
 [[nodiscard]] std::vector<bool> animated_nodes(const Document& document);
 
-// Fills Motion::animations. `moving` has for each node of the document its index in Motion::nodes, or kNone if
-// the shown scene does not contain it; the channels of such nodes are left out.
+// Fills Motion::animations. `moving` has one entry for each node of the document: the index of the node in
+// Motion::nodes, or kNone if the shown scene does not contain the node. Channels of nodes with kNone are left
+// out.
 void build_animations(const Document& document, std::span<const uint32_t> moving, MemoryBudget& memory,
                       Report& report, Motion& motion);
 

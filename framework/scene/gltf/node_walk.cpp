@@ -13,7 +13,8 @@ namespace {
 // (96) and the draw command (20). Each counts twice: a vector that grows copies its elements, and a GPU
 // buffer needs a staging buffer.
 constexpr uint64_t kBytesPerInstance = 2 * sizeof(Instance) + 2 * 208 + 2 * 96 + 2 * 20;
-// If a file has animations, each frame in flight has its own entry of the GPU buffer.
+// Additional memory for each instance in bytes. If a file has animations, each frame in flight has its own
+// copy of the instance in the GPU buffer.
 constexpr uint64_t kBytesPerInstanceOfFrames = 2 * 208;
 // Memory per moving node: a vector that grows, the copy for drawing, the copy that each frame makes, and the
 // transforms of the node and of its object, in this frame and the previous one.
@@ -133,8 +134,8 @@ class Walk {
         return static_cast<uint32_t>(scene_.motion.nodes.size() - 1);
     }
 
-    // Returns the place of an instance with its own transform below a node. An instance with a transform that
-    // is not usable is invisible.
+    // Returns the place of an instance that has its own transform below a node. If the resulting transform is
+    // not usable (see is_usable_transform()), the instance is invisible.
     Place below(const Place& node, const glm::mat4& transform) {
         Place place{node.world * transform, kNone};
         if (!is_usable_transform(place.world)) place.world = invisible_transform();
@@ -157,7 +158,8 @@ class Walk {
     Report& report_;
     Scene& scene_;
     std::vector<bool> animated_;
-    std::vector<uint32_t> moving_;  // For each node of the document, its index in Motion::nodes.
+    // Index of each node of the document in Motion::nodes, or kNone for a node that does not move.
+    std::vector<uint32_t> moving_;
 };
 
 }  // namespace

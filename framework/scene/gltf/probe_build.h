@@ -1,5 +1,5 @@
 // Purpose: makes the reflection probes of a scene from the nodes that have `extras.weft.probe`. Warning: S198
-// a probe that is ignored, because its box is flat or because there are too many.
+// a probe that is ignored, because its box is flat or because the scene has too many probes.
 #pragma once
 
 #include "scene/gltf/mesh_build.h"

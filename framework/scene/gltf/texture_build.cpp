@@ -18,7 +18,7 @@ namespace {
 struct Use {
     uint32_t image = kNone;
     TexelMeaning meaning = TexelMeaning::linear_data;
-    float alpha_cutoff = -1;  // Cutoff of an alpha mask for the texture alone; -1: no mask.
+    float alpha_cutoff = -1;  // The mask shows a texel if its alpha is at least this cutoff. -1: no mask.
 
     friend bool operator<(const Use& a, const Use& b) {
         return std::tie(a.image, a.meaning, a.alpha_cutoff) < std::tie(b.image, b.meaning, b.alpha_cutoff);
@@ -43,8 +43,9 @@ std::vector<SlotUse> slot_uses(const Document& document, std::vector<Material>& 
         add_texture(slot.texture, meaning, alpha_cutoff);
     };
     for (Material& material : materials) {
-        // The shader compares the cutoff with the product of texture and factor. So the cutoff for the
-        // texture alone is the material's cutoff divided by the factor.
+        // The shader multiplies the alpha of the texture by the factor base_color.a, and compares the product
+        // with the cutoff of the material. So the cutoff for the alpha of the texture alone is the cutoff of
+        // the material divided by the factor.
         const bool mask = material.alpha_mode == AlphaMode::mask && material.base_color.a > 0;
         const float cutoff = mask ? material.alpha_cutoff / material.base_color.a : -1;
         add(material.base_color_texture, TexelMeaning::srgb_color, cutoff > 0 && cutoff <= 1 ? cutoff : -1);
@@ -85,8 +86,8 @@ uint64_t mip_bytes(ImageSize size) {
     }
 }
 
-// Returns the temporary memory in bytes while one texture is made: the memory of the decoder, and that of
-// mips 1 and 2 as floats (about 6 bytes per texel of mip 0).
+// Returns the temporary memory in bytes while one texture is made: the memory of the decoder, and the memory
+// of mips 1 and 2 as floats (about 6 bytes per texel of mip 0).
 uint64_t scratch_bytes(const ImageSize& size) {
     return saturating_add(size.decoder_bytes, saturating_mul(size.texels(), 6));
 }

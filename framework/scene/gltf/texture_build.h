@@ -15,7 +15,7 @@ namespace weft::scene::gltf {
 
 // Decodes the images in parallel; the result does not depend on the number of threads. Returns the textures.
 // The texture indices in `materials` and `functions` are changed from indices of glTF textures to indices of
-// the returned textures. A slot whose texture has no image becomes empty.
+// the returned textures. If a glTF texture has no image, the members that refer to it become kNone.
 [[nodiscard]] std::vector<Texture> build_textures(const Document& document, const SceneLimits& limits,
                                                   const LoadOptions& options, MemoryBudget& memory,
                                                   Report& report, std::vector<Material>& materials,

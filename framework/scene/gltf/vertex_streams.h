@@ -1,6 +1,6 @@
-// Purpose: reads the vertex attributes of a glTF primitive into the streams of a Mesh, for used vertices
-// only. Errors: S104 an accessor past the end of its bytes. Warnings: S152 a value that was replaced because
-// it was zero, too large or not finite; S154 colours that were clamped.
+// Purpose: reads the vertex attributes of a glTF primitive into the streams of a Mesh, only for the vertices
+// that triangles use. Errors: S104 an accessor past the end of its bytes. Warnings: S152 a value that was
+// replaced because it was zero, too large or not finite; S154 colours that were clamped.
 #pragma once
 
 #include <optional>

@@ -177,9 +177,9 @@ Diagnostics light_warnings(const Scene& scene) {
         note("light function", i, function.name, picture_fault(function, scene, pictures));
     }
     if (faults > kMaxNamed)
-        warnings.push_back(
-            warning(std::to_string(faults - kMaxNamed) + " more lights or light functions have wrong values",
-                    "correct the values in the program that made the scene"));
+        warnings.push_back(warning(
+            std::to_string(faults - kMaxNamed) + " further lights or light functions have wrong values, too",
+            "correct the values in the program that made the scene"));
     return warnings;
 }
 

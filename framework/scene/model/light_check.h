@@ -16,7 +16,7 @@ inline constexpr uint32_t kMaxLightPictures = 64;
 
 // Clamps a light or a light function. Returns a text for users that lists the corrected faults (such as "the
 // intensity was out of range"); the text is empty if there were no faults. If the position of a light is not
-// finite or too far away, its intensity becomes 0.
+// finite or too far away, the intensity of this light becomes 0.
 [[nodiscard]] std::string clamp_light(Light& light);
 [[nodiscard]] std::string clamp_light_function(LightFunction& function);
 

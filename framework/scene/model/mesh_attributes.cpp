@@ -65,8 +65,8 @@ void append_copy(std::vector<T>& stream, size_t from) {
     stream.push_back(copy);
 }
 
-// Appends a copy of the vertex to all streams of the mesh except the tangents, and returns its index.
-// generate_tangents() fills the tangents only after the vertices are split.
+// Appends a copy of the vertex to all streams of the mesh except the tangents, and returns the index of the
+// copy. generate_tangents() fills the tangents only after the vertices are split.
 uint32_t duplicate_vertex(Mesh& mesh, uint32_t vertex) {
     append_copy(mesh.positions, vertex);
     append_copy(mesh.normals, vertex);

@@ -13,8 +13,8 @@ namespace weft::scene {
 // Computes a smooth, area-weighted normal for every vertex. A vertex whose triangles have no area gets +y.
 void generate_normals(Mesh& mesh);
 
-// Gives every triangle three vertices of its own and its face normal. glTF requires flat normals for a mesh
-// that has no normals.
+// Gives every triangle its own three vertices, and gives these vertices the normal of the triangle. glTF
+// requires flat normals for a mesh that has no normals.
 void make_flat(Mesh& mesh);
 
 // Computes the tangents; the mesh must already have normals. A vertex that belongs to triangles with mirrored

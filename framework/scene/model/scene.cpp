@@ -19,8 +19,8 @@ namespace {
 // Distance of the default camera from the centre of the scene, in radii of the scene's bounding sphere.
 constexpr float kFramingDistance = 1.9f;
 
-// If the instances of a scene have more vertices than this limit, its bounds are computed from the corners of
-// each mesh's bounding box instead of from all vertices. This saves time.
+// If the instances of a scene have more vertices than this limit, the bounds of the scene are computed from
+// the corners of each mesh's bounding box instead of from all vertices. This saves time.
 constexpr uint64_t kMaxExactVertices = 100'000'000;
 
 uint64_t instanced_vertices(const Scene& scene) {
@@ -35,7 +35,7 @@ void grow(Bounds& bounds, const glm::mat4& transform, const glm::vec3& position)
     bounds.max = glm::max(bounds.max, world);
 }
 
-// Returns the bounds of all instances if `moving` is true, else of those that do not move.
+// Returns the bounds of all instances if `moving` is true, otherwise only of the instances that do not move.
 std::optional<Bounds> bounds_of(const Scene& scene, bool moving) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Bounds bounds{glm::vec3(kInfinity), glm::vec3(-kInfinity)};

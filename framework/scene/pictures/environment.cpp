@@ -12,7 +12,7 @@
 namespace weft::scene {
 namespace {
 
-// Largest width in texels of the mip level that beams_of() converts to beams.
+// Largest width in texels of the mip level that beams_of() converts to beams: directions with their light.
 constexpr uint32_t kBeamColumns = 32;
 
 // The integrals of one row of texels along the azimuth. The integral of a basis function over a texel is a
@@ -73,8 +73,9 @@ std::array<glm::vec3, 9> irradiance_over_pi(uint32_t width_px, uint32_t height_p
     for (uint32_t y = 0; y < height_px; ++y)
         add_row(moments, integrate_row(texels.subspan(size_t{y} * width_px, width_px)),
                 std::numbers::pi * y / height_px, std::numbers::pi * (y + 1) / height_px);
-    // Each factor is the square of the harmonic's normalisation factor, times the factor of a cosine lobe for
-    // the order of the harmonic: 1, 2/3 and 1/4 for the orders 0, 1 and 2.
+    // Factors of the nine harmonics. Each is the product of two numbers: the square of the normalisation
+    // factor of the harmonic, and the factor by which a cosine lobe scales the harmonics of this order. For
+    // the orders 0, 1 and 2, the second number is 1, 2/3 and 1/4.
     constexpr double k0 = 1 / (4 * std::numbers::pi), k1 = 3 / (4 * std::numbers::pi) * 2 / 3,
                      k2 = 15 / (4 * std::numbers::pi) / 4;
     constexpr std::array<double, 9> kFactors{k0, k1, k1, k1, k2, k2, k2, k2 / 12, k2 / 4};
@@ -88,8 +89,8 @@ struct Beam {
     glm::dvec3 flux{0};  // Radiance of one texel times the solid angle of the texel.
 };
 
-// Converts a mip level to beams, one per texel. The level has at most kBeamColumns columns, which is enough
-// to show the directions of the light.
+// Converts a mip level to beams. Each beam has the direction of a texel and the light from this texel. The
+// level has at most kBeamColumns columns, which is enough to show the directions of the light.
 std::vector<Beam> beams_of(const PictureLevel& level) {
     std::vector<Beam> beams;
     for (uint32_t y = 0; y < level.height_px; ++y) {
@@ -127,7 +128,7 @@ glm::dvec3 darkest_side(const std::vector<Beam>& beams) {
     return least;
 }
 
-// Returns true if the harmonics give at least `least` in all directions side(i).
+// Returns true if the irradiance / π that the harmonics give is at least `least` in all directions side(i).
 bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec3& least) {
     for (int i = 0; i < kSides; ++i) {
         const std::array<float, 9> basis = environment_basis(glm::vec3(side(i)));
@@ -144,7 +145,8 @@ bool nowhere_below(const std::array<glm::vec3, 9>& coefficients, const glm::dvec
 // Sloan, "Deringing Spherical Harmonics", 2017.
 std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coefficients,
                                          const PictureLevel& level) {
-    // The window is strong enough when the sum is nowhere below this share of the darkest side's irradiance.
+    // The window is strong enough if the sum of harmonics is at least this share of the smallest exact
+    // irradiance in all 128 directions side(i).
     constexpr double kMostOfIt = 0.7;
     const glm::dvec3 least = darkest_side(beams_of(level)) * kMostOfIt;
     std::array<glm::vec3, 9> calm = coefficients;
@@ -155,7 +157,8 @@ std::array<glm::vec3, 9> without_ringing(const std::array<glm::vec3, 9>& coeffic
     return calm;
 }
 
-// Returns Environment::irradiance_over_pi for a picture.
+// Returns Environment::irradiance_over_pi for a picture: the coefficients of the harmonics after
+// without_ringing().
 std::array<glm::vec3, 9> calm_irradiance_over_pi(uint32_t width_px, uint32_t height_px,
                                                  std::span<const glm::vec3> texels) {
     const std::array<glm::vec3, 9> coefficients = irradiance_over_pi(width_px, height_px, texels);

@@ -9,31 +9,36 @@
 namespace weft::scene {
 namespace {
 
-constexpr double kMedians = 30;       // A region's texels are brighter than this number of medians.
-constexpr double kLeastShare = 0.02;  // Share of the picture's light that a sun has at least.
+// A texel belongs to a region if it is brighter than this number times the median of the picture.
+constexpr double kMedians = 30;
+// The light of a sun is at least this share of the light of the picture.
+constexpr double kLeastShare = 0.02;
 constexpr double kMostRadius_rad = 10 * std::numbers::pi / 180;
 // A region with at most this radius may have any shape that is not elongated, because highlights of this size
 // do not show the shape. Larger regions must look like a uniform disc.
 constexpr double kSmallRadius_rad = 2 * std::numbers::pi / 180;
-constexpr double kMostTexels = 2.5;      // The same limit in texels: so few texels do not show the shape.
-constexpr double kMostMisplaced = 0.08;  // Share of the light that a uniform disc has at another place.
-// Largest (radius of the light's spread)² / (radius of a disc with the region's solid angle)². It is 1 for a
-// disc and 0.52 · (k + 1 / k) for a rectangle with the sides' ratio k.
+constexpr double kMostTexels = 2.5;  // The same limit in texels: a shape of so few texels is not visible.
+// A region looks like a disc if misplaced_share() is at most this value.
+constexpr double kMostMisplaced = 0.08;
+// Largest value of (radius of the spread of the light)² / (radius of a disc with the solid angle of the
+// region)². The quotient of a disc is 1. The quotient of a rectangle is 0.52 · (k + 1 / k), where k is the
+// ratio of its sides.
 constexpr double kMostElongation = 2;
 
 double luminance_of(const glm::vec3& texel) {
     return glm::dot(glm::dvec3(texel), glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
-// Integrals over the texels of one row, for the exact sums over a region.
+// Integrals over a texel of one row. They are exact, so that the sums over the texels of a region are exact,
+// too.
 struct RowShape {
     double solid_angle = 0;  // Solid angle of one texel.
     double across = 0;  // ∫ sin² θ over the row's polar angles θ, times 2 sin(half the texel's azimuth).
-    double up = 0;      // ∫ cos θ over one texel, the y of its direction.
+    double up = 0;      // ∫ cos θ over the solid angle of a texel; cos θ is the y of a direction.
     double sides2 = 0;  // width² + height² of a texel, in rad².
 };
 
-// Light that comes from a set of texels.
+// The sums over the light that comes from a set of texels.
 struct RegionLight {
     double solid_angle = 0;
     double flux = 0;                           // ∫ luminance.
@@ -41,7 +46,8 @@ struct RegionLight {
     std::array<glm::dvec3, 3> channel_flow{};  // ∫ radiance × direction for each channel.
     double sides2 = 0;                         // ∫ luminance × RowShape::sides2.
     [[nodiscard]] double spread_rad() const {
-        // The mean direction of a uniform disc with the radius a has the length cos²(a / 2).
+        // The mean direction of a uniform disc with the radius a has the length cos²(a / 2). So 1 minus this
+        // length is sin²(a / 2), and the radius follows from it.
         const double missing = std::clamp(1 - glm::length(flow) / flux, 0.0, 1.0);
         return 2 * std::asin(std::sqrt(missing));
     }
@@ -59,8 +65,9 @@ struct RegionLight {
 // Marks of the texels. A mark from 1 to kMostLevels is a level: the texel is in a region of this level; see
 // find_candidates().
 constexpr uint16_t kUnseen = 0, kInside = 0xFFFE, kRing = 0xFFFF;
-// The threshold of the next level is the larger of two values: kLevelStep times the threshold of this level,
-// and kLevelMean times the mean luminance of the region.
+// find_candidates() tests regions again with higher thresholds, called levels. The threshold of the next
+// level is the larger of two values: kLevelStep times the threshold of this level, and kLevelMean times the
+// mean luminance of the region.
 constexpr double kLevelStep = 2, kLevelMean = 0.25;
 constexpr uint16_t kMostLevels = 32;
 
@@ -105,8 +112,9 @@ class SunFinder {
         double flux = 0;
     };
 
-    // Clears bad channels, adds up the light of the picture, and finds the median. The histogram has one bin
-    // for each value of the upper 16 bits of a float, so the median is exact to 0.8 %.
+    // Sets channels that are negative or not finite to 0, adds up the light of the picture, and finds the
+    // median of the luminance. The histogram has one bin for each value of the upper 16 bits of a float, so
+    // the median is exact to 0.8 %.
     void find_threshold() {
         std::vector<double> histogram(size_t{1} << 16);
         double all = 0;
@@ -129,8 +137,9 @@ class SunFinder {
     }
 
     // Calls `visit(i)` for each texel that touches texel i, also across the border and over a pole. All
-    // texels of the first row touch each other, and so do all texels of the last row. `poles` stores which of
-    // these two rows was already visited as a whole, so that a fill visits each of them only once.
+    // texels of the first row touch each other, and so do all texels of the last row. `poles` stores for each
+    // of these two rows whether the whole row was already visited. So fill() visits each of the two rows only
+    // once.
     template <typename Visit>
     void visit_neighbours(uint32_t i, std::array<bool, 2>& poles, const Visit& visit) const {
         const uint32_t x = i % width_, y = i / width_;
@@ -147,8 +156,8 @@ class SunFinder {
         }
     }
 
-    // Puts the region around `seed` into region_: texels with the mark `from` that are brighter than
-    // `threshold`. They get the mark `to`.
+    // Puts the region around `seed` into region_: the connected texels that have the mark `from` and are
+    // brighter than `threshold`. These texels get the mark `to`.
     void fill(uint32_t seed, double threshold, uint16_t from, uint16_t to) {
         region_.assign(1, seed);
         marks_[seed] = to;

@@ -29,8 +29,8 @@ inline constexpr size_t kMostSuns = 16;
 
 // Returns the suns, the one with the largest illuminance first. Replaces the texels of each sun by the median
 // of the texels around it, separately for each channel. Channels that are negative or not finite become 0.
-// The time is proportional to the number of texels, at most 32 times that of a picture without bright
-// regions.
+// The time is proportional to the number of texels. A picture with bright regions takes at most 32 times as
+// long as a picture of the same size without them.
 [[nodiscard]] std::vector<PictureSun> extract_suns(uint32_t width_px, uint32_t height_px,
                                                    std::span<glm::vec3> radiance);
 

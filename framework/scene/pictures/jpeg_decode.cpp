@@ -78,8 +78,8 @@ void begin(JpegReader& reader) {
     jpeg_read_header(&reader.info, TRUE);
 }
 
-// Reads the size of the picture into `size`. Returns false after a fault and stores the text in
-// `reader.error`.
+// Reads the size of the picture into `size`. After a fault, stores the text of the fault in `reader.error`
+// and returns false.
 bool read_header(JpegReader& reader, ImageSize& size) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg requires longjmp after an error
     begin(reader);
@@ -97,7 +97,7 @@ void write_cmyk_row(const JSAMPLE* cmyk, uint32_t width_px, uint8_t* rgba) {
 }
 
 // Decodes all rows; read_header() must have been called before. `most_bytes` is the limit for the memory of
-// libjpeg. Returns false after a fault and stores the text in `reader.error`.
+// libjpeg. After a fault, stores the text of the fault in `reader.error` and returns false.
 bool decode_jpeg_rows(JpegReader& reader, uint64_t most_bytes) {
     if (setjmp(reader.way_out) != 0) return false;  // NOLINT: libjpeg requires longjmp after an error
     jpeg_decompress_struct& info = reader.info;

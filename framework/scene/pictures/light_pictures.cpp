@@ -13,8 +13,8 @@ namespace {
 
 constexpr uint32_t kSize = kLightPictureSize_px;
 
-// Returns the index of the smallest mip level whose width and height are at least kSize; 0 if no level is so
-// large.
+// Returns the index of the smallest mip level whose width and height are at least kSize; 0 if all levels are
+// smaller.
 uint32_t source_mip(const Texture& texture) {
     uint32_t mip = 0;
     while (mip + 1 < texture.mips.size() &&

@@ -56,7 +56,8 @@ class Decoder {
     }
 
  private:
-    // The value of each byte in the space in which texels are filtered.
+    // Tables with one value for each byte: the value that the filters use. It is linear light for sRGB
+    // colours, −1 to 1 for normals, and 0 to 1 for other data.
     std::array<float, 256> color_{}, alpha_{};
 };
 
@@ -78,8 +79,8 @@ void encode(const glm::vec4& value, TexelMeaning meaning, float alpha_scale, uin
     texel[3] = to_byte(value.a * alpha_scale);
 }
 
-// Makes a mip level of half the size. `fetch(x, y)` returns a source texel in the space in which texels are
-// filtered.
+// Makes a mip level of half the size. `fetch(x, y)` returns a source texel in the form in which texels are
+// filtered: linear light for colours, −1 to 1 for normals.
 template <class Fetch>
 MipLevel halve(uint32_t width_px, uint32_t height_px, const Fetch& fetch) {
     MipLevel out{std::max(1u, width_px / 2), std::max(1u, height_px / 2), {}};

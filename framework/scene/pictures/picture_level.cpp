@@ -10,13 +10,13 @@ namespace {
 
 // Largest value that glm stores in the shared-exponent format (E5B9G9R9).
 constexpr float kMostStored = 32768;
-// Largest factor for stored texels. kMostStored times this factor is more than the luminance of the sun's
-// disc.
+// Largest factor by which stored texels are multiplied when they are read. kMostStored times this factor is
+// more than the luminance of the sun's disc.
 constexpr float kMostScale = 65536;
 
-// A picture is made smaller along one axis. This is the range of source texels along this axis that one texel
-// of the smaller picture covers. `begin` and `end` are the exact limits of the range as fractional positions,
-// measured in source texels.
+// For a picture that is made smaller along one axis: the range of source texels that one texel of the smaller
+// picture covers along this axis. `begin` and `end` are the exact limits of the range as fractional
+// positions, measured in source texels.
 struct Cover {
     uint32_t first = 0;
     uint32_t last = 0;  // Index of the last source texel in the range, inclusive.

@@ -28,8 +28,8 @@ struct PictureLevel {
 
 // Returns the largest channel of all texels.
 [[nodiscard]] float brightest(std::span<const glm::vec3> texels);
-// Returns the factor for stored texels: 1, or a larger power of two if a value exceeds the range of the
-// format.
+// Returns the factor by which texels in the shared-exponent format (E5B9G9R9) must be multiplied when they
+// are read. It is 1, or a larger power of two if a value exceeds the range of the format.
 [[nodiscard]] float stored_scale(std::span<const glm::vec3> texels);
 // Returns the texels divided by `scale`, in the shared-exponent format (E5B9G9R9).
 [[nodiscard]] std::vector<uint32_t> packed(std::span<const glm::vec3> texels, float scale);

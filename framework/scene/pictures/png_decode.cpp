@@ -112,7 +112,7 @@ void ask_for_rgba(png_structp png, bool wide) {
 }
 
 // Decodes all rows into `reader.rgba`. The caller has allocated `reader.rgba` for `width` and `height`, the
-// values from the header. Returns false after a fault and stores the text in `reader.error`.
+// values from the header. After a fault, stores the text of the fault in `reader.error` and returns false.
 bool decode_png_rows(PngReader& reader, uint32_t width, uint32_t height) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;  // NOLINT: libpng reports errors with longjmp
     limit(reader.png);

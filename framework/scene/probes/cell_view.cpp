@@ -10,13 +10,13 @@
 namespace weft::scene {
 namespace {
 
-// A box is divided into this many parts along each axis. Each part has at most one place for each of the six
-// directions that surfaces can face.
+// Surfaces in a box are tested at places in front of them. The box is divided into this many parts along each
+// axis. Each part has at most one place for each of the six directions (±x, ±y, ±z) that surfaces can face.
 constexpr int kParts = 3;
 constexpr size_t kPlaces = size_t{kParts} * kParts * kParts * 6;
-// Places on a polygon lie on lines from its centre to its corners and to the middles of its edges, at these
-// shares of the length of the line. Lines to corners have places at both shares, lines to the middles of
-// edges only at kNearCorner.
+// The places before a polygon are chosen on lines from its centre to its corners, and to the middles of its
+// edges. The constants are positions on such a line: 0 is the centre, 1 is the end. Lines to corners have
+// places at both positions, lines to the middles of edges only at kNearCorner.
 constexpr double kNearCorner = 0.85, kNearMiddle = 0.5;
 
 using Polygon = std::vector<glm::dvec3>;
@@ -46,8 +46,8 @@ bool is_smaller(const glm::vec3& a, const glm::vec3& b) {
     return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-// Keeps one place for each part of the box and each direction: the one with the smallest coordinates, so that
-// the order of the triangles does not matter.
+// Keeps at most one place for each part of the box and each of the six directions. Of several places, the one
+// with the smallest coordinates is kept, so that the order of the triangles does not matter.
 class PlaceList {
  public:
     explicit PlaceList(const Bounds& box) : box_(box), places_(kPlaces) {}

@@ -1,13 +1,14 @@
-// Chooses a grid for a whole scene. It begins with coarse cells near all surfaces. Then it splits cells into
-// eight. Where possible, all cells of a group are split, so that similar places have similar spacings:
-// 1. Single cells with a free place that none of their probes sees.
+// Chooses a grid for a whole scene. The grid begins with coarse cells near all surfaces. Then the following
+// steps split cells into eight. Where possible, a step splits all cells of one kind together, so that similar
+// places have similar spacings:
+// 1. Single cells with a free place that no probe of the cell sees.
 // 2. All cells in rooms whose smallest dimension is less than four spacings of the cell, until the spacing is
 // small enough for objects.
 // 3. All cells in the open whose surfaces are not parallel, until the spacing is twice that of step 2.
-// 4. All cells in rooms, until the spacing is the finest.
-// 5. Single cells that still need a smaller spacing, because their whole group needed too many probes. The
-// cells with the greatest need are split first.
-// 6. With the probes that are left: all cells of a level, first those whose surfaces are not parallel.
+// 4. All cells in rooms that still need a smaller spacing, until the spacing is the smallest one of the grid.
+// 5. Single cells that still need a smaller spacing, because all cells of their kind together needed too many
+// probes. The cells with the greatest need are split first.
+// 6. With the probes that are left: all cells of one size, first the cells whose surfaces are not parallel.
 // 7. Single cells with objects, if the spacing of the cell is more than a quarter of the distance of the
 // surfaces around it.
 #include <algorithm>
@@ -25,17 +26,20 @@ namespace {
 constexpr size_t kMostCells = 600;
 // Splitting ends when this many grid points were examined.
 constexpr size_t kMostExamined = 4096;
-// The spacing in a room is at most its smallest dimension divided by this.
+// The spacing in a room is at most the smallest dimension of the room divided by this number.
 constexpr double kSpacingsPerRoom = 4;
-// Smaller gaps between surfaces count as rooms of this size, in finest spacings.
+// A gap between surfaces that is smaller than this counts as a room of this size. Unit: the smallest spacing
+// of the grid.
 constexpr double kSmallestRoom = 4;
-// Objects in the open need as many probes as a room of this size, in finest spacings.
+// Cells with objects in the open are split as if they were in a room of this size. Unit: the smallest spacing
+// of the grid.
 constexpr double kObjectRoom = 8;
 // A cell is not split if its parts need too many probes. After this many such cells, split_worst() ends.
 constexpr uint32_t kMostFailures = 32;
-// Several minor grid points can share a probe. At first, each minor grid point counts as one eighth of a
-// probe. If the volume then has too many probes, the fit is repeated with the next number of eighths. With
-// the last number, a minor grid point counts as a whole probe, so the volume cannot have too many.
+// Several minor grid points (where few probes are enough) can share a probe. At first, each minor grid point
+// counts as one eighth of a probe. If the volume then has too many probes, the fit is repeated with the next
+// number of eighths. With the last number, a minor grid point counts as a whole probe, so the volume cannot
+// have too many probes.
 constexpr std::array<uint32_t, 6> kMinorEighths{1, 2, 3, 4, 6, 8};
 
 class Fit {
@@ -43,8 +47,8 @@ class Fit {
     Fit(ProbeGrid& grid, const PlacementParams& params, int base)
         : grid_(grid), params_(params), base_(base) {}
 
-    // Adds the cells near surfaces with the stride base_. Returns false if there are too many of them, or if
-    // they need more than three quarters of the probes.
+    // Adds all cells near surfaces that have the stride base_. Returns false if there are too many of these
+    // cells, or if they need more than three quarters of the permitted probes.
     [[nodiscard]] bool begin() {
         std::optional<std::vector<GridCell>> cells = grid_.cells_near_surfaces(base_, kMostCells);
         if (!cells || !grid_.exchange({}, *cells, params_.most_probes * 3 / 4)) return false;
@@ -87,8 +91,9 @@ class Fit {
         return found;
     }
 
-    // True if the surfaces of the cell are not parallel, and a probe that is not minor sees one of them. So
-    // an edge that only the open sky surrounds does not count.
+    // True if the surfaces of the cell are not parallel, and if one of them is visible from a probe that is
+    // not minor. Probes that see much of the sky are minor. So the edge of a roof with only the sky around it
+    // does not count as an object.
     [[nodiscard]] bool has_objects(const GridCell& cell) const {
         return grid_.nearness_per_m(cell) > 0 && grid_.is_uneven(cell);
     }
@@ -99,8 +104,8 @@ class Fit {
         return found;
     }
 
-    // Replaces the cells by their parts, if there are enough probes for all of them. Adds the parts to
-    // `parts`.
+    // Replaces each of the cells by its parts (cells of half the size) if there are enough probes for all
+    // parts. Adds the parts to `parts`.
     bool split(const std::vector<GridCell>& cells, std::vector<GridCell>& parts) {
         if (grid_.examined() > kMostExamined) return false;
         for (const GridCell& cell : cells) {
@@ -125,7 +130,8 @@ class Fit {
     struct Need {
         double need = 0;
         GridCell cell;
-        // The cell with the largest Need in this order is split first.
+        // std::priority_queue returns the largest element in this order first. So the cell with the largest
+        // `need` is split first.
         bool operator<(const Need& other) const {
             if (need != other.need) return need < other.need;
             return PointOrder{}(other.cell.at, cell.at);
@@ -154,8 +160,8 @@ class Fit {
         return found;
     }
 
-    // Splits all cells with a need above 1, the one with the greatest need first. The parts of a split cell
-    // are treated in the same way.
+    // Splits all cells for which need_of() is above 1, the cell with the greatest need first. The parts of a
+    // split cell are treated in the same way.
     void split_worst(const std::function<double(const GridCell&)>& need_of) {
         std::priority_queue<Need> needs;
         const auto consider = [&](const GridCell& cell) {

@@ -12,13 +12,14 @@ namespace {
 
 using Seen = std::bitset<kMostIrradianceProbes>;
 
-// A reflection probe must be the first that sees at least 1 / kLeastPart of all irradiance probes. Minor
-// probes count less.
+// A new reflection probe must see at least 1 / kLeastPart of all irradiance probes. Irradiance probes that an
+// earlier reflection probe sees do not count for it. Minor probes count less; see kMinorValue.
 constexpr double kLeastPart = 16;
-// A minor probe counts as this part of a probe, because surfaces near it mostly reflect the sky.
+// A minor probe (in the open, or in a closed shell) counts as this part of a probe, because surfaces near it
+// mostly reflect the sky.
 constexpr double kMinorValue = 0.05;
-// In finest spacings. An irradiance probe at this distance counts half. An irradiance probe at more than
-// twice this distance does not count.
+// An irradiance probe at this distance counts half. An irradiance probe at more than twice this distance does
+// not count. Unit: the smallest spacing of the grid.
 constexpr double kHalfDistance = 16;
 
 }  // namespace

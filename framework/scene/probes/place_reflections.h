@@ -7,8 +7,9 @@
 
 namespace weft::scene {
 
-// Chooses the probe that sees most others, then the one that sees most of the rest, and so on, until the next
-// one would see few more.
+// Chooses places of irradiance probes for the reflection probes. First chooses the place that sees most
+// irradiance probes. Then chooses the place that sees most of the remaining irradiance probes, and so on.
+// Ends when the next place would see only few more.
 [[nodiscard]] std::vector<ReflectionProbe> place_reflections(const TriangleTree& tree,
                                                              const ProbeVolume& volume, uint32_t threads);
 

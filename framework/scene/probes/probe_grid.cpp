@@ -13,16 +13,19 @@ namespace {
 // Number of cells that are examined together, in parallel. After each such batch, the number of probes is
 // compared with the limit.
 constexpr size_t kBatch = 32;
-// A probe counts as eight eighths.
+// A probe that is not minor counts as eight eighths of a probe; see clear().
 constexpr uint32_t kEighths = 8;
-// A surface counts for the cells that are at most this far away, in spacings of the cell.
+// A cell is used if it contains a surface, or if it is in front of a surface at a distance of at most this
+// share of the side of the cell.
 constexpr float kMargin = 0.25f;
-// Places at this distance from their surface must see a probe, in finest spacings.
+// Places at this distance in front of a surface must be visible from a probe. Unit: the smallest spacing of
+// the grid.
 constexpr float kClose = 0.2f;
 // A grid point has no probe if no surface touches a cube around the point. Half of the side of this cube is
-// the spacing of the largest cell that can have this corner, but at least this many finest spacings.
+// the side of the largest cell that can have this point as a corner, but at least kFar times the smallest
+// spacing of the grid.
 constexpr float kFar = 5;
-// The smallest distance between a probe and a surface, in finest spacings.
+// The smallest distance between a probe and a surface. Unit: the smallest spacing of the grid.
 constexpr float kClearance = 0.1f;
 
 glm::ivec3 part_offset(int corner) {
@@ -139,7 +142,8 @@ int ProbeGrid::coarsest_stride(const glm::ivec3& at) const {
     return stride;
 }
 
-// Calls settle_probe() for points that have no result yet, and stores the results.
+// Decides for each of these points whether it has a probe, and at which place. Stores the results. The caller
+// passes only points that have no result yet.
 void ProbeGrid::settle(const std::vector<glm::ivec3>& points) {
     std::vector<Settled> settled(points.size());
     run_on_threads(points.size(), threads_, [&](size_t i) {
@@ -167,8 +171,8 @@ CellView ProbeGrid::view_of(const GridCell& cell) const {
                         {kClose * spacing_m_, kMargin * size_m, kClearance * spacing_m_});
 }
 
-// Settles the corners of the cells, and finds what the probes at these corners see. Skips corners and cells
-// whose result is already known.
+// Calls settle() for the corners of the cells. Then finds out which surfaces of a cell the probes at its
+// corners see. Skips corners and cells whose result is already known.
 void ProbeGrid::examine(std::span<const GridCell> cells) {
     std::set<glm::ivec3, PointOrder> unknown;
     for (const GridCell& cell : cells)

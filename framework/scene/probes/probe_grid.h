@@ -18,7 +18,8 @@ struct PointOrder {
     bool operator()(const glm::ivec3& a, const glm::ivec3& b) const;
 };
 
-// A cube of the grid. Its corners are `at` and at + stride along each axis.
+// A cube of the grid. `at` is its corner with the smallest coordinates, and `stride` is the length of its
+// sides. Both are multiples of the smallest spacing of the grid.
 struct GridCell {
     glm::ivec3 at{0};
     int stride = 1;
@@ -28,10 +29,11 @@ struct GridCell {
 
 class ProbeGrid {
  public:
-    // `top` is the largest stride that cells have.
+    // `top` is the largest stride of a cell: the length of its sides, divided by `spacing_m`.
     ProbeGrid(const TriangleTree& tree, glm::vec3 origin, float spacing_m, int top, uint32_t threads);
 
-    // Removes all cells. From now on, a minor probe counts as this many eighths of a probe.
+    // Removes all cells. From now on, a minor probe counts as `minor_eighths` eighths of a probe; see
+    // Surroundings::is_minor.
     void clear(uint32_t minor_eighths);
 
     // Returns the cells of this stride near the front of a surface, in the order of their points. Returns
@@ -41,23 +43,25 @@ class ProbeGrid {
     // Splits the cell into eight cells of half the stride. Returns those that are near a surface.
     [[nodiscard]] std::vector<GridCell> parts_of(const GridCell& cell) const;
     [[nodiscard]] bool is_uneven(const GridCell& cell) const;
-    // Divides the cell into parts with the stride `pitch`. Returns the smallest room_size_at() of the middles
-    // of all parts that are near a surface; infinity if none of them is in a room.
+    // Divides the cell into parts with the stride `pitch`. Calls room_size_at() for the middle of each part
+    // that is near a surface: the smallest dimension of the room around this middle. Returns the smallest of
+    // these results; infinity if none of the middles is in a room.
     [[nodiscard]] double room_size(const GridCell& cell, int pitch) const;
-    // True if there is a free place in front of a surface of the cell that no probe at a corner of the cell
-    // sees. The cell must have been added.
+    // True if the cell has a free place in front of a surface that no probe at a corner of the cell sees.
+    // exchange() must have added the cell before.
     [[nodiscard]] bool has_dark_place(const GridCell& cell) const;
 
     // Returns the mean of Surroundings::nearness_per_m of the probes that see a surface of the cell. Returns
-    // 0 if all these probes are minor. The cell must have been added.
+    // 0 if all these probes are minor (Surroundings::is_minor). exchange() must have added the cell before.
     [[nodiscard]] double nearness_per_m(const GridCell& cell) const;
 
-    // Removes the cells `gone`, which were added before, and adds the cells `fresh`. If there were then more
-    // than `most` probes at the corners of all cells, changes nothing and returns false.
+    // Removes the cells `gone`, which were added before, and adds the cells `fresh`. If the corners of all
+    // cells would then have more than `most` probes, changes nothing and returns false.
     bool exchange(const std::vector<GridCell>& gone, const std::vector<GridCell>& fresh, uint32_t most);
     // Returns the number of grid points for which settle_probe() has looked for a place.
     [[nodiscard]] size_t examined() const { return points_.size(); }
-    // Returns the volume. `around_camera` is stored in it.
+    // Returns the volume, the finished grid with its probes. ProbeVolume::around_camera becomes
+    // `around_camera`.
     [[nodiscard]] ProbeVolume volume(std::vector<uint32_t> strides, bool around_camera) const;
 
     [[nodiscard]] glm::vec3 position(const glm::ivec3& at) const {
@@ -87,7 +91,8 @@ class ProbeGrid {
     std::map<glm::ivec3, Point, PointOrder> points_;
     std::map<CellKey, CellView> views_;
     uint32_t minor_eighths_ = 8;
-    uint64_t eighths_ = 0;  // Number of probes at the corners of all cells, in eighths.
+    // Eighths of a probe, summed over the probes at the corners of all cells; see clear().
+    uint64_t eighths_ = 0;
 };
 
 // Returns the volume with one entry for each point of a grid of this size. settle_probe() keeps, moves or

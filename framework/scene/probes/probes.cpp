@@ -7,18 +7,20 @@
 namespace weft::scene {
 namespace {
 
-// Bytes for one texel of what a probe sees: albedo and metalness (4), normal (4), distance with the side of
-// the surface (4), emission (8).
+// Bytes for one texel of the images that show what a probe sees: albedo and metalness (4), normal (4),
+// distance with the side of the surface (4), emission (8).
 constexpr uint64_t kSeenTexelBytes = 20;
 // Bytes for one texel of the light that a reflection probe shows (four half floats). Its mips add a third.
 constexpr uint64_t kLightTexelBytes = 8;
 constexpr uint64_t kFaces = 6;
 constexpr uint64_t kProbeSide_px = 32;
 constexpr uint64_t kReflectionSide_px = 128;
-// Bytes for an octahedral map of 32 × 32 texels with a border of one texel. Each texel has a plane and the
-// deviation of the surfaces from this plane, in four half floats.
+// Bytes for an octahedral map of 32 × 32 texels with a border of one texel. Each texel has, in four half
+// floats, the plane of the surface that the probe sees there, and the deviation of the surface from this
+// plane.
 constexpr uint64_t kMomentBytes = 34ull * 34 * 8;
-// Nine coefficients of spherical harmonics with three colours, four floats each; see kProbeShStride.
+// Bytes for nine coefficients of spherical harmonics, each with three colours in four floats. A probe has 16
+// such elements, but the last seven are not used; see kProbeShStride.
 constexpr uint64_t kHarmonicsBytes = 16ull * 16;
 
 }  // namespace
@@ -34,7 +36,9 @@ uint32_t count_of(const ProbeVolume& volume, ProbeState state) {
 std::vector<ProbeCell> cells_of(const ProbeVolume& volume) {
     std::map<glm::ivec3, uint32_t, PointOrder> indices;
     for (uint32_t i = 0; i < volume.probes.size(); ++i) indices[volume.probes[i].at] = i;
-    // Returns the index of the probe that gives the light of a grid point.
+    // Returns the index of the probe that gives the light of the grid point `index`: the probe of the point,
+    // or its substitute if that probe is dropped. Returns kNoProbe if there is no such probe, or if the probe
+    // of the point has moved by more than `reach_m`.
     const auto probe_for = [&](uint32_t index, float reach_m) {
         const Probe& probe = volume.probes[index];
         if (probe.state != ProbeState::dropped)

@@ -1,6 +1,6 @@
 // Purpose: the two ways in which a scene gets its grid of irradiance probes. A small scene gets cells near
-// all of its surfaces; cells are split where they are too coarse. A large scene gets three levels around a
-// camera.
+// all of its surfaces; cells are split where they are too coarse. A large scene gets three nested levels of
+// cells around a camera.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,13 @@
 
 namespace weft::scene {
 
-// The largest spacing near objects and the largest spacing on open ground, in finest spacings.
+// The largest spacing of probes near objects, and the largest spacing on open ground. Unit: the smallest
+// spacing of the grid.
 inline constexpr int kObjectStride = 4;
 inline constexpr int kGroundStride = 32;
 
-// Returns nullopt if three quarters of the probes are not enough for the whole scene with the coarsest cells.
+// Returns nullopt if the whole scene needs more than three quarters of the permitted probes even with the
+// coarsest cells.
 [[nodiscard]] std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementParams& params,
                                                     uint32_t threads);
 [[nodiscard]] ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& params,

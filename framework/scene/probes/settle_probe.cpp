@@ -55,9 +55,9 @@ bool is_buried(const TriangleTree& tree, const glm::vec3& point) {
     return inside >= kLeastBuried;
 }
 
-// Returns moves that lead out of an object, the shortest first. Each move ends a little behind the inside of
-// a surface, and none is longer than limits.reach_m. The result is empty if the point is not inside of an
-// object.
+// Returns moves that lead out of an object, the shortest first. Each move follows a ray to the inside of a
+// surface of the object, and ends a little beyond this surface. No move is longer than limits.reach_m. The
+// result is empty if the point is not inside of an object.
 std::vector<Move> exits_from(const TriangleTree& tree, const glm::vec3& point, const SettleLimits& limits) {
     const double behind_m = 2.0 * double{limits.clearance_m};
     std::vector<Move> exits;

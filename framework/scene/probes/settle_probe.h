@@ -34,8 +34,8 @@ struct SettleLimits {
 
 // Keeps the probe at the point if it can stand there. Otherwise tries moves, the shortest first: out of an
 // object along a ray through the inside of a surface, and away from a surface that is too near. Takes the
-// first place that is not minor. If there is none, takes the first place where the probe can stand. If there
-// is no such place, drops the probe.
+// first place where the probe is not minor. If all places are minor, takes the first place where the probe
+// can stand. If the probe can stand at no place, drops it.
 [[nodiscard]] Settled settle_probe(const TriangleTree& tree, const glm::vec3& point,
                                    const SettleLimits& limits);
 

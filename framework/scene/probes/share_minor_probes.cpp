@@ -11,15 +11,16 @@
 namespace weft::scene {
 namespace {
 
-// A probe can be the substitute of another probe that is at most this far away, in spacings of the finest
-// cell of the other probe. The values are tried in turn, until one saves enough probes.
+// A probe can be the substitute of another probe if their distance is at most this value. Unit: the side of
+// the finest cell that has the other probe at a corner. The values are tried in turn, until one of them saves
+// enough probes.
 constexpr std::array<float, 5> kReaches{1.1f, 1.5f, 2.1f, 3, 4.2f};
 // At most 1 / kHiddenPart of the places that a probe sees may be hidden from its substitute.
 constexpr size_t kHiddenPart = 10;
 // For each probe, at most kMostPlaces places are compared, and at most kMostCandidates substitutes are tried.
 constexpr size_t kMostPlaces = 64;
 constexpr size_t kMostCandidates = 6;
-// Places at this distance in front of surfaces are compared, in finest spacings of the volume.
+// The compared places are at this distance in front of surfaces. Unit: the smallest spacing of the volume.
 constexpr float kBefore = 0.2f;
 
 struct MinorProbe {
@@ -56,7 +57,8 @@ class Sharing {
         find_places();
     }
 
-    // Finds substitutes within this reach. Returns the number of probes that have one.
+    // Finds a substitute for each minor probe, at a distance of at most `reach`; see kReaches. Returns the
+    // number of probes that have a substitute.
     uint32_t share(float reach) {
         uint32_t saved = 0;
         std::vector<const MinorProbe*> kept;
@@ -167,9 +169,9 @@ class Sharing {
     ProbeVolume& volume_;
     uint32_t threads_;
     std::vector<ProbeCell> cells_;
-    std::map<std::array<int, 4>, bool> found_;  // The cells that exist.
+    std::map<std::array<int, 4>, bool> found_;  // Keys: corner and level of each cell that exists.
     std::vector<MinorProbe> minor_;
-    std::map<std::pair<uint32_t, uint32_t>, bool> can_substitute_;  // Pairs that were compared.
+    std::map<std::pair<uint32_t, uint32_t>, bool> can_substitute_;  // Results for pairs of probes.
 };
 
 }  // namespace

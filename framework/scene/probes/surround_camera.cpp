@@ -58,8 +58,8 @@ ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& par
         glm::clamp(params.camera.value_or((bounds.min + bounds.max) * 0.5f), bounds.min, bounds.max);
     const uint32_t share = params.most_probes / kLevels;
     const glm::vec3 origin(0.5f * params.min_spacing_m);
-    // The spacings of neighbouring levels differ by a factor of 2 if the coarsest level then holds the whole
-    // scene, otherwise by a factor of 4.
+    // If three levels whose spacings differ by a factor of 2 are enough for the whole scene, the factor is 2.
+    // Otherwise it is 4.
     const ProbeGrid probe(tree, origin, params.min_spacing_m, kGroundStride, threads);
     const int finest = finest_stride(probe, around);
     const int factor = probe.cells_near_surfaces(finest * 4, share) ? 2 : 4;

@@ -15,8 +15,8 @@ struct SurfaceKind {
 // The mip of an alpha mask in which holes are searched has at most this many texels along a side.
 constexpr uint32_t kMaskSide = 64;
 
-// Returns the smallest alpha of the texture, 0 to 1. It looks at a small mip, because the mips of a mask keep
-// the share of its visible texels.
+// Returns the smallest alpha of the texture, 0 to 1. The function reads a small mip, because the mips of a
+// mask keep the share of visible texels.
 float least_alpha(const Scene& scene, uint32_t index) {
     if (index == kNone) return 1;
     const Texture& texture = scene.textures[index];

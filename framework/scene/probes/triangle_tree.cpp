@@ -14,20 +14,22 @@ namespace {
 using Node = TriangleTree::Node;
 
 constexpr uint32_t kLeafTriangles = 4;
-// From this depth on, the two children of a node get equal numbers of triangles instead of equal parts of its
-// space. This limits the depth of the tree.
+// From this depth on, the two children of a node get equal numbers of triangles. At smaller depths, they get
+// equal parts of the space of the node. This limits the depth of the tree.
 constexpr uint32_t kSpatialDepth = 40;
 constexpr size_t kDeepestStack = 96;
 // Number of subtrees that are built in parallel.
 constexpr size_t kSubtrees = 64;
-// Triangles count as parallel if no product of two coordinates of their normals differs by more than this.
+// Compares the products of two coordinates of the normals (x², xy and so on). Triangles count as parallel if
+// none of these products differs by more than this between the triangles.
 constexpr double kPlainSpread = 0.35;
-// A box with more triangles than this counts as uneven without further tests. This limits the time of a test.
+// If a box has more triangles than this, is_uneven() returns true without further tests, as for surfaces that
+// are not parallel. This limits the time of a test.
 constexpr uint32_t kDetailed = 4096;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// A part of the list of triangles that becomes a node.
+// A range of the list of triangles. One node of the tree is made from each range.
 struct Span {
     uint32_t node = 0;
     uint32_t begin = 0;
@@ -56,8 +58,8 @@ class Builder {
  public:
     explicit Builder(std::vector<SolidTriangle>& triangles) : triangles_(triangles) {}
 
-    // Fills the node of the span. Returns false if it is a leaf. Otherwise, adds its two children to `nodes`
-    // and sets the spans of the children.
+    // Fills the node of the span. Returns false if this node is a leaf. Otherwise, adds its two children to
+    // `nodes` and sets the spans of the children.
     bool divide(const Span& span, std::vector<Node>& nodes, std::array<Span, 2>& children) const {
         Bounds centres{glm::vec3(kInfinity), glm::vec3(-kInfinity)}, bounds = centres;
         for (uint32_t i = span.begin; i < span.end; ++i) {
@@ -93,7 +95,7 @@ class Builder {
     }
 
  private:
-    // Sorts the triangles of the span into two groups. Returns the beginning of the second one.
+    // Sorts the triangles of the span into two groups. Returns the beginning of the second group.
     [[nodiscard]] uint32_t cut(const Span& span, const Bounds& centres) const {
         const glm::vec3 size = centres.max - centres.min;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -115,7 +117,8 @@ class Builder {
     std::vector<SolidTriangle>& triangles_;
 };
 
-// Divides spans until there are enough for all threads. Adds their nodes to `nodes`.
+// Divides spans (ranges of the list of triangles) until there are enough spans for all threads. Adds the
+// nodes of the divided spans to `nodes`.
 std::vector<Span> first_spans(const Builder& builder, uint32_t count, std::vector<Node>& nodes) {
     nodes.assign(1, {});
     std::vector<Span> spans{{0, 0, count, 0}};
@@ -130,7 +133,8 @@ std::vector<Span> first_spans(const Builder& builder, uint32_t count, std::vecto
 
 // Puts the nodes of a subtree behind `nodes`. The root of the subtree replaces the node `root`.
 void append_subtree(const std::vector<Node>& subtree, uint32_t root, std::vector<Node>& nodes) {
-    // Node 1 of the subtree gets the index nodes.size().
+    // Node 1 of the subtree gets the index nodes.size(). So nodes.size() − 1 is added to each index of a
+    // child.
     const uint32_t shift = static_cast<uint32_t>(nodes.size()) - 1;
     for (size_t i = 0; i < subtree.size(); ++i) {
         Node node = subtree[i];
@@ -142,7 +146,7 @@ void append_subtree(const std::vector<Node>& subtree, uint32_t root, std::vector
     }
 }
 
-// A ray prepared for tests against boxes.
+// A ray in a form that is fast to test against boxes: with the inverse of its direction.
 struct Slabs {
     explicit Slabs(const Ray& ray) : origin(ray.origin) {
         for (int i = 0; i < 3; ++i)
@@ -306,8 +310,8 @@ void TriangleTree::visit(const Bounds& box, const std::function<void(const Solid
 }
 
 bool TriangleTree::is_uneven(const Bounds& box) const {
-    // Products of two coordinates are compared, because they are equal for the normals of both sides of a
-    // surface.
+    // Compares products of two coordinates of the normals, because the two sides of a surface have opposite
+    // normals, and these give the same products.
     glm::dvec3 low_squares(2), high_squares(-2), low_mixed(2), high_mixed(-2);
     bool uneven = false;
     uint32_t touching = 0;

@@ -42,9 +42,9 @@ class TriangleTree {
     [[nodiscard]] std::optional<RayHit> nearest(const Ray& ray) const;
     // True if a surface that blocks light is on the ray.
     [[nodiscard]] bool is_blocked(const Ray& ray) const;
-    // Returns the number of surfaces with an inside that the ray leaves, minus the number of those that it
-    // enters. From the inside of closed objects this is the number of objects, also if they penetrate each
-    // other.
+    // Returns the number of surfaces with an inside that the ray leaves, minus the number of such surfaces
+    // that it enters. If the ray begins inside of closed objects, the result is the number of these objects,
+    // even if they penetrate each other.
     [[nodiscard]] int depth_along(const Ray& ray) const;
     // True if a surface of any kind touches the box.
     [[nodiscard]] bool touches(const Bounds& box) const;

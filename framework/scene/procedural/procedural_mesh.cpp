@@ -12,7 +12,7 @@ namespace {
 // Cosine of the largest angle (about 35°) between two profile segments that are shaded as one smooth surface.
 constexpr float kCreaseCosine = 0.82f;
 
-// A part of a profile without sharp corners, with one normal per point.
+// A part of a profile (the outline of a shape) without sharp corners, with one normal per point.
 struct ProfileRun {
     Profile points;
     std::vector<glm::vec2> normals;
@@ -70,9 +70,9 @@ glm::vec3 any_perpendicular(glm::vec3 direction) {
     return glm::normalize(glm::cross(axis, direction));
 }
 
-// Returns the vector by which a profile point with an outward offset of 1 is moved at a corner of the path.
-// `before` and `after` are the directions of the two path segments. At a bend the vector is longer than 1, so
-// that the surfaces of both segments meet at the corner.
+// Returns the vector from a corner of the path to a profile point whose outward offset is 1. `before` and
+// `after` are the directions of the two path segments. At a bend the vector is longer than 1, so that the
+// surfaces of both segments meet at the corner.
 glm::vec3 mitre(glm::vec3 before, glm::vec3 after) {
     const glm::vec3 up{0, 1, 0};
     const glm::vec3 a = glm::cross(before, up);
@@ -93,7 +93,7 @@ uint32_t MeshBuilder::add_vertex(glm::vec3 position, glm::vec3 normal, glm::vec2
 void MeshBuilder::add_triangle(uint32_t a, uint32_t b, uint32_t c) {
     const glm::vec3 p = mesh_.positions[a];
     const glm::vec3 area = glm::cross(mesh_.positions[b] - p, mesh_.positions[c] - p);
-    // Skips triangles without area. They occur where a turned shape touches its axis.
+    // Skips triangles without area. Such triangles occur where a turned shape touches its axis.
     if (glm::dot(area, area) < 1e-16f) return;
     mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
 }

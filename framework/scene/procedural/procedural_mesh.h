@@ -29,11 +29,11 @@ struct GridPoint {
 
 struct LatheShape {
     uint32_t segments = 20;
-    // The turn starts and ends at these angles around the y axis: 0 is +z, π/2 is +x.
+    // The profile is turned around the y axis from the first angle to the second one: 0 is +z, π/2 is +x.
     float from_rad = 0;
     float to_rad = 6.283185307f;
-    // Length in metres after which the texture repeats. It is used only if u_span_m is 0: the texture then
-    // has a whole number of repeats around the shape, so that no seam is visible.
+    // Length in metres after which the texture repeats, only used if u_span_m is 0. Then the texture has a
+    // whole number of repeats around the shape, so that no seam is visible.
     float period_m = 1;
     // Distance in the texture, in metres, between the angles from_rad and to_rad. 0: the length of the arc at
     // the mean radius of the profile, rounded to a multiple of period_m.
@@ -77,8 +77,9 @@ class MeshBuilder {
     // `up`, and the normal is cross(right, up).
     void add_strip(const std::vector<glm::vec3>& low, const std::vector<glm::vec3>& high, glm::vec3 right,
                    glm::vec3 up);
-    // Adds a smooth surface through cols × rows points; point(col, row) returns a point. The front side faces
-    // cross(d/dcol, d/drow).
+    // Adds a smooth surface through cols × rows points; point(col, row) returns a point. The front faces in
+    // the direction of the cross product of two vectors: the step to the next column, and the step to the
+    // next row.
     void add_grid(uint32_t cols, uint32_t rows, const std::function<GridPoint(uint32_t, uint32_t)>& point);
     // Turns a profile around the y axis.
     void add_lathe(const Profile& profile, const LatheShape& shape);
@@ -100,7 +101,7 @@ class MeshBuilder {
     struct BoxExtent {
         glm::vec3 center;
         glm::vec3 half;
-        glm::vec3 inner;  // `half` minus the width of the bevel.
+        glm::vec3 inner;  // `half` minus the width of the bevel in each coordinate.
     };
 
     uint32_t add_vertex(glm::vec3 position, glm::vec3 normal, glm::vec2 uv);

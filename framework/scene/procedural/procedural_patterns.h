@@ -54,8 +54,8 @@ struct LeafStroke {
     float width = 40;
     LeafShape shape = LeafShape::pointed;
     glm::vec3 color_srgb{0.3f, 0.5f, 0.2f};
-    // Height of the leaf above the surface. It affects only the normal map: a leaf that is drawn later always
-    // covers the leaves before it.
+    // Height of the leaf above the surface. The height affects only the normal map: a leaf that is drawn
+    // later always covers the leaves before it.
     float depth_m = 0;
 };
 void draw_leaf(Surface& surface, const LeafStroke& leaf);

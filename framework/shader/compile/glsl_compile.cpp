@@ -16,8 +16,9 @@ IncludeAnswer refused(std::string why) {
     return {false, {}, std::move(why)};
 }
 
-// Returns the function that finds the text of an #include. It is called in this process even if the worker
-// program compiles the stage, so the same rules apply with and without a worker.
+// Returns the function that finds the text of an #include. The returned function runs in this process even if
+// the worker program (a separate process) compiles the stage. So the same rules apply with and without a
+// worker.
 IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) {
     return [&reader, limits, followed = uint64_t{0},
             refusal = std::pair<std::string, std::string>()](const IncludeRequest& request) mutable {
@@ -28,8 +29,8 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
             return refused("the stage has more than " + std::to_string(limits.includes) + " includes");
         const SourceLookup lookup = reader.read_include(request.name, request.includer, request.beside);
         if (lookup.source == nullptr) {
-            // For #include "x", glslang asks a second time, as for #include <x>. The reason of the first
-            // answer helps the user more, because it names all folders.
+            // If #include "x" finds no file, glslang asks a second time, as for #include <x>. The reason of
+            // the first answer helps the user more, because it names all searched folders.
             if (lookup.refused || request.beside) refusal = {request.name, lookup.reason};
             return refused(refusal.first == request.name ? refusal.second : lookup.reason);
         }
@@ -38,8 +39,8 @@ IncludeReader rooted_includes(SourceReader& reader, const ShaderLimits& limits) 
     };
 }
 
-// Converts the last message of the worker to the result of a compilation. Returns nullopt if the message is
-// malformed.
+// Converts the last message of the worker program to the result of a compilation. Returns nullopt if the
+// message is malformed.
 std::optional<GlslOutcome> outcome_of(Message answer) {
     if (answer.texts.empty()) return std::nullopt;
     if (answer.kind == MessageKind::failed) return GlslOutcome{false, {}, {}, std::move(answer.texts[0])};
@@ -50,15 +51,15 @@ std::optional<GlslOutcome> outcome_of(Message answer) {
 
 }  // namespace
 
-// Sends a stage to the worker and answers the include requests of the worker. Returns the last message of the
-// worker; nullopt if the worker has stopped.
+// Sends a stage to the worker program, which compiles it, and answers the include requests of the worker.
+// Returns the last message of the worker; nullopt if the worker has stopped.
 std::optional<Message> StageCompiler::converse(ShaderStage stage, const SourceText& source,
                                                const IncludeReader& includes) {
     const Message request{MessageKind::compile, static_cast<uint64_t>(stage), {source.name, source.text}};
     if (!worker_->send(request)) return std::nullopt;
     std::optional<Message> said = worker_->receive();
     for (; said && said->kind == MessageKind::include && said->texts.size() == 2; said = worker_->receive()) {
-        // The number of the request is 2 × depth, plus 1 for #include "x".
+        // The number of the request is 2 × the nesting depth of the #include, plus 1 for #include "x".
         IncludeAnswer answer =
             includes({said->texts[0], said->texts[1], said->number / 2, said->number % 2 == 1});
         Message reply{MessageKind::no_source, 0, {answer.text}};

@@ -17,8 +17,8 @@
 
 namespace weft::shader {
 
-// The result of a search for a file below one root folder: the hash of its text, or that the file does not
-// exist.
+// The result of a search for a file below one root folder: the hash of the file's text, or that the file does
+// not exist.
 struct SourceProbe {
     size_t root = 0;       // Index of the root folder.
     std::string relative;  // Path below the root folder.
@@ -38,21 +38,22 @@ class SourceReader {
     explicit SourceReader(const ShaderRoots& roots);
 
     // Reads the file of a shader reference, such as "bloom/up.comp", from the first root folder that contains
-    // it.
+    // the file.
     [[nodiscard]] SourceLookup read_reference(const std::string& relative);
-    // Reads a file from the include root only, without searching the other root folders.
+    // Reads a file from the include root (the folder shaders/include) only, without searching the other root
+    // folders.
     [[nodiscard]] SourceLookup read_shared(const std::string& relative);
     // Reads an included file. #include "x.glsl" (`beside` is true) searches the folder of the including file,
-    // then the root folder of this file, then the include root. #include <x.glsl> searches only the include
-    // root.
+    // then the root folder of this file, then the include root (the folder shaders/include). #include
+    // <x.glsl> searches only the include root.
     [[nodiscard]] SourceLookup read_include(const std::string& requested, const std::string& includer,
                                             bool beside);
-    // Searches for the file of an earlier probe again. Returns true if the result is the same as in `probe`.
+    // Repeats the earlier search whose result is `probe`. Returns true if the result is still the same.
     [[nodiscard]] bool still_so(const SourceProbe& probe);
 
     [[nodiscard]] const std::vector<SourceProbe>& probes() const { return probes_; }
     // Returns the absolute paths at which the reader searched for files, even if no file exists there. For a
-    // symbolic link, the list also contains its target.
+    // symbolic link, the list also contains the target of the link.
     [[nodiscard]] const std::vector<std::filesystem::path>& places() const { return places_; }
     [[nodiscard]] std::vector<const SourceText*> sources() const;
     [[nodiscard]] const SourceText* find(std::string_view name) const;
@@ -67,12 +68,13 @@ class SourceReader {
     };
 
     SourceLookup look(size_t root, const std::filesystem::path& relative);
-    // The folder as the user gave it.
+    // Returns the folder for messages, in the form in which the user gave its root folder.
     [[nodiscard]] std::string shown_folder(size_t root, const std::filesystem::path& relative) const;
     SourceLookup load(size_t root, const std::filesystem::path& relative, const std::filesystem::path& file);
 
     ShaderLimits limits_;
-    std::vector<Root> roots_;  // The searched root folders; the last one is the include root.
+    // The searched root folders; the last one is the include root, shaders/include.
+    std::vector<Root> roots_;
     // Real paths of the root folders and of ShaderRoots::allowed. The target of a symbolic link must be below
     // one of them.
     std::vector<std::filesystem::path> folders_;

@@ -18,7 +18,7 @@ enum class CapabilityRule : uint8_t {
     // The capability is allowed only in compute stages. If `needs` is not 0, the device must support this
     // feature.
     compute,
-    // The capability is allowed here. Reflection records it as ShaderInterface::needs_texture_tables, and
+    // The gate allows the capability. Reflection records it as ShaderInterface::needs_texture_tables, and
     // resolve() reports W231 for a pass with such a shader if the device has no tables of textures.
     tables,
     never,  // The capability is rejected, because Weft never enables it.

@@ -211,13 +211,15 @@ class FeatureCheck {
     const ShaderTarget& target_;
     InterfaceFaults& faults_;
     std::map<uint32_t, std::string> names_;
-    // Ids of types: sampled images, arrays of sampled images with a size, and such arrays without a size.
+    // Ids of types: sampled images, arrays of sampled images with a size, and arrays of sampled images
+    // without a size (tables).
     std::set<uint32_t> sampled_, sampled_arrays_, tables_;
     std::set<uint32_t> constants_;
     // Key: id of a pointer type to an image or an array of images. Arrays that may have any index are left
     // out. Value: true for an array of sampled images.
     std::map<uint32_t, bool> image_pointers_;
-    // Key: id of a variable or parameter with such a pointer type. Value: as in `image_pointers_`.
+    // Key: id of a variable or parameter whose type is a key of `image_pointers_`. Value: as in
+    // `image_pointers_`.
     std::map<uint32_t, bool> images_;
     std::set<uint32_t> said_;  // Arrays about which an error was reported.
 };

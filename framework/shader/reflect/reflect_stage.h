@@ -43,7 +43,7 @@ struct ReflectedVariable {
 struct StageReflection {
     ShaderStage stage = ShaderStage::compute;
     std::vector<ReflectedBinding> bindings;
-    std::vector<FrameRange> frame_ranges;  // As in ShaderInterface, for this stage.
+    std::vector<FrameRange> frame_ranges;  // ShaderInterface::frame_ranges of this stage alone.
     std::optional<ParamsBlock> push_constants;
     std::vector<SpecConstant> spec_constants;
     std::vector<ReflectedVariable> inputs;
@@ -52,7 +52,7 @@ struct StageReflection {
     bool discards = false;
     bool writes_depth = false;
     bool writes_point_size = false;
-    bool needs_texture_tables = false;  // As in ShaderInterface, for this stage.
+    bool needs_texture_tables = false;  // True if this stage needs texture tables; see ShaderInterface.
 };
 
 [[nodiscard]] StageReflection reflect_stage(ShaderStage stage, const std::vector<uint32_t>& spirv,

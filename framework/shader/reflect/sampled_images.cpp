@@ -25,7 +25,8 @@ bool passes_on(uint32_t opcode) {
            opcode == SpvOpSampledImage || opcode == SpvOpImage || opcode == SpvOpCopyObject;
 }
 
-// The images of a stage, sorted by the instructions that use them. All ids are those of the variables.
+// The ids of the image variables of a stage, sorted by the instructions that use the images. `measured` has
+// the images whose size the stage queries.
 struct ImageUses {
     std::map<uint32_t, std::string> names;
     std::set<uint32_t> declared, sampled, measured, passed_to_functions;

@@ -74,7 +74,9 @@ std::vector<FrameRange> used_ranges(std::span<const uint32_t> spirv, uint32_t va
         if (chain && i.operand(2) == variable)
             ranges.push_back(member_range(i, constants, members, whole));
         else if (std::ranges::find(i.operands, variable) != i.operands.end())
-            ranges.push_back(whole);  // Another use of the variable, or a number that equals its id.
+            // Any other instruction that uses the variable, or that has a number equal to its id, counts as a
+            // use of the whole block.
+            ranges.push_back(whole);
     }
     merge_ranges(ranges);
     return ranges;

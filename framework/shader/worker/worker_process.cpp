@@ -195,7 +195,7 @@ bool WorkerProcess::send(const Message& message) {
 }
 
 // Waits for the exit of a worker that has closed its socket, so that kill_for() finds its exit status. The
-// wait ends early if the worker has slept for one second in total, or has used up its time.
+// wait ends early after one second, or when the time limit of the worker has passed.
 void WorkerProcess::wait_for_end() {
     constexpr std::chrono::milliseconds kStep{1}, kMostSleep{1000};
     std::chrono::milliseconds slept{0};

@@ -33,7 +33,8 @@ class WorkerProcess {
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-    // Sets the processor time that the worker may use from now on. The worker may also sleep for this time.
+    // Sets the processor time that the worker may use from now on. The same limit applies separately to the
+    // time that the worker sleeps.
     void allow(std::chrono::milliseconds time);
     // Returns the processor time that the worker has used since its start.
     [[nodiscard]] std::chrono::milliseconds used();

@@ -17,8 +17,8 @@ Device::~Device() {
 void Device::tear_down() {
     const bool destroys = std::exchange(owned_, false) && !abandoned_;
     // The messenger is destroyed after the device, so that it also reports objects that were still alive when
-    // the device was destroyed. The messenger of an adopted device refers to this object, so it is destroyed
-    // even after abandon().
+    // the device was destroyed. The messenger of an adopted device, which the program created, refers to this
+    // object. So that messenger is destroyed even after abandon().
     if (destroys && device_ != VK_NULL_HANDLE) functions_->vkDestroyDevice(device_, nullptr);
     if (messenger_ != VK_NULL_HANDLE && (destroys || callbacks_.log))
         instance_functions_->vkDestroyDebugUtilsMessengerEXT(instance_, std::exchange(messenger_, nullptr),

@@ -152,8 +152,8 @@ DeviceProfile make_profile(const InstanceFunctions& fn, VkPhysicalDevice physica
     profile.integer_samples = v12.framebufferIntegerColorSampleCounts &
                               properties.properties.limits.sampledImageIntegerSampleCounts;
     profile.shader_capabilities = subgroup_capabilities(v11);
-    // A mask of views has 32 bits. llvmpipe (Mesa 22.3) draws the clipped triangles of all views into the
-    // first of these views, so it counts as a device without multiview.
+    // Vulkan's mask of views has 32 bits. Weft counts llvmpipe (Mesa 22.3) as a device without multiview,
+    // because it has a fault: it draws the clipped triangles of all views into the first view.
     const bool clips_wrong = v12.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
     profile.max_multiview_views = clips_wrong ? 1 : std::min(v11.maxMultiviewViewCount, 32u);
     FeatureChain all;

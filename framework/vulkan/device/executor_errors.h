@@ -2,8 +2,8 @@
 //   V411 memory, an image, a buffer or a view cannot be created
 //   V412 a pipeline cannot be created
 //   V413 descriptor sets, their layouts or a sampler cannot be created
-//   V414 the program did not provide an import, or its image has a wrong format, size or number of mips,
-//        layers or samples
+//   V414 the program did not provide an import, or the image of the import has a wrong format, size or
+//        number of mips, layers or samples
 //   V415 the DrawSource is missing or lacks a descriptor set
 //   V416 a shader reads a vertex input that the draw list does not have
 //   V417 this executor cannot run the plan

@@ -1,6 +1,6 @@
 // Purpose: maps the logical queues of a plan to the device's queues. Several logical queues share a queue if
-// the device has fewer queues. A family in which the device has no queue is replaced by the family of the
-// device's main queue.
+// the device has fewer queues. If the device has created no queue in a queue family of the plan, the family
+// of the device's main queue is used instead.
 #pragma once
 
 #include <vector>

@@ -31,7 +31,7 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Returns the switches that are on in this frame.
+// Returns the switches (parameters that turn passes on or off) that are on in this frame.
 Combination switches_in(const ResolvedGraph& graph, const FrameInput& frame) {
     Combination on = switches_of(graph);
     for (uint32_t i = 0; frame.switches != nullptr && i < graph.switches.size(); ++i) {
@@ -48,8 +48,8 @@ bool is_finished(VkResult wait) {
     return wait == VK_SUCCESS || wait == VK_ERROR_DEVICE_LOST;
 }
 
-// Returns the text about the ticket of a frame in the message that the frame did not finish; empty if the
-// frame has none.
+// Returns a text for the message that a frame did not finish. The text names the ticket of the frame, a value
+// of a timeline semaphore. It is empty if the frame has no ticket.
 std::string ticket_text(const FrameTicket& ticket) {
     if (ticket.timeline == VK_NULL_HANDLE) return {};
     return " in the command buffer of the program, with the ticket " + std::to_string(ticket.value);
@@ -163,7 +163,8 @@ Status ReplayExecutor::finish() {
     return Unit{};
 }
 
-// Chooses the rest units that run in this frame.
+// Chooses the rest units that run in this frame. In each frame, either all passes of a rest unit run, or none
+// of them.
 void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turns, uint32_t slot) {
     if (rest_.unit_count() == 0) return;
     unit_inputs_.assign(rest_.unit_count(), UnitInput(std::in_place));
@@ -179,7 +180,7 @@ void ReplayExecutor::choose_units(const FrameInput& frame, const TurnLists& turn
     name_changed_inputs({*objects_, frame, {objects_->resources, frames_run_, slot}, slot});
 }
 
-// Stores the name of the changed input for each unit that runs because an input has changed.
+// For each rest unit that runs because an input has changed, stores the name of this input.
 void ReplayExecutor::name_changed_inputs(const UnitInputContext& context) {
     const auto woken = [](const Wake& wake) { return wake.reason == WakeReason::input; };
     if (std::ranges::none_of(chosen_.wakes, woken)) return;
@@ -200,8 +201,8 @@ std::vector<uint8_t> ReplayExecutor::running_units() const {
     return runs;
 }
 
-// Lets the C++ passes prepare their data. Returns the lists of turns of the frame. They come from the
-// program, but passes may replace them.
+// Lets the C++ passes prepare their data. Returns the lists of turns of the frame: the numbers of the rounds
+// of a group that may run. The lists come from the program, but passes may replace them.
 TurnLists ReplayExecutor::prepare_uploads(const FrameInput& frame, uint32_t slot) {
     const FramePlan& plan = objects_->plan;
     const HostInputs none;
@@ -219,7 +220,7 @@ TurnLists ReplayExecutor::prepare_uploads(const FrameInput& frame, uint32_t slot
 void ReplayExecutor::record_step(const RecordContext& context, const FrameStep& recorded) {
     const FramePlan& plan = objects_->plan;
     const Position position = recorded.position;
-    // A round that does not run records nothing but the time stamps of its passes.
+    // If a round of a group does not run, only the time stamps of its passes are recorded.
     if (recorded.is_empty()) return objects_->timer.record_pass_end(context.commands, context.slot, position);
     const PassStep& step = plan.barriers.steps[position];
     const std::string& name = plan.graph.passes[step.pass].name;
@@ -272,8 +273,8 @@ void ReplayExecutor::record_frame(const FrameInput& frame, uint32_t slot) {
     }
 }
 
-// Returns 1 for each batch in which nothing was recorded, because all its passes rest, else 0. Index: batch.
-// An empty list means that no batch is empty.
+// Returns one number for each batch (a submission of passes): 1 if nothing was recorded because all passes of
+// the batch rest, else 0. An empty list means that no batch is empty.
 std::vector<uint8_t> ReplayExecutor::empty_batches() const {
     if (chosen_.wakes.empty()) return {};
     std::vector<uint8_t> resting, empty;

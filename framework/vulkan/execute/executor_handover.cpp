@@ -34,7 +34,7 @@ bool same_pipelines(const PreparedPass& a, const PreparedPass& b) {
     return same_pipelines(a.pipelines, b.pipelines) && a.frame_ranges == b.frame_ranges;
 }
 
-// Returns true if the plan keeps its structure with this graph. Only an assertion calls it.
+// Returns true if the plan keeps its structure with this graph. Only an assertion calls this function.
 [[maybe_unused]] bool keeps_structure(const FramePlan& plan, const ResolvedGraph& graph) {
     FramePlan other = plan;
     other.graph = graph;
@@ -143,7 +143,8 @@ void ReplayExecutor::amend(std::unique_ptr<Amendment> amendment) {
     drop_retired();
 }
 
-// Lets the rest units run whose pipelines the amendment replaces.
+// Wakes the rest units whose pipelines the amendment replaces, so that they run in the next frame. A rest
+// unit is a set of passes that run together: in each frame, either all of them run or none.
 void ReplayExecutor::wake_changed(PlanAmendment& amendment) {
     for (Position position(0); position < amendment.passes.size(); ++position) {
         PreparedPass& prepared = objects_->passes[position];

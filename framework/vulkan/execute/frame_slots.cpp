@@ -172,10 +172,10 @@ VkResult FrameSlots::submit_alone(Slot& slot, uint64_t frame, const FrameSubmit&
     return result;
 }
 
-// Lets all batches of the frame wait for those semaphores of the program that are not for a single batch. A
-// binary semaphore can release only one submission. So an empty submission waits for the semaphores and
-// signals a point of a timeline semaphore. The first batch of each queue waits for this point. Stores the
-// point in `gate`, unless there are no such semaphores.
+// Handles those semaphores of the program for which all batches of the frame must wait. A binary semaphore
+// can release only one submission. So an empty submission waits for the semaphores and signals a point of a
+// timeline semaphore. The first batch of each queue waits for this point. Stores the point in `gate`, unless
+// there are no such semaphores.
 VkResult FrameSlots::open_gate(const FrameSubmit& how, const std::vector<uint32_t>& batches,
                                TimelinePoint& gate) {
     Submission submission;

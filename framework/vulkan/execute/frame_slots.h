@@ -20,8 +20,9 @@ struct BatchCommands {
     uint32_t family = 0;
 };
 
-// The program's part of a submission: its semaphores and its ticket, and the batch that waits for each of
-// FrameSubmit::waits (kNoId: all batches).
+// The part of a submission that the program chooses. `how` contains the semaphores and the ticket of the
+// program. `batches` gives, for each semaphore in FrameSubmit::waits, the batch that waits for it (kNoId: all
+// batches wait).
 struct ProgramWaits {
     const FrameSubmit& how;
     std::vector<uint32_t> batches;
@@ -43,8 +44,8 @@ class FrameSlots {
     // True if the frame in `slot` has finished, or if the device is lost. This function does not wait.
     [[nodiscard]] bool is_over(uint32_t slot) const;
 
-    // Returns the ticket of the frame in `slot`; its semaphore is null if Weft has submitted the frame
-    // itself.
+    // Returns the ticket of the frame in `slot`: a timeline semaphore, and the value that it reaches when the
+    // frame has finished. The semaphore is null if Weft has submitted the frame itself.
     [[nodiscard]] const FrameTicket& ticket(uint32_t slot) const { return slots_[slot].ticket; }
 
     // Resets the command buffers of the slot for frame number `frame`. Commands are recorded between begin()
@@ -56,10 +57,11 @@ class FrameSlots {
     [[nodiscard]] VkCommandBuffer prologue(uint32_t slot) const {
         return slots_[slot].own != VK_NULL_HANDLE ? slots_[slot].own : slots_[slot].prologue;
     }
-    // Submits the batches of a frame in the order of the plan. `empty` tells which of them have no commands
-    // and are left out (index: batch; 1: left out); an empty list means that all are submitted. If this
-    // fails, some of the batches may be in flight. A frame in a command buffer of the program is not
-    // submitted; it is in flight until its ticket is reached.
+    // Submits the batches of a frame in the order of the plan. `empty` tells which batches have no commands
+    // and are left out (index: batch; 1: left out). If the list is empty, all batches are submitted. If the
+    // call fails, some of the batches may be in flight. A frame in a command buffer of the program is not
+    // submitted here. Such a frame is in flight until the timeline semaphore of its ticket reaches the value
+    // of the ticket.
     [[nodiscard]] VkResult submit(uint32_t slot, uint64_t frame, const std::vector<uint8_t>& empty,
                                   const ProgramWaits& own);
 
@@ -75,9 +77,10 @@ class FrameSlots {
         FrameTicket ticket;
         // Signalled at the end of the frame, if the plan has only one batch per frame.
         FenceHandle fence;
-        // If a frame has several batches: the end of the frame's last batch on each queue. If the frame is in
-        // a command buffer of the program: its ticket. The frame has finished when all these points are
-        // reached. Empty: the frame has finished when `fence` is signalled.
+        // The frame has finished when all these points are reached. If a frame has several batches, there is
+        // one point for each queue: the end of the last batch of the frame on this queue. If the frame is in
+        // a command buffer of the program, the point is the ticket of the frame. If the list is empty, the
+        // frame has finished when `fence` is signalled.
         std::vector<TimelinePoint> last;
         bool in_flight = false;
     };

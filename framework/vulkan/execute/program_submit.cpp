@@ -22,9 +22,9 @@ bool uses_resource(const FramePlan& plan, const Batch& batch, ResourceId resourc
 }
 
 // Returns the first submitted batch with a pass that uses the import. A use in the epilogue does not count,
-// because in the plan the epilogue waits for these passes. Returns kNoId if there is none, or if passes on
-// several queues use the import: a binary semaphore can release only one batch, and the others would not
-// wait.
+// because in the plan the epilogue waits for these passes. Returns kNoId if no submitted batch uses the
+// import. Also returns kNoId if passes on several queues use the import: a binary semaphore can release only
+// one batch, and the batches on the other queues would not wait.
 uint32_t first_batch_with(const FramePlan& plan, const std::string& import,
                           const std::vector<uint8_t>& empty) {
     const ResourceId resource = find_resource(plan.graph, import);

@@ -1,5 +1,5 @@
-// Purpose: the part of a frame's submission that the program chooses (FrameSubmit): checks it, and finds the
-// batches that wait for its semaphores. Errors: V422 the plan has several batches, V423 contradictory values.
+// Purpose: checks FrameSubmit, in which the program chooses how a frame is submitted, and finds the batches
+// that wait for the semaphores in it. Errors: V422 the plan has several batches, V423 contradictory values.
 #pragma once
 
 #include <cstdint>

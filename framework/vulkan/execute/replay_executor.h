@@ -45,9 +45,11 @@ class ReplayExecutor final : public Executor {
  private:
     struct InFlight {
         uint64_t frame_index = 0;
-        std::vector<Wake> wakes;               // Index: unit.
-        std::vector<uint32_t> draws_left_out;  // See RecordContext::draws_left_out.
-        std::vector<Extent3D> areas;  // FrameAreas::all() of the frame; empty if the plan has no live sizes.
+        std::vector<Wake> wakes;  // Index: unit.
+        // Number of draws that were left out, for each view that a pass records; see RecordContext.
+        std::vector<uint32_t> draws_left_out;
+        // Areas of the images in the frame (FrameAreas::all()); empty if the plan has no live sizes.
+        std::vector<Extent3D> areas;
         Combination switches = kAllSwitchesOn;
         FrameTiming timing;
     };
@@ -84,12 +86,14 @@ class ReplayExecutor final : public Executor {
     std::unique_ptr<PlanObjects> objects_;
     std::unique_ptr<FrameSlots> slots_;
     ExecutorHooks hooks_;
-    std::vector<uint32_t> first_view_;  // See RecordContext::first_view.
+    // The index of the first recorded view of each pass; see RecordContext.
+    std::vector<uint32_t> first_view_;
     RestState rest_;
-    // needed_by_units() of the plan; empty until a frame needs it.
+    // Result of needed_by_units() for the plan. The list stays empty until a frame needs the result.
     std::vector<uint8_t> needed_by_units_;
-    // The inputs of the units in the frame that is being recorded (index: unit), and the units that run in
-    // it.
+    // The inputs of each rest unit in the frame that is being recorded (index: unit), and the units that run
+    // in this frame. A rest unit is a set of passes that run together: in each frame, either all of them run
+    // or none.
     std::vector<UnitInput> unit_inputs_;
     UnitChoice chosen_;
     std::array<InFlight, kFramesInFlight> in_flight_;

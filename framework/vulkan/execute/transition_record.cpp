@@ -17,8 +17,9 @@ VkImageSubresourceLayers layers_of(const ResourceDecl& decl, uint32_t mip) {
     return layers_to_vk(range);
 }
 
-// Returns the size of a mip level in pixels, as the second corner in a VkImageBlit. The first corner is
-// {0, 0, 0}. `area` is the size of the first mip, or of its part that has content.
+// Returns the size of a mip level in pixels, as the second corner in a VkImageBlit. `area` is the size of the
+// first mip. The first corner of the blit is {0, 0, 0}. If only a part of the image has content, `area` is
+// the size of this part.
 VkOffset3D end_of(const Extent3D& area, uint32_t mip) {
     const Extent3D extent = mip_extent(area, mip);
     return {static_cast<int32_t>(extent.width), static_cast<int32_t>(extent.height),
@@ -34,8 +35,8 @@ struct Images {
     Extent3D area;      // The part of the new image that gets content by a blit.
 };
 
-// Returns true if a linear filter reads only content. If the blit enlarges a part of an image, the filter
-// also reads the texels next to this part.
+// Returns true if a linear filter reads only texels that have content. If only a part of the old image has
+// content and the blit enlarges this part, the filter also reads the texels next to this part.
 bool reads_only_content(const Images& images) {
     const Extent3D &from = images.old_area, &to = images.area;
     return from == images.old_decl.extent || (to.width <= from.width && to.height <= from.height);

@@ -9,8 +9,8 @@
 namespace weft::vk {
 
 // One of the two plans of a transition, and the Vulkan objects of its resources in one frame. For the new
-// plan this is frame 0. For the old plan it is the frame after its last one: this frame never runs, but it
-// would read the contents that are copied.
+// plan, this is frame 0. For the old plan, it is the frame after the last frame of this plan. That frame
+// never runs, but it is used here because it would read the contents that are copied.
 struct PlanSide {
     const FramePlan& plan;
     FrameResources resources;

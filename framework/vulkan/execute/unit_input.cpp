@@ -13,14 +13,16 @@ void add_number(uint64_t number, std::vector<std::byte>& bytes) {
     std::memcpy(bytes.data() + old, &number, sizeof number);
 }
 
-// Compares the inputs of a unit, part by part, with those of its last run. Without `last`, it does nothing.
+// Compares the inputs of a unit in this frame with the inputs of the last run of the unit, one part after the
+// other. `last` contains the inputs of the last run. An object that was made without `last` compares nothing.
 class Comparison {
  public:
     Comparison() = default;
     explicit Comparison(std::span<const std::byte> last) : last_(last), compares_(true) {}
 
-    // Compares the bytes that were added since the last call. `name` returns the name of this part; its
-    // argument is the first byte of the part that differs.
+    // Compares the bytes that were added since the last call of this function. These bytes are one part of
+    // the inputs. `name` is a function that returns the name of the part. Its argument is the index of the
+    // first byte of the part that differs.
     template <class Name>
     void part(const std::vector<std::byte>& bytes, const Name& name) {
         if (compares_ && found_.empty())
@@ -52,8 +54,9 @@ std::string member_at(const PassDecl& pass, size_t at) {
     return "Params of pass " + quoted(pass.name);
 }
 
-// Returns the constants of set 0 that the draw source knows. A view in a buffer is not among them: the pass
-// reads it like any other buffer.
+// Returns the ranges of the constants in set 0 whose values the draw source knows. If the pass reads its view
+// from a buffer, the constants of the view are left out, because the pass reads this buffer like any other
+// buffer.
 std::vector<FrameRange> known_ranges(const PassDecl& pass, const PreparedPass& prepared) {
     std::vector<FrameRange> ranges = prepared.frame_ranges;
     if (pass.view_use != kNoId)
@@ -61,7 +64,8 @@ std::vector<FrameRange> known_ranges(const PassDecl& pass, const PreparedPass& p
     return ranges;
 }
 
-// Returns false if the set or one of the draw lists may change in every frame.
+// Adds the constants that the draws of the pass read, and the versions of its draw lists. Returns false if
+// the constants or one of the draw lists may change in every frame.
 bool add_draws(const UnitInputContext& context, const PassDecl& pass, const PreparedPass& prepared,
                std::vector<std::byte>& bytes, Comparison& comparison) {
     const DrawSource* draws = context.objects.draws;
@@ -83,7 +87,7 @@ bool add_draws(const UnitInputContext& context, const PassDecl& pass, const Prep
     return true;
 }
 
-// Returns false if the pass reads an import without a version.
+// Adds the versions of the imports that the pass reads. Returns false if one of these imports has no version.
 bool add_imports(const UnitInputContext& context, const PassDecl& pass, std::vector<std::byte>& bytes,
                  Comparison& comparison) {
     for (const UseDecl& use : pass.uses) {
@@ -120,14 +124,14 @@ void add_inputs(const UnitInputContext& context, Position position, UnitInput& i
     std::vector<std::byte>& bytes = *input;
     const size_t old = bytes.size();
     bytes.resize(old + pass.params_bytes);
-    // The values of Params that tell whether results of units are valid are left out (FrameValues::validity
-    // is null). They need no comparison: when the results of a unit become valid, this unit has run, and it
-    // has woken the passes that read the results.
+    // The values of Params that tell whether results of units are valid are left out here
+    // (FrameValues::validity is null). These values need no comparison: when the results of a unit become
+    // valid, that unit has run, and its run has woken the passes that read the results.
     write_params(plan.graph, id, {context.frame, context.resources, context.objects.areas},
                  std::span(bytes).subspan(old));
     comparison.part(bytes, [&](size_t at) { return member_at(pass, at); });
     add_areas(context, pass, bytes, comparison);
-    // The values of passes without a shader, such as the value of a clear.
+    // Passes without a shader have no Params, so the value of a clear is added here.
     for (const float channel : pass.clear) {
         uint32_t bits = 0;
         std::memcpy(&bits, &channel, sizeof bits);

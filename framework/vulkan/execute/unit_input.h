@@ -1,6 +1,6 @@
-// Purpose: collects, as bytes, the inputs of a resting pass in a frame that do not come from other passes:
-// its Params, the constants of frame and view that its shader reads, the versions of its draw lists and of
-// its imports. If the bytes are those of the last run, these inputs have not changed.
+// Purpose: collects, as bytes, the inputs of a resting pass that do not come from other passes, for one
+// frame: the Params of the pass, the constants of frame and view that its shader reads, and the versions of
+// its draw lists and of its imports. If the bytes equal those of the last run, these inputs have not changed.
 #pragma once
 
 #include <span>

@@ -34,8 +34,8 @@ class FrameAreas {
  private:
     std::vector<LiveNumber> values_;
     std::vector<Extent3D> areas_;  // Index: ResourceId.
-    // Index: the ResourceId that names a copy in memory, see Rings::copy(). The area of the frame that wrote
-    // the copy; a width of 0: no frame has written it.
+    // The area of the frame that wrote each copy in memory; a width of 0: no frame has written the copy.
+    // Index: the ResourceId that names the copy, see Rings::copy().
     std::vector<Extent3D> written_;
 };
 

@@ -49,7 +49,7 @@ class ReadbackMemory {
         // The part of the buffer that the pass reads; its size is 0 if the pass reads an image.
         ByteRange buffer;
         // Copy regions of the image that the pass reads; empty if the pass reads a buffer. For an image with
-        // a live size, they are those of scale 1.
+        // a live size, the regions are those of the whole image.
         ImageRegions regions;
     };
     // Returns the copy regions for a frame in which the image has this area.

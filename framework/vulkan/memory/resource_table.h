@@ -1,7 +1,7 @@
 // Purpose: maps each resource that a plan uses to a Vulkan object. Transient and persistent resources come
-// from the plan's heaps, imports from the program. Errors: V414 if an import is missing, if the format, size,
-// mip levels, layers or samples of an imported image differ from those in the resolved graph, or if a table
-// has another number of textures.
+// from the heaps of the plan, imports from the program. Error V414: an import is missing; the format, size,
+// mip levels, layers or samples of an imported image differ from those in the resolved graph; or a table of
+// textures has more or fewer textures than in the resolved graph.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ struct ResourceTable {
     std::vector<VkImage> images;
     // One buffer for each ResourceId; null for images and for resources that the plan does not use.
     std::vector<VkBuffer> buffers;
-    // Imports of which each frame slot has its own buffer.
+    // The buffers of the imports that have one buffer for each frame slot.
     std::map<ResourceId, std::array<VkBuffer, kFramesInFlight>> slot_buffers = {};
-    // The views of the tables of textures.
+    // The image views of each table of textures, a list of textures that a shader indexes.
     std::map<ResourceId, std::vector<VkImageView>> textures = {};
     Rings rings = {};
 };

@@ -61,7 +61,8 @@ void Rings::inherit(const Rings& old, uint64_t frames, const TransitionPlan& tra
 bool Rings::valid(ResourceId role, uint64_t frame) const {
     const ResourceId ring = all_[role].ring;
     if (ring == kNoId) return false;
-    // Without a writer, a ring with `keep` still has the contents of an old plan.
+    // If no pass of this plan writes the ring, the ring can still have the contents that it took over from an
+    // old plan (`keep`).
     const bool has_content = written_[ring] != 0 || inherited_[ring] != 0;
     return has_content && frame + inherited_[ring] >= all_[role].age;
 }

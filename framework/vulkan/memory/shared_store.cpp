@@ -41,7 +41,8 @@ void SharedLease::reset() {
 
 Result<SharedLease> SharedStore::get(const ResourceDecl& decl, const Make& make) {
     std::string key = key_of(decl);
-    // The lock is held while the object is made, so that two plans never make two objects.
+    // The lock is held while the object is made. So two plans that are created at the same time never make
+    // two objects for one resource.
     const std::lock_guard lock(mutex_);
     auto found = entries_.find(key);
     if (found == entries_.end()) {

@@ -98,7 +98,8 @@ UploadBatch::~UploadBatch() {
     VkFence fence = fence_.get();
     const VkResult wait =
         device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns());
-    // A lost device runs nothing any more, so the objects can be destroyed.
+    // After a failed wait, the copies may still run, so their objects must not be destroyed. A lost device is
+    // an exception, because it runs nothing any more.
     if (wait != VK_SUCCESS && wait != VK_ERROR_DEVICE_LOST) device_.abandon();
 }
 

@@ -15,7 +15,7 @@ namespace weft::vk {
 class Uploader {
  public:
     virtual ~Uploader() = default;
-    // See upload_buffer() and upload_image().
+    // Copy data to the target, like upload_buffer() and upload_image().
     [[nodiscard]] virtual Status buffer(const Buffer& target, std::span<const std::byte> bytes) = 0;
     [[nodiscard]] virtual Status image(const Image& target,
                                        std::span<const std::span<const std::byte>> levels) = 0;

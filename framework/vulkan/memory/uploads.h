@@ -24,7 +24,7 @@ struct UploadPlace {
     uint32_t use = kNoId;
     uint64_t offset_bytes = 0;
     uint64_t capacity_bytes = 0;
-    ByteRange target;  // The part of the port's buffer; not used for an image.
+    ByteRange target;  // The part of the buffer that the port writes; not used for an image.
     // Copy regions of the port's image; empty if the port is a buffer.
     ImageRegions regions;
 };
@@ -35,8 +35,9 @@ class UploadMemory {
     // Returns the size of the buffer that each frame slot gets; 0: none.
     [[nodiscard]] static uint64_t slot_bytes(const FramePlan& plan) { return UploadMemory().lay_out(plan); }
 
-    // Calls the `prepare` function of the pass at index `position` of the execution order. This function
-    // fills the upload memory of frame slot `slot`, and may replace lists of turns.
+    // Calls the `prepare` function of the pass at index `position` of the execution order. The `prepare`
+    // function fills the upload memory of frame slot `slot`. It may also replace lists in `turns`, which say
+    // which rounds of a group of passes run in this frame.
     void prepare(Position position, const PassType& type, const PassDecl& pass, const HostInputs& host,
                  uint32_t slot, TurnLists& turns);
     // A pass that is recorded for a frame slot. `position` is its index in the execution order.

@@ -18,7 +18,7 @@ struct SetWrites {
     std::vector<VkWriteDescriptorSet> writes;
     std::deque<std::vector<VkDescriptorImageInfo>> images;
     std::deque<std::vector<VkDescriptorBufferInfo>> buffers;
-    // The infos of imports of which each frame slot has its own buffer.
+    // The infos of the imports that have one buffer for each frame slot.
     std::vector<std::pair<VkDescriptorBufferInfo*, ResourceId>> slot_buffers;
 };
 
@@ -73,8 +73,9 @@ Status add_binding(DescriptorSources& sources, const PassDecl& pass, const Shade
                    SetWrites& out) {
     const std::vector<const UseDecl*> uses = uses_of(pass, binding);
     const uint32_t count = descriptor_count(sources.plan.graph, pass, binding);
-    // If the only use of the binding has `each` or is a table of textures, it fills the whole array. If the
-    // array is longer than the table or the list of parts, its last element is repeated.
+    // A use fills the whole array if it is the only use of the binding and either has `each` (a list of mips
+    // or layers) or is a table of textures. If the array is longer than the list or the table, the last
+    // element of the list or table is repeated.
     const bool fills_array = uses.size() == 1 && (uses[0]->each != EachPart::none ||
                                                   sources.resources.textures(uses[0]->resource) != nullptr);
     if (!uses.empty() && !fills_array && uses.size() != count)

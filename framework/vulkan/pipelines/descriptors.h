@@ -41,8 +41,8 @@ struct SetDemand {
 [[nodiscard]] Result<DescriptorPoolHandle> make_descriptor_pool(Device& device, const ResolvedGraph& graph,
                                                                 const std::vector<SetDemand>& demands);
 
-// Makes the descriptor sets that a pass needs in one of its variants and in one frame of its period, one for
-// each frame slot. `pass` is the pass at index `position` of the execution order, in that variant.
+// Makes descriptor sets for one variant of a pass and one frame of the pass's period. The result has one set
+// for each frame slot. `pass` is the pass at index `position` of the execution order, in that variant.
 // sources.resources selects the copies of resources with history for that frame.
 [[nodiscard]] Result<SlotSets> make_port_sets(Device& device, VkDescriptorPool pool,
                                               DescriptorSources sources, Position position,

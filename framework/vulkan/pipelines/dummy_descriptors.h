@@ -16,8 +16,8 @@ class DummyDescriptors {
  public:
     explicit DummyDescriptors(Device& device) : device_(&device) {}
 
-    // Creates an image of one texel (six for cubes) for an unconnected binding. Returns its view, and the
-    // layout that it has after record_layouts() has run. The caller adds the sampler.
+    // Creates an image of one texel (six for cubes) for an unconnected binding. Returns the view of the
+    // image, and the layout of the image after the commands of record_layouts(). The caller adds the sampler.
     [[nodiscard]] Result<VkDescriptorImageInfo> image(const ShaderBinding& binding);
     // Creates a buffer of at least `size_bytes` bytes with undefined content, for an unconnected binding.
     [[nodiscard]] Result<VkBuffer> buffer(uint64_t size_bytes);

@@ -37,11 +37,13 @@ struct Survey {
     uint32_t entry = 0;  // The id of the function main().
     uint32_t uint = 0;   // The id of the type uint; 0: the module does not declare it.
     std::map<uint32_t, uint32_t> pointees;
-    // The ids of the variables that are the block of the view, and of their types.
+    // `views`: the ids of the variables that contain the constants of the view (set 0, binding 1). `blocks`:
+    // the ids of the types of these variables.
     std::set<uint32_t> views, blocks;
 };
 
-// The parts that both rewriters share: new ids, and the place of new declarations.
+// The base class of the two rewriters below. It makes new ids, and finds the place in the module at which new
+// declarations must stand.
 class ViewRewriter {
  public:
     ViewRewriter(std::span<const uint32_t> module, uint32_t capability)
@@ -128,7 +130,7 @@ class MultiviewRewriter final : public ViewRewriter {
 
     void rewrite(const spirv::Instruction& at) override {
         using namespace spirv;
-        // The old block is now an element of an array in a new block.
+        // The old block becomes an element of an array in a new block, so it loses its decoration Block.
         const bool is_old_block =
             at.opcode == kOpDecorate && at.words[2] == kBlock && survey_.blocks.contains(at.words[1]);
         if (is_old_block) return;
@@ -229,7 +231,8 @@ class LayerRewriter final : public ViewRewriter {
     bool is_in_main_ = false, is_in_block_ = false;
 };
 
-// A module can also declare the block without reading it.
+// Returns true if the module reads the constants of the view. A module can also declare the block with these
+// constants without reading it.
 bool reads_view(std::span<const uint32_t> spirv) {
     const Survey survey(spirv);
     bool reads = false;

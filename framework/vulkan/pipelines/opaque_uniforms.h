@@ -32,9 +32,9 @@ struct BlockPlace {
 [[nodiscard]] std::vector<uint32_t> with_opaque_uniforms(std::span<const uint32_t> spirv,
                                                          const BlockPlace& push_constants);
 
-// Applies the function above to all modules of a program. Push constants become a uniform block at the
-// binding after the last one in set 1. Returns the program unchanged if can_hide_uniforms() is false for any
-// of its modules.
+// Applies with_opaque_uniforms() to all modules of a program. Push constants become a uniform block at the
+// binding after the last binding in set 1. Returns the program unchanged if can_hide_uniforms() is false for
+// any of its modules.
 [[nodiscard]] ShaderProgram with_opaque_uniforms(ShaderProgram program);
 
 }  // namespace weft::vk

@@ -27,7 +27,8 @@ Result<VkSampler> SamplerCache::get(const SamplerDecl& decl, bool integer_border
         integer_border ? VK_BORDER_COLOR_INT_TRANSPARENT_BLACK : VK_BORDER_COLOR_FLOAT_TRANSPARENT_BLACK;
     VkSamplerReductionModeCreateInfo reduction{VK_STRUCTURE_TYPE_SAMPLER_REDUCTION_MODE_CREATE_INFO};
     reduction.reductionMode = to_vk(decl.reduction);
-    // Without samplerFilterMinmax, a sampler must not name a reduction.
+    // A device without the feature samplerFilterMinmax does not allow this structure, so the structure is
+    // added only if the reduction is not the ordinary average.
     if (decl.reduction != SamplerReduction::average) info.pNext = &reduction;
     VkSampler sampler = VK_NULL_HANDLE;
     const VkResult result = device_->fn().vkCreateSampler(device_->handle(), &info, nullptr, &sampler);

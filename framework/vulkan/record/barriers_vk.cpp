@@ -19,8 +19,9 @@ Families families_of(const Device& device, const BarrierDecl& barrier) {
 }
 
 // Returns the old layout of an image barrier. Both barriers of an ownership transfer, release and acquire,
-// contain the layout change. If both families of the plan are one family of the device, there is no transfer.
-// Then only the release changes the layout, and the old layout of the acquire equals its new layout.
+// contain the layout change. If the device has only one family for both families of the plan, there is no
+// transfer. In this case, only the release changes the layout: the old layout of the acquire is the same as
+// its new layout.
 VkImageLayout old_layout(const BarrierDecl& barrier, const Families& families) {
     const bool done = barrier.reason == BarrierReason::acquire_queue && families.src == families.dst;
     return to_vk(done ? barrier.dst.layout : barrier.src.layout);

@@ -10,9 +10,9 @@
 
 namespace weft::vk {
 
-// Records the barriers of a list with one command; records nothing if there is none to record.
-// `step` decides which of the barriers are recorded. `is_before` is true for the list before the pass, and
-// false for the list after it.
+// Records the barriers of a list with one command, or records nothing if no barrier of the list has to be
+// recorded. `step` decides which of the barriers are recorded. `is_before` is true if the list belongs before
+// a pass, and false if it belongs after a pass.
 void record_barriers(const Device& device, VkCommandBuffer commands, std::span<const BarrierDecl> barriers,
                      const FramePlan& plan, const FrameResources& resources, const FrameStep& step = {},
                      bool is_before = true);

@@ -86,8 +86,8 @@ Diagnostics check_passes(const Device& device, const FramePlan& plan, const Exec
             errors.push_back(pass_error(plan, pass, "V417", what));
         };
         if (rings.period(pass) > kMaxRingPhases)
-            fault("the histories of its resources have lengths whose common multiple is " +
-                  std::to_string(rings.period(pass)) + " frames, the limit is " +
+            fault("the copies of its resources with history repeat together only after " +
+                  std::to_string(rings.period(pass)) + " frames; the limit is " +
                   std::to_string(kMaxRingPhases));
         if ((pass.kind == PassKind::copy || pass.kind == PassKind::blit) && !copies_like_to_like(plan, pass))
             fault("a copy needs one input and one output, both images or both buffers");

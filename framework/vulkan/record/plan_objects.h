@@ -20,12 +20,14 @@ namespace weft::vk {
 // The Vulkan objects needed to record one pass. The kind of the pass determines which members are set.
 struct PreparedPass {
     PassLayout layout;
-    // `scopes` has one element for each frame of the period of the pass. `port_sets` has as many elements for
-    // each variant of the pass, one variant after the other. After one period, the pass uses the same copies
-    // of its resources with history again.
+    // The period of a pass is the number of frames after which the pass uses the same copies of its resources
+    // with history again. `scopes` has one element for each frame of the period. `port_sets` has one element
+    // for each variant and each frame of the period: all frames of the first variant, then all frames of the
+    // next variant.
     std::vector<SlotSets> port_sets;
     std::vector<RenderingScope> scopes;
-    // Each variant of the pass has the same number of pipelines, one variant after the other.
+    // Each variant of the pass has the same number of pipelines. The list contains all pipelines of the first
+    // variant, then those of the next variant.
     std::vector<DrawPipeline> pipelines;
     uint32_t variants = 1;
     // The constants of frame and view that the shader reads; see ShaderInterface.

@@ -10,7 +10,7 @@ namespace weft::vk {
 [[nodiscard]] Result<std::vector<VkImageView>> make_port_views(const PassDecl& pass, ViewCache& views,
                                                                uint64_t frame);
 
-// Returns the reason why a C++ pass cannot have this port; empty if there is none.
+// Returns the reason why a C++ pass cannot have this port. The text is empty if the pass can have the port.
 [[nodiscard]] std::string port_fault(const FramePlan& plan, const UseDecl& use);
 
 void record_custom(const RecordContext& context, Position position, const PassDecl& pass,

@@ -72,7 +72,8 @@ FrontFace opposite(FrontFace face) {
     return face == FrontFace::clockwise ? FrontFace::counter_clockwise : FrontFace::clockwise;
 }
 
-// Returns the views for which the draws of a pass are recorded. With multiview, they are recorded only once.
+// Returns the views for which the draws of a pass are recorded, one after the other. With multiview, the
+// draws are recorded only once, for all views together.
 std::span<const std::string> recorded_views(const PassDecl& pass) {
     return pass.lowering == ViewLowering::multiview ? std::span(&pass.view, 1) : pass.drawn_views();
 }
@@ -84,7 +85,8 @@ void bind_vertices(const RecordContext& context, const PassDecl& pass, const Pre
     fn.vkCmdBindPipeline(context.commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
                          prepared.pipelines_of(variant_in(pass, context.switches))[0].pipeline.get());
     bind_pass(context, pass, prepared, VK_PIPELINE_BIND_POINT_GRAPHICS, view);
-    // The triangle of a fullscreen pass is the same in every view.
+    // A view can be a mirror image, in which triangles have the opposite winding. This does not concern a
+    // fullscreen pass, because its triangle is the same in every view.
     const DrawSource* draws = context.objects.draws;
     if (pass.kind != PassKind::raster || draws == nullptr) return;
     const FrontFace front = pass.state.front_face;
@@ -99,8 +101,8 @@ void draw_vertices(const RecordContext& context, const PassDecl& pass, const Pre
     }
 }
 
-// Draws what the commands in a buffer say. A device without multiDrawIndirect executes only one command at a
-// time.
+// Records the draws whose draw commands are in a buffer. On a device without multiDrawIndirect, one call may
+// execute only one draw command.
 void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass,
                               const PreparedPass& prepared, const std::string& view) {
     constexpr uint32_t kCommandBytes = sizeof(VkDrawIndirectCommand);
@@ -119,7 +121,8 @@ void draw_vertices_indirectly(const RecordContext& context, const PassDecl& pass
                              kCommandBytes);
 }
 
-// Returns the number of draws that were left out.
+// Draws one draw list. Returns the number of draws that were left out because they are outside of the frustum
+// of the view.
 uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const PreparedPass& prepared,
                    const DrawPipeline& draw, const std::string& view, const DrawTargets& targets) {
     const DeviceFunctions& fn = context.device.fn();
@@ -153,8 +156,8 @@ uint32_t draw_list(const RecordContext& context, const PassDecl& pass, const Pre
     return context.objects.draws->record(draws);
 }
 
-// The part of the attachments to which a pass draws, and the dynamic state for it. If the attachments have a
-// live size, the area is that of the frame.
+// The part of the attachments to which a pass draws, and the dynamic state for this part. If the attachments
+// have a live size, the part is the area that this frame uses.
 struct DrawnArea {
     VkExtent2D extent;
     RasterState state;
@@ -184,7 +187,8 @@ void record_lists(const RecordContext& context, Position position, const PassDec
     const std::span<const std::string> views = recorded_views(pass);
     for (const DrawPipeline& draw : prepared.pipelines_of(variant_in(pass, context.switches)))
         for (size_t view = 0; view < views.size(); ++view) {
-            // A list of the program may have bound a pipeline without this dynamic state.
+            // Sets the dynamic state again before every list except the first, because a draw list of the
+            // program may have bound a pipeline without this dynamic state.
             if (!first) set_draw_state(context.device, context.commands, area.extent, area.state);
             first = false;
             context.draws_left_out[context.first_view[position] + view] +=

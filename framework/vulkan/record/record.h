@@ -15,15 +15,16 @@ struct RecordContext {
     const FrameInput& frame;
     const PlanObjects& objects;
     FrameResources resources;
-    // The number of draws that were left out for each recorded view of each pass. `first_view` is the index
-    // of the first view of the pass at a position; see count_recorded_views().
+    // For each view that a pass records: the number of draws that were left out because they are outside of
+    // the frustum of the view. The views of all passes are in one list. `first_view` contains, for each
+    // position in the execution order, the index of the first view of the pass; see count_recorded_views().
     std::vector<uint32_t>& draws_left_out;
     std::span<const uint32_t> first_view;
     Combination switches = kAllSwitchesOn;  // The switches that are on in the frame.
 };
 
-// Counts the views for which the passes record their draws. Element i of the result is the sum over all
-// passes before position i. The last element is the sum over all passes.
+// Counts the views for which each pass records its draws. Element i of the result is the sum of these numbers
+// for all passes before position i of the execution order. The last element is the sum for all passes.
 [[nodiscard]] std::vector<uint32_t> count_recorded_views(const FramePlan& plan);
 
 // Records the pass at index `position` of the execution order, without its barriers. Calls one of the

@@ -45,7 +45,8 @@ void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query, b
     fn.vkCmdWriteTimestamp2(commands, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, pools_[slot].get(), query);
     // lavapipe writes a timestamp only at its next flush, and this empty barrier causes a flush. The barrier
     // has no stages and no accesses, so it cannot hide a missing barrier of the plan. Vulkan forbids such a
-    // barrier inside a rendering scope, so none is recorded there. lavapipe runs a scope as a whole anyway.
+    // barrier inside a rendering scope, so no barrier is recorded there. A flush inside a scope would not
+    // help anyway, because lavapipe executes a whole scope at once.
     if (inside_scope) return;
     const VkDependencyInfo nothing{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     fn.vkCmdPipelineBarrier2(commands, &nothing);

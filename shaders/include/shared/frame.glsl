@@ -20,7 +20,8 @@ struct FrameConstants {
     uint plain_count;         // Number of lights before the first with an area or a light function.
     float environment_unit;   // Factor for texels of the filtered environment cube, a power of two.
     float environment_light_scale;  // Factor for texels of the small picture for lighting.
-    vec4 environment_irradiance_over_pi[9];  // rgb coefficients of 1, x, y, z, xy, yz, xz, 3y² − 1, x² − z².
+    // rgb: coefficients of the functions 1, x, y, z, xy, yz, xz, 3y² − 1 and x² − z² of the normal (x, y, z).
+    vec4 environment_irradiance_over_pi[9];
 };
 
 // A buffer of the graph may contain views. Then a uniform block begins at each element, so the size of the struct is a

@@ -19,16 +19,18 @@ struct Light {
     vec3 intensity;      // Colour × intensity in the unit of the light type, Rec.709.
     uint type;
     vec3 direction;      // Unit vector along which the light travels; for a capsule, its axis.
-    float cone_scale;    // Spot: saturate(cos(angle) · scale + offset)², as in KHR_lights_punctual. Directional lights
-                         // have no cone: they store disc_radius_rad() of lights.glsl here.
-    vec3 side;           // Unit vector perpendicular to `direction`: the width axis of a rectangle, and of the doors
-                         // and the picture of the light. For a capsule: the direction that its doors and picture face.
+    // Spot: the light has the factor saturate(cos(angle) · cone_scale + cone_offset)², as in KHR_lights_punctual.
+    // Directional light: it has no cone, so cone_scale is the angular radius of its disc in radians.
+    float cone_scale;
+    // Unit vector perpendicular to `direction`: the width axis of a rectangle, and the width axis of the doors and of
+    // the picture of the light. For a capsule: the direction that its doors and its picture face.
+    vec3 side;
     float cone_offset;
     vec2 half_size_m;    // Rectangle: half width, half height; capsule: half length without caps, radius.
     uint function;       // 0: no light function; otherwise 1 + the index of the light function.
-    uint shadow;         // 0: no shadow; 1 to kMostSuns: number of the directional light, which has a shadow map. Light
-                         // 1 has the cascades of sun_shadow.glsl, the others have the maps of
-                         // further_sun_shadow.glsl.
+    // 0: no shadow; 1 to kMostSuns: the number of a directional light with shadows. Directional light 1 has the cascades
+    // of sun_shadow.glsl, the other directional lights have the shadow maps of further_sun_shadow.glsl.
+    uint shadow;
 };
 
 #include "end.glsl"

@@ -7,14 +7,16 @@
 #include "begin.glsl"
 
 struct LightFunction {
-    vec4 curve;             // Factor over distance: 4 Bézier ordinates from distance 0 to reach_m.
+    // Factor of the light over the distance: a cubic Bézier curve with 4 ordinates, from distance 0 to reach_m.
+    vec4 curve;
     // Positions of the four barn doors: left, right, bottom, top. Each is the distance from the light's direction to
-    // the edge of the door, along the axis `width` or `up` (LightFrame). Light beyond the edge is blocked. kNoDoor: no
-    // door.
+    // the edge of the door, along the axis `width` or `up` (LightFrame), on the plane at distance 1 in front of the
+    // light (for directional lights: in metres). Light beyond the edge is blocked. kNoDoor: no door.
     vec4 doors;
-    vec2 picture_scale;     // 1 / (half the size of the picture).
+    vec2 picture_scale;     // 1 / (half the size of the picture). The size has the unit of `doors`.
     float reach_m;
-    float softness;         // Width of the soft edge of a door; pictures are blurred by this width, too.
+    // Width of the soft edge of a door, in the unit of `doors`. Pictures are blurred by this width, too.
+    float softness;
     uint picture;           // 0: no picture; otherwise 1 + the layer of the picture.
     uint reserved0;
     uint reserved1;

@@ -1,4 +1,5 @@
-// A material of descriptor set 2 and of the import `materials`. Texture transform: uv' = (row0·(u,v,1), row1·(u,v,1)).
+// A material: in descriptor set 2, and an element of the imported buffer `materials`.
+// Texture transform: uv' = (row0·(u,v,1), row1·(u,v,1)).
 #ifndef WEFT_SHARED_MATERIAL
 #define WEFT_SHARED_MATERIAL
 #include "begin.glsl"
@@ -28,8 +29,8 @@ struct Material {
     vec2 anisotropy_turn;    // Cosine and sine of the angle from the tangent to the grain's direction.
     TextureTransform anisotropy_uv;
     float anisotropy_textured;  // 1: a texture gives the direction; 0: the direction is the tangent.
-    // Numbers of the textures in the import `materialTextures`. A material without a texture has the number of a
-    // texture of one texel: white, or the flat normal (0.5, 0.5, 1).
+    // Numbers of the textures in the imported table of textures `materialTextures`. A material without a texture has
+    // the number of a texture of one texel: white, or the flat normal (0.5, 0.5, 1).
     uint base_color_texture;
     uint metallic_roughness_texture;
     uint normal_texture;

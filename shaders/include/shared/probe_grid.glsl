@@ -1,10 +1,12 @@
-// The irradiance probes of the scene as shaders see them: the imports `probePoints`, `probeCells` and `probeGrid`. The
-// probes have numbers from 0; dropped probes have none. The structs are for storage buffers. Units: metres.
+// The irradiance probes of the scene as shaders see them: the imported buffers `probePoints`, `probeCells` and
+// `probeGrid`. The probes have numbers from 0. A grid point without a probe (a dropped probe) has no number. The
+// structs are for storage buffers. Units: metres.
 #ifndef WEFT_SHARED_PROBE_GRID
 #define WEFT_SHARED_PROBE_GRID
 #include "begin.glsl"
 
-// ProbeCell::corners: there is no probe at this corner. ProbeCell::level: the slot is empty.
+// kNoProbe is the value of an element of ProbeCell::corners if there is no probe at this corner. kEmptyProbeSlot is the
+// value of ProbeCell::level if the slot is empty.
 const uint kNoProbe = 0xffffffffu;
 const uint kEmptyProbeSlot = 0xffffffffu;
 const uint kMostProbeLevels = 8u;
@@ -12,7 +14,7 @@ const uint kMostProbeLevels = 8u;
 // The number is a power of two, so the multiplication does not round.
 const float kProbeRadianceScale = 0.0625;
 
-// One probe, an element of `probePoints`.
+// One probe, an element of the buffer `probePoints`.
 struct ProbePoint {
     vec3 position;    // In world space.
     float spacing_m;  // Spacing of the finest level of which the probe is a corner.
@@ -23,21 +25,24 @@ struct ProbePoint {
 struct ProbeCell {
     ivec3 at;          // The corner with the smallest coordinates: grid point `at` is at origin + at · spacing_m.
     uint level;        // The side of the cell is the stride of this level times spacing_m.
-    uint corners[8];   // Numbers of the probes. Bit 0 of the index: +x, bit 1: +y, bit 2: +z.
-    // Bit i: the neighbour i of the same level exists, where i = (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
+    // Numbers of the probes at the corners. In the index of a corner, bit 0 means +x, bit 1 +y, bit 2 +z.
+    uint corners[8];
+    // Bit i is 1 if this cell has a neighbour in the direction (dx, dy, dz) at the same level, where each of dx, dy, dz
+    // is −1, 0 or 1 and i = (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
     uint neighbours;
     uint reserved[3];
 };
 
-// The only element of `probeGrid`.
+// The only element of the buffer `probeGrid`.
 struct ProbeGrid {
     vec3 origin;      // Place of the grid point (0, 0, 0).
     float spacing_m;  // Distance between two neighbouring points of the finest grid.
-    uint levels;      // 0: there are no cells. Level 0 is the finest.
+    uint levels;      // Number of levels; 0: there are no cells. Level 0 is the finest.
     uint slots;       // Number of slots in `probeCells`, a power of two. At least half of them are empty.
     uint probes;
     uint reserved;
-    uvec4 strides[kMostProbeLevels / 4u];  // The stride of level i, in units of the grid, is strides[i / 4][i % 4].
+    // The stride of level i, in units of spacing_m, is strides[i / 4][i % 4].
+    uvec4 strides[kMostProbeLevels / 4u];
 };
 
 // Returns the slot at which the search for a cell begins.

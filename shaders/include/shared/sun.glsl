@@ -5,7 +5,8 @@
 #include "begin.glsl"
 
 const int kMostSunCascades = 4;
-// Near its edge, a map is blended with the next map that contains the point. The band has this width, in texels.
+// Near its edge, a map is blended with the next map that contains the point. This is the width of the band in which
+// maps are blended, in texels.
 const float kSunBlendTexels = 8.0f;
 // Shadows fade out over the last part of the distance end_m. This part has the length kSunFade × end_m.
 const float kSunFade = 0.1f;

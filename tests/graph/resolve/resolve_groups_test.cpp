@@ -323,7 +323,7 @@ TEST_F(ResolveGroups, ACycleInARoundEndsWithWakesFalse) {
     const Diagnostic& d = resolved.errors().front();
     EXPECT_EQ(d.code, "W150");
     EXPECT_NE(d.message.find("g::make#0 (reads probes)"), std::string::npos) << d.message;
-    expect_help(d, R"j(if pass "g::make" needs only what the rounds have left in "probes" before)j");
+    expect_help(d, R"j(if pass "g::make" needs only the content of "probes" from earlier rounds)j");
     expect_help(d, R"j({ "ref": "probes", "wakes": false })j");
 }
 

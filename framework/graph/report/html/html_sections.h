@@ -44,8 +44,8 @@ void write_heading(const PlanPage& page, Markup& out);
 // Draws the vertical lines between the columns of passes, from `top_px` to `bottom_px`.
 void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Markup& out);
 
-// Each returns the label of a barrier, edge or wait, which appears when the pointer is over it. The item is
-// given as an index into PlanPage::barriers, PlanPage::edges or PlanPage::waits.
+// Each of these functions returns a label of a barrier, edge or wait. The label appears when the pointer is
+// over this item. The parameter is an index into PlanPage::barriers, PlanPage::edges or PlanPage::waits.
 [[nodiscard]] std::string barrier_label(const PlanPage& page, size_t barrier);
 [[nodiscard]] std::string edge_label(const PlanPage& page, size_t edge);
 [[nodiscard]] std::string wait_label(const PlanPage& page, size_t wait);

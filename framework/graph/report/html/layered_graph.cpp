@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-constexpr int32_t kLineHeight_px = 6;  // Height of a dummy node.
+constexpr int32_t kLineHeight_px = 6;  // Height of a dummy node, which reserves space for edges.
 // Maximum number of dummy nodes in a graph. If a graph needs more, its longest edges get no dummy nodes.
 // These edges lead directly from box to box, even across other boxes. Nobody can follow so many lines by eye
 // anyway.

@@ -80,7 +80,8 @@ void write_on_behalf_of(const PlanPage& page, const BarrierItem& item, Markup& o
     std::vector<ArticleLink> links;
     bool writing = false;
     const Position first(before ? uint32_t{item.position} : item.position + 1);
-    // A barrier before the first pass of a group, if it is recorded in every frame, is there for all rounds.
+    // If a barrier before the first pass of a group is recorded in every frame, it serves all rounds of the
+    // group.
     const GroupBlock block = block_around(plan, item.position);
     const bool border = before && !block.empty() && !item.barrier->if_pass_runs;
     for (Position p = first; p < plan.schedule.order.size() && !writing; ++p) {

@@ -31,7 +31,7 @@ struct EdgeItem {
     std::vector<ResourceId> resources;
 };
 
-// A repeat with many iterations. The graph can draw all its passes as one box.
+// A repeat with many iterations. The picture of the plan can show all passes of the repeat as one box.
 struct RepeatItem {
     std::string name;  // Name of the repeat, such as "down" if its passes are "down#1", "down#2" ...
     std::vector<PassId> passes;  // The passes of its iterations, in schedule order.

@@ -12,7 +12,8 @@ namespace {
 constexpr int32_t kHeight_px = 320, kMostHeight_px = 640;
 constexpr int32_t kLeastHeight_px = 96;
 constexpr int32_t kLeastBlock_px = 6;
-constexpr int32_t kLeastTick_px = 24;  // Minimum distance between ticks, except to the last one.
+// Minimum distance between two ticks of the axis. The last tick is an exception.
+constexpr int32_t kLeastTick_px = 24;
 
 // Returns the height of a heap's drawing: at least kHeight_px, and large enough that the smallest block is
 // kLeastBlock_px high. If this needs more than kMostHeight_px, returns kHeight_px; then place_blocks()

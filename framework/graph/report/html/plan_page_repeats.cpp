@@ -81,7 +81,8 @@ NodeGraph node_graph(const PlanPage& page, const std::vector<RepeatItem>& repeat
     for (size_t e = 0; e < page.edges.size(); ++e) {
         const EdgeItem& edge = page.edges[e];
         const uint32_t from = node_of[edge.from], to = node_of[edge.to];
-        // An edge between two iterations in one box is not drawn, unless it leads to a later frame.
+        // An edge between two iterations that share a box is not drawn, unless the edge leads to a later
+        // frame.
         if (from == to && !edge.history) continue;
         const auto [at, is_new] = known.try_emplace({edge.history, from, to, edge.kind}, graph.links.size());
         if (is_new) graph.links.push_back({from, to, edge.kind, edge.history, {}, {}});

@@ -1,8 +1,8 @@
 // Gives specialisation constants their values by name. The boolean constant HAS_x tells the shader whether
-// port x is bound. Other constants are searched in the pass's "constants". If they are not there, they are
-// searched among the graph's parameters and constants, the indices of the pass's repeat, and the numbers that
-// the program offers, such as the number of lights. The remaining constants are set for each draw by the
-// variants of a draw list.
+// port x is bound. The value of any other constant is searched in the pass's "constants". If it is not there,
+// it is searched among the graph's parameters and constants, the indices of the pass's repeat, and the
+// numbers that the program offers, such as the number of lights. The remaining constants are set for each
+// draw by the variants of a draw list.
 #include <algorithm>
 #include <bit>
 
@@ -48,10 +48,9 @@ class ConstantBinder {
                 std::ranges::find(at_.draft.shader->spec_constants, given.name, &SpecConstant::name) !=
                 at_.draft.shader->spec_constants.end();
             if (known) {
-                add_help(
-                    error(given.loc, quote(given.name) +
-                                         " cannot be set: the value only says whether the port is bound"),
-                    "remove this constant; to make its value false, remove the port");
+                add_help(error(given.loc, quote(given.name) +
+                                              " cannot be set: Weft sets it to true if the port is bound"),
+                         "remove this constant; to make its value false, remove the port");
                 continue;
             }
             Diagnostic& d = error(given.loc, "shader " + quote(desc().shader) +

@@ -29,7 +29,8 @@ void report_bad_list(PassBinding& pass, const std::string& list, SourceLoc loc) 
     }
 }
 
-// Returns true if the shader reads numbers of another class than the attribute has.
+// Returns true if the numeric class (float, signed or unsigned integer) of the shader input differs from that
+// of the vertex attribute.
 bool has_other_class(const StageVariable& input, Format format) {
     if (format == Format::undefined) return false;
     switch (format_info(format).numeric) {

@@ -57,8 +57,9 @@ const PortDecl* find_declared(const PassType& type, const UseDecl& use) {
     return found == type.ports.end() ? nullptr : &*found;
 }
 
-// Returns true if the author has probably misspelt the port `wanted`: `ports`, the ports of the pass, contain
-// a similar name that the pass type does not declare. An error about that name was already reported.
+// Returns true if the author has probably misspelt the name of the port `wanted`. In this case, `ports` (the
+// ports of the pass in the graph file) contains a port with a similar name that the pass type does not
+// declare. An error about that port was already reported.
 bool is_misspelt(const PassType& type, const PortDecl& wanted, const std::vector<PortDesc>& ports) {
     const std::vector<std::string> known = port_names(type, wanted.is_output);
     return std::ranges::any_of(ports, [&](const PortDesc& port) {

@@ -49,11 +49,11 @@ struct BufferView {
 std::optional<BufferView> bind_view(PassBinding& pass);
 // Selects an element of a buffer as the view of a pass. Returns false after reporting an error. Errors: W230.
 [[nodiscard]] bool select_view_element(PassBinding& pass, const BufferView& view, UseDecl& use);
-// Returns the block with the constants of the view; null if the shader does not read it.
+// Returns the block with the constants of the view; null if the shader does not read this block.
 [[nodiscard]] const ShaderBinding* find_view_block(const ShaderInterface& shader);
-// Checks what a shader needs besides ports and parameters. It may use only descriptors that the program
-// binds, it must write gl_PointSize if the pass draws points, and it should state its local size. Errors:
-// W185, W186. Warnings: W137.
+// Checks the requirements of a shader besides ports and parameters. The shader may use only descriptors that
+// the program binds, it must write gl_PointSize if the pass draws points, and it should state its local size.
+// Errors: W185, W186. Warnings: W137.
 void check_shader_fit(PassBinding& pass);
 
 }  // namespace weft

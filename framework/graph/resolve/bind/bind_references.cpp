@@ -153,8 +153,8 @@ class ReferenceBinder {
         return false;
     }
 
-    // Binds one reference of a port: `ref` is the port's own reference or its "else". Returns nullopt if an
-    // error was reported, now or earlier.
+    // Binds one reference of a port: `ref` is the port's own reference, or the reference in its "else".
+    // Returns nullopt if an error was reported, now or earlier.
     std::optional<BoundPort> bind_reference(PassId pass, const PortDesc& port, const RefDesc& ref,
                                             bool is_output) {
         const ResourceId named = find_port_resource(pass, ref, is_output);
@@ -193,9 +193,10 @@ class ReferenceBinder {
         return bound;
     }
 
-    // Selects the layer of the pass's view, or the layers of its views, if the port is an attachment of a
-    // pass with "views". If the reference itself selects a layer, this layer is kept; for a pass that draws
-    // several views, it is the layer of the first view. Returns false after reporting an error.
+    // Selects layers if the port is an attachment of a pass with "views": the layer of the view that the pass
+    // draws, or the layers of all its views. If the reference itself selects a layer, this layer is kept. For
+    // a pass that draws several views, the selected layer is then the layer of the first view. Returns false
+    // after reporting an error.
     bool select_layer(PassId pass, BoundPort& port) {
         const PassDraft& draft = declared_.expansion.passes[pass];
         const std::string& name = port.use.port;
@@ -243,16 +244,18 @@ class ReferenceBinder {
         return ports;
     }
 
-    // Binds an input to the resource that it names. If all writers of that resource are removed (`if`, or an
-    // empty repeat), binds the input to its "else" instead. If there is no "else", an optional port stays
-    // unbound, and any other port is an error. If switches turn all writers off in some frames, the input is
-    // bound to both references, each with the combinations of the switches in which it is read.
+    // Binds an input to the resource that its reference names. If all writers of that resource are removed
+    // (by `if`, or because their repeat is empty), binds the input to the reference in its "else" instead.
+    // Without an "else", an optional port stays unbound, and for any other port an error is reported. If
+    // switches turn all writers off in some frames, the input is bound to both references. Each of the two
+    // uses stores the combinations of switch values in which the pass reads it.
     void add_input(PassId pass, const PortDesc& port, const Presence& presence,
                    std::vector<BoundPort>& ports) {
         const CombinationSet runs_in = declared_.expansion.passes[pass].decl.runs_in;
         bool found = false;    // True: a pass of the graph writes one of the references.
-        bool depends = false;  // True: which reference the port reads depends on the switches.
-        CombinationSet missing = kEveryCombination;  // The combinations in which the port has no use yet.
+        bool depends = false;  // True: the switches decide which reference the port reads.
+        // The combinations of switch values for which the port has no use yet.
+        CombinationSet missing = kEveryCombination;
         for (const RefDesc* ref : {&port.ref, port.otherwise ? &*port.otherwise : nullptr}) {
             if (!ref) break;
             std::optional<BoundPort> bound = bind_reference(pass, port, *ref, false);
@@ -303,7 +306,8 @@ class ReferenceBinder {
         return ports;
     }
 
-    // Finds the view of the pass. If the shader reads the view from a buffer, adds this input.
+    // Finds the view of the pass. If the shader reads the view from a buffer, adds this buffer as an input of
+    // the pass.
     void add_view(PassId id, const Presence& presence, std::vector<BoundPort>& ports) {
         PassBinding pass{.declared = declared_,
                          .id = id,

@@ -21,7 +21,8 @@ bool holds_views(const Declared& declared, ResourceId id) {
     return stride != declared.input.imports.strides.end() && resource.stride_bytes == stride->second;
 }
 
-// Reports a list without a number, or a single view with a number.
+// Reports an error in the view of a pass: the pass names a list of views but gives no number, or it names a
+// single view and gives a number.
 void report_number(PassBinding& pass, const ViewList& list) {
     const PassDesc& desc = *pass.draft.desc;
     Diagnostic& d = pass.error(desc.view_loc, "W118",
@@ -36,7 +37,7 @@ void report_number(PassBinding& pass, const ViewList& list) {
 }
 
 // Returns the number of the view whose depth a debug view shows. An image can have more layers than its list
-// has views, so the number is limited to those that exist.
+// has views, so the result is limited to the number of the last view.
 double shown_number(const PassBinding& pass, const ViewList& list) {
     const Expr& asked = pass.draft.desc->view_number;
     if (asked.empty()) return 0;

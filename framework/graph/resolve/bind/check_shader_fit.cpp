@@ -39,8 +39,8 @@ class ShaderFit {
         const std::string what = shader() + " reads " + quote(binding.name) + " at set " +
                                  std::to_string(binding.set) + ", binding " + std::to_string(binding.binding);
         if (binding.set != kFrameSet && !draws_lists()) {
-            // Sets 2 and 3 exist only with draw lists. A raster pass without draw lists was already reported
-            // (W167).
+            // Descriptor sets 2 and 3 exist only in passes with draw lists. For a raster pass without draw
+            // lists, the error W167 was already reported.
             if (at_.draft.decl.kind != PassKind::raster)
                 error("W185", what + ", which exists only in raster passes that draw a draw list",
                       "remove set and binding from the layout: then the variable is a port of the pass");
@@ -66,8 +66,8 @@ class ShaderFit {
                 binding.set);
     }
 
-    // Reports the first draw list of the pass whose source does not bind the set. Returns false if there is
-    // none.
+    // Reports the first draw list of the pass for which the program does not bind descriptor set `set`.
+    // Returns false if there is no such draw list.
     bool report_missing_set(const std::string& what, uint32_t set) {
         const auto& catalog = at_.declared.input.imports.imports;
         for (const std::string& list : at_.draft.desc->draws) {
@@ -84,7 +84,7 @@ class ShaderFit {
         return false;
     }
 
-    // Adds what the program binds in set 2 or 3.
+    // Adds a help text that lists the descriptors that the program binds in descriptor set 2 or 3.
     void add_offers(Diagnostic& fault, uint32_t set) {
         if (set == kFrameSet) return;
         std::string offers;

@@ -49,8 +49,8 @@ SourceLoc port_loc(const PassBinding& pass, const ShaderBinding* array) {
     return pass.draft.desc->shader_loc.line != 0 ? pass.draft.desc->shader_loc : pass.draft.decl.loc;
 }
 
-// Returns the number of sampled images in a stage. An array without a size counts as many images as its table
-// has textures.
+// Returns the number of sampled images in a stage. For an array without a size, counts the textures of the
+// table that is bound to the array.
 uint64_t count_sampled(const PassBinding& pass, ShaderStageMask stage) {
     uint64_t count = 0;
     for (const ShaderBinding& binding : pass.draft.shader->bindings) {

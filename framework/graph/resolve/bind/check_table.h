@@ -8,13 +8,13 @@ namespace weft {
 
 [[nodiscard]] bool is_table(const PassBinding& pass, const UseDecl& use);
 // Checks that a table is an input that the shader declares as an array of sampler2D. `binding` is the binding
-// of the shader with the name of the port; null if the port is no binding. Returns false after reporting an
-// error. Errors: W232.
+// of the shader with the name of the port; null if the shader has no such binding. Returns false after
+// reporting an error. Errors: W232.
 [[nodiscard]] bool check_table(PassBinding& pass, const UseDecl& use, const ShaderBinding* binding);
 // Reports each table in a pass without a shader. Errors: W232.
 void refuse_tables(PassBinding& pass);
-// Checks that the device has tables if the shader needs them, and that no stage of the shader samples too
-// many textures. Errors: W231.
+// If the shader needs tables of textures, checks that the device supports them. Also checks that no stage of
+// the shader samples too many textures. Errors: W231.
 void check_table_support(PassBinding& pass);
 
 }  // namespace weft

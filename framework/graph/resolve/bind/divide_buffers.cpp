@@ -8,7 +8,8 @@
 namespace weft {
 namespace {
 
-// Returns the resource of age 0 if the resource has a history, otherwise `id` itself.
+// Returns the resource of the current frame (age 0) if `id` belongs to a resource with history. Otherwise
+// returns `id` itself.
 ResourceId newest_of(const Shapes& shapes, ResourceId id) {
     const ResourceId ring = shapes.resources[id].ring;
     return ring == kNoId ? id : ring;

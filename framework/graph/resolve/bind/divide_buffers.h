@@ -1,5 +1,5 @@
-// Purpose: divides buffers into pieces. Each range of elements that a port names begins and ends between two
-// pieces, so each port uses whole pieces. Later stages treat the pieces as layers. Private to bind().
+// Purpose: divides buffers into pieces. Each range of elements that a port names begins and ends at a border
+// between pieces, so each port uses whole pieces. Later stages treat the pieces as layers. Private to bind().
 #pragma once
 
 #include "graph/resolve/bind.h"

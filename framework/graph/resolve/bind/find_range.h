@@ -9,10 +9,11 @@
 namespace weft {
 
 struct FoundRange {
-    // For an image. The range of a buffer is found when all references are known; see divide_buffers().
+    // The range in an image. For a buffer, divide_buffers() finds the range later, when all references are
+    // known.
     SubresourceRange range;
     std::optional<ByteRange> bytes =
-        {};  // The bytes of the named elements; absent: the reference names none.
+        {};  // The bytes of the elements that the reference names; absent if there are no such elements.
 };
 // Returns the range, or nullopt if an error in the reference was reported, now or earlier. Errors: W105.
 [[nodiscard]] std::optional<FoundRange> find_range(PassId pass, const RefDesc& ref,

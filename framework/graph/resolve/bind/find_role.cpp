@@ -37,7 +37,8 @@ void RoleFinder::report_no_history(PassId pass, const RefDesc& ref, const Resour
                         "\"history\": " + wanted);
     } else if (kept && resource.history == 0) {
         add_help(d, "read " + quote(ref.name) +
-                        " before a pass writes it: \"keep\" keeps the old content in the same copy");
+                        " before a pass writes it, to get the old content: a resource with \"keep\" has one "
+                        "copy, and new content replaces the old content");
     } else {
         add_help(d, "add \"history\": " + wanted + " to resource " + quote(ref.name));
     }
@@ -65,7 +66,8 @@ ResourceId RoleFinder::find(PassId pass, const RefDesc& ref, ResourceId resource
             pass, ref.loc, "W122",
             quote(ref.text) + " names a pass with @, but only the last version of an earlier frame is kept");
         add_help(d, "read " + quote(role_name(ref.name, ref.history)) +
-                        " without a pin, or copy the version to another resource that has a history");
+                        " without @ and the name of a pass, or copy this version to another resource that "
+                        "has a history");
         return kNoId;
     }
     const bool keeps = declared_.shapes.origins[resource].desc->keep != KeepMode::none;

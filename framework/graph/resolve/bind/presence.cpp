@@ -10,9 +10,9 @@
 namespace weft {
 namespace {
 
-// Returns true if the previous version of the resource `name` would stay visible after a removed pass, for
-// example because the pass blends or is "partial". Reads only the description of the pass, because a removed
-// pass has no bound ports.
+// Returns true if a part of the previous version of the resource `name` would stay visible if the removed
+// pass ran, for example because the pass blends or is "partial". Reads only the description of the pass,
+// because a removed pass has no bound ports.
 bool passes_on(const PassDesc& desc, const std::string& name) {
     const PortDesc* out = output_of(desc, name);
     if (!out || desc.partial || !out->ref.pass.empty() || desc.type == "raster") return true;
@@ -43,7 +43,7 @@ bool share_a_part(const UseDecl& one, const UseDecl& other) {
            b.layer < a.layer + a.layers;
 }
 
-// Returns the reason why the inputs of the pass cannot depend on switches, or an empty text.
+// Returns the reason why the inputs of the pass cannot depend on switches, or an empty text if they can.
 std::string why_without_variants(const PassDraft& draft, const PortDesc& port) {
     const PassDesc& desc = *draft.desc;
     if (desc.rests) return "has \"rest\"";
@@ -126,8 +126,9 @@ CombinationSet Presence::present_in(PassId pass, const BoundPort& input) const {
     if (expansion.switches.empty() || declared_.shapes.origins[resource].has_content ||
         suspects_.writers[resource])
         return kEveryCombination;
-    // The combinations in which the passes that `@pass` names run, and those in which other writers of the
-    // resource run. If the named passes are off, the version of another writer may stay visible.
+    // `named`: the combinations of switch values in which a pass runs whose name stands after `@`. `others`: the
+    // combinations in which other writers of the resource run. If the named passes are off, the version of
+    // another writer may stay visible.
     CombinationSet named = 0, others = 0;
     std::set<std::string> other_names;
     bool passes_version_on = input.draft.pins.empty(), any = false;

@@ -45,8 +45,9 @@ class NeededParts {
         }
     }
 
-    // Returns the smallest range that contains all needed parts: those whose old content a pass sees, and
-    // those of which the other passes do not write all aspects. It has no mips if no part is needed.
+    // Returns the smallest range that contains all needed parts. A part is needed if a pass sees its old
+    // content, or if the other passes do not write all aspects of it. If no part is needed, the range has no
+    // mips.
     [[nodiscard]] SubresourceRange box() const {
         SubresourceRange box = whole_;
         uint32_t mip_end = 0, layer_end = 0;
@@ -80,9 +81,11 @@ class NeededParts {
     }
 
     SubresourceRange whole_;
-    // Index: mip level within layer. The aspects that other passes write.
+    // The aspects that other passes write, for each part. The index is computed by index(): layer by layer,
+    // and within a layer mip by mip.
     std::vector<AspectMask> written_;
-    // The same index. Not 0: a pass sees the content of the last frame.
+    // The aspects whose content of the last frame a pass sees, with the same index. 0: no pass sees that
+    // content.
     std::vector<AspectMask> needed_;
 };
 

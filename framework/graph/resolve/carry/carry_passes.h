@@ -12,11 +12,11 @@
 
 namespace weft {
 
-// Returns the carry passes of the graph, by their names.
+// Returns the carry passes of the graph, by their names. A carry pass copies content of the last frame.
 [[nodiscard]] std::map<std::string, PassDesc> describe_carries(const ResolveInput& input,
                                                                const Shapes& shapes);
-// Removes the carry passes whose copies nobody needs. The others copy only the needed mips and layers, and
-// what lies between them.
+// Removes the carry passes whose copies no pass needs. Each other carry pass copies the smallest range that
+// contains all needed mips and layers. This range may include some mips and layers that are not needed.
 [[nodiscard]] ResolvedGraph remove_idle_carries(ResolvedGraph graph);
 
 }  // namespace weft

@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-// Clears and indirect commands need offsets that are a multiple of a 32-bit word.
+// The offsets of clears and of indirect commands must be multiples of this size, a 32-bit word.
 constexpr uint64_t kWordBytes = 4;
 constexpr uint32_t kVectorBytes = 16;  // The size of a vec4.
 

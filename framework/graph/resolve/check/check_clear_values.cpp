@@ -28,7 +28,7 @@ ValueRange float_range(const FormatInfo& format) {
     constexpr double kMostHalf = 65504;
     const std::string_view name = format.name;
     if (name == "b10g11r11f") return {0, 64512};  // The greatest 10-bit float, the type of channel b.
-    if (name == "rgb9e5") return {0, 65408};      // Mantissa 511 ÷ 512, exponent 16.
+    if (name == "rgb9e5") return {0, 65408};      // Mantissa 511/512 times 2^16.
     if (name.find("snorm") != std::string_view::npos) return {-1, 1};
     // The names of float formats end with "f". All other formats at this point are unorm or sRGB.
     if (!name.ends_with("f")) return {0, 1};

@@ -31,7 +31,7 @@ bool same_shape(const std::vector<ResourceDecl>& resources, const UseDecl& a, co
            from.samples == to.samples;
 }
 
-// Returns true if the sampler has a setting that a blit cannot use: only its filter matters.
+// Returns true if the sampler has a setting that a blit cannot use. A blit uses only the filter of a sampler.
 bool only_shaders_can_use(const SamplerDecl& sampler) {
     SamplerDecl plain = sampler;
     plain.filter = plain.mip_filter = SamplerFilter::linear;

@@ -100,8 +100,8 @@ ResolvedGraph check_custom_passes(const Declared& declared, ResolvedGraph graph,
         if (!draft.custom) continue;
         const Evaluator evaluator = declared.evaluator(id, suspects, reporter);
         const CustomPass pass{id, draft, evaluator, report};
-        // When change_values() calls this function, the graph may lack carry passes, so the ids of its passes
-        // may differ from those of the expansion.
+        // When change_values() calls this function, the graph may lack carry passes (the passes that copy
+        // content of the last frame). So the ids of its passes may differ from the ids in the expansion.
         graph.passes[find_pass(graph, draft.decl.name)].custom_params = evaluate_params(pass);
         run_type_check(pass, graph, suspects);
     }

@@ -71,8 +71,8 @@ class InterfaceCheck {
             check_sampler(declared_.input.profile, pass_, *port.desc, *port.binding, port_text(use), report_);
     }
 
-    // The state of a read-only import before and after a frame describes no writes, so a write would change
-    // the import for all later frames without synchronisation.
+    // For a read-only import, the access states before and after a frame contain only reads. So a write would
+    // change the import for all later frames without synchronisation.
     void check_writable(const UseDecl& use, const ResourceDecl& resource) {
         if (!writes(use.access)) return;
         const auto import = declared_.input.imports.imports.find(resource.name);

@@ -1,5 +1,5 @@
 // Warns about resources that no pass reads, and about passes without effect. A resource also counts as read
-// if only a removed pass, an unused "else", a debug view or a test names it. The resource is then read with
+// if only a removed pass, an unused "else", a debug view or a test names it. Such a resource may be read with
 // other parameter values, or when the view is shown or the test runs.
 #include <algorithm>
 
@@ -100,7 +100,7 @@ class UselessSearch {
     // Names of the resources that passes read, including passes that do not run.
     ResourceNames read_;
     // Names of the resources that debug views or tests use, and of the resources that inputs of removed
-    // passes or an "else" name. The use of the latter may depend on parameter values.
+    // passes or an "else" name. Parameter values may decide whether those inputs or the "else" are used.
     ResourceNames at_times_;
     // Indexed by ResourceId: 1 if a pass of the resolved graph, live or culled, needs the earlier content of
     // the resource.

@@ -27,8 +27,9 @@ class ParamCosts {
         add(graph_.frames, ParamCost::live);
     }
 
-    // Returns the cost of a change of the parameter. For a scale of a live size, the cost is at most
-    // ParamCost::live, because the plan is made with the value 1 for all scales.
+    // Returns the cost of a change of the parameter. A live size is a size that is multiplied by a parameter,
+    // its scale. For such a scale, the cost is at most ParamCost::live, because the plan is made with the
+    // value 1 for all scales.
     ParamCost cost_of(const std::string& name) const {
         const auto found = costs_.find(name);
         if (found == costs_.end()) return ParamCost::nothing;
@@ -195,8 +196,8 @@ class ParamCosts {
         for (const Expr& bound : *view.range) add(bound, ParamCost::live);
     }
 
-    // Returns the names of all resources, draw lists and turns that passes, groups, debug views or tests use.
-    // This includes passes that do not run.
+    // Returns the names of all resources, draw lists, lists of views and turns (imported lists of rounds)
+    // that passes, groups, debug views or tests use. This includes passes that do not run.
     ResourceNames named_resources() const {
         ResourceNames named = watched_resources(graph_);
         const auto add_named = [&](const PortDesc& port) {
@@ -221,7 +222,8 @@ class ParamCosts {
 
     const ResolveInput& input_;
     const GraphDesc& graph_;
-    // For each name that is used, such as a parameter, a constant or a size: the greatest cost of its uses.
+    // For each name that is used, such as a parameter, a constant or a size: the greatest cost that a change
+    // of the name causes at any place of use.
     std::map<std::string, ParamCost> costs_;
     // True if a shader failed to compile, so that it is unknown which parameters the shader uses.
     bool is_unknown_ = false;

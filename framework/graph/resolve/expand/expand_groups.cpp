@@ -12,7 +12,8 @@ constexpr double kMostRounds = 100000;
 using Indices = std::map<std::string, double>;
 
 // Lists the values of the indices of a group, one entry for each round. The passes of the group have the same
-// loops, so an error in the range of an index was already reported, and the number of rounds is limited.
+// loops and were made earlier. So an error in the range of an index was already reported, and the number of
+// rounds is limited.
 class RoundLister {
  public:
     RoundLister(const Evaluator& evaluator, const GroupDesc& desc) : evaluator_(evaluator), desc_(desc) {}
@@ -50,8 +51,8 @@ class RoundLister {
     std::map<Indices, uint32_t> rounds_;
 };
 
-// Returns the value of a key of the group that is a number of rounds; `absent` if the key is absent or
-// faulty.
+// Returns a number of rounds: the value of the key `key` of the group, or `absent` if the key is absent or
+// has an error.
 uint32_t count(const Evaluator& evaluator, const GroupDesc& desc, const Expr& value, const char* key,
                uint32_t absent) {
     if (value.empty()) return absent;

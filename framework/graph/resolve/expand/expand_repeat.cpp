@@ -71,7 +71,7 @@ class PassRepeater {
     }
 
     // Returns the number of the last view of a pass with "views"; -1 if the list is empty. If one pass draws
-    // all views, the repeat has only the first one.
+    // all views, returns 0, because the repeat then has only one pass.
     std::optional<double> last_view() {
         if (unites_views_) return 0;
         const ViewList* list = find_view_list(input_, values_, desc_, reporter_);
@@ -142,7 +142,8 @@ class PassRepeater {
     }
 
     // Returns the name of one pass of a repeat, made of the author's name and the values of the indices:
-    // "blur#2", or "blur#2.0" for two nested repeats. A pass that draws all views has no other repeat.
+    // "blur#2", or "blur#2.0" for two nested repeats. A pass that draws all views keeps the author's name,
+    // because it has no other repeat.
     std::string name() const {
         std::string text = desc_.name;
         if (unites_views_) return text;

@@ -21,7 +21,7 @@ struct RepeatCounts {
 };
 
 // Returns the passes that one description results in. If `unites_views` is true, one pass draws all views of
-// the key "views", and its index "view" is 0. After reporting an error, returns none. Updates
+// the key "views", and its index "view" is 0. After reporting an error, returns an empty list. Updates
 // `counts` and these members of the expansion: `dropped`, `faulty`, `tried_ports`, `too_large`, `suspects`.
 [[nodiscard]] std::vector<PassInstance> repeat_pass(const ResolveInput& input, const Values& values,
                                                     const Evaluator& evaluator, const Shapes& shapes,

@@ -7,8 +7,8 @@
 namespace weft {
 namespace {
 
-constexpr uint64_t kIndexedCommandBytes = 20;   // Five words: DrawCommand.
-constexpr uint64_t kVerticesCommandBytes = 16;  // Four words: DrawVerticesCommand.
+constexpr uint64_t kIndexedCommandBytes = 20;   // Size of DrawCommand: five 32-bit words.
+constexpr uint64_t kVerticesCommandBytes = 16;  // Size of DrawVerticesCommand: four 32-bit words.
 constexpr uint64_t kDrawCountBytes = 4;
 constexpr uint32_t kMaterialSet = 2;  // Descriptor set with the material of an object.
 
@@ -50,8 +50,9 @@ class DrawCommandFinder {
         add_help(report_.error(pass_, loc, code, message), help);
     }
 
-    // Checks that a use is a buffer of whole numbers with at least `wanted_bytes`. `holds` says what the pass
-    // reads from it, and `needs` what needs these bytes.
+    // Checks that a use is a buffer of whole numbers with at least `wanted_bytes`. For the message, `holds`
+    // names the data that the pass reads from the buffer, and `needs` names the part of the graph that needs
+    // these bytes.
     bool check_buffer(const UseDecl& use, const std::string& holds, uint64_t wanted_bytes,
                       const std::string& needs, const std::string& help) {
         const ResourceDecl& resource = graph_.resources[use.resource];
@@ -117,8 +118,9 @@ class DrawCommandFinder {
         if (draws_list()) check_list_with_count(use.loc);
     }
 
-    // With a number of draws in a buffer, one command draws the whole list. So all draws need the same state:
-    // Weft cannot change the material, the face that is culled or the pipeline between them.
+    // If a buffer contains the number of draws, one indirect draw call draws the whole list. So all draws
+    // need the same state: between the draws of one call, Weft cannot change the material, the culled face or
+    // the pipeline.
     void check_list_with_count(SourceLoc loc) {
         const std::string& list = bound_.draw_lists.front();
         const std::string cannot =

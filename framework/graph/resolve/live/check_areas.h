@@ -15,7 +15,8 @@ void check_live_image(const ResourceDecl& image, const ResourceDesc& desc, Repor
 // no content that was written for another area.
 void check_pass_areas(const Declared& declared, const VersionedGraph& versioned, PassId pass,
                       const ResolvedGraph& graph, PassReporter& report);
-// Returns the area of the first mip that a port uses. Its `image` is kNoId if the image has no live size.
+// Returns the area of the first mip that a port uses. In the result, `image` is kNoId if the image has no
+// live size.
 [[nodiscard]] LiveArea area_of(const ResolvedGraph& graph, const UseDecl& use);
 
 }  // namespace weft

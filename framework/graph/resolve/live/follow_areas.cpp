@@ -19,7 +19,8 @@ constexpr std::array kAreaBuiltins{AreaBuiltin{"Size", Builtin::area_size},
                                    AreaBuiltin{"Uv", Builtin::area_uv},
                                    AreaBuiltin{"UvMost", Builtin::area_uv_most}};
 
-// Finds the numbers of one pass that change with live scales.
+// Finds the numbers of one pass that change with live scales. A live scale is a parameter that multiplies a
+// size and may change in every frame.
 class PassFollower {
  public:
     PassFollower(const Declared& declared, const VersionedGraph& versioned, PassId pass, ResolvedGraph& graph,
@@ -42,8 +43,8 @@ class PassFollower {
     }
 
  private:
-    // The area of a pass that draws is that of its attachments, which all have the same area. The area of a
-    // compute pass is that of its first live output.
+    // A pass that draws has the area of its attachments, which all have the same area. A compute pass has the
+    // area of its first output with a live size.
     void find_area() {
         for (const AttachmentDecl& color : pass_.colors) take_area(pass_.uses[color.use]);
         if (pass_.depth) take_area(pass_.uses[pass_.depth->use]);
@@ -69,7 +70,8 @@ class PassFollower {
         pass_.live_groups.push_back({});
     }
 
-    // `counts`: the key "groups" or "threads". A single size gives two sides.
+    // `counts` contains the expressions of the key "groups" or "threads". If `counts` is a single size, it
+    // gives the counts for x and y.
     void follow_counts(const std::vector<Expr>& counts, bool threads) {
         std::vector<LiveCount> found(3);
         bool is_live = false;
@@ -148,7 +150,8 @@ class PassFollower {
     }
 
     // Returns true if the name of the member consists of the name of a port and the suffix of `builtin`. If
-    // the image of this port has a live size, the member then follows the area of this image.
+    // the image of this port has a live size, also records that the value of the member follows the area of
+    // this image.
     bool follow_port(const AreaBuiltin& builtin, ParamWrite& write, CombinationSet combinations) {
         std::string_view name = write.member;
         if (!name.ends_with(builtin.suffix)) return false;

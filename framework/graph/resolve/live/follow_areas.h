@@ -7,7 +7,8 @@
 
 namespace weft {
 
-// Adds these numbers to `graph`, the result of assemble(). Returns it unchanged if no size has a scale.
+// Adds the numbers that change with live scales to `graph`, the result of assemble(). Returns `graph`
+// unchanged if no size has a scale.
 [[nodiscard]] ResolvedGraph follow_areas(const Declared& declared, const VersionedGraph& versioned,
                                          Suspects suspects, ResolvedGraph graph, Reporter& reporter);
 

@@ -1,4 +1,5 @@
-// Purpose: finds out whether a live scale changes the size of an image, before passes are made.
+// Purpose: finds out whether a live scale (a parameter that multiplies a size and may change in every frame)
+// changes the size of an image, before passes are made.
 #pragma once
 
 #include "graph/resolve/evaluate.h"

@@ -20,21 +20,24 @@ class LiveTable {
     // Keeps references to all arguments.
     LiveTable(const Declared& declared, Reporter& reporter) : declared_(declared), reporter_(reporter) {}
 
-    // Returns the entry of an expression, which is added if it is new. Returns nullopt if the expression
-    // depends on no scale.
+    // Returns the entry of an expression. Adds the entry if the list does not contain it yet. Returns nullopt
+    // if the expression depends on no scale.
     [[nodiscard]] std::optional<uint32_t> find(const Expr& expression, const Indices& indices);
     // Returns false if a name in the expression has no value, because of an error that was reported.
     [[nodiscard]] bool is_known(const Expr& expression, const Indices& indices) const;
-    // Returns the entry of any expression, which is added if it is new. All its names must be known.
+    // Returns the entry of any expression. Adds the entry if the list does not contain it yet. All names in
+    // the expression must be known.
     [[nodiscard]] uint32_t entry(const Expr& expression, const Indices& indices) {
         return add_steps(steps_of(expression, indices), "");
     }
-    // Returns the entry of one side of a size: ExprOp::select_x or ExprOp::select_y.
+    // Returns the entry of one side of the size in entry `size`. `side` is ExprOp::select_x (width) or
+    // ExprOp::select_y (height).
     [[nodiscard]] uint32_t side_of(uint32_t size, ExprOp side);
     [[nodiscard]] std::vector<LiveValue> take() { return std::move(values_); }
 
  private:
     // fixed: the value is the same in all frames. param: the value depends on a parameter, but on no scale.
+    // scaled: the value depends on a scale.
     enum class Kind : uint8_t { fixed, param, scaled };
 
     [[nodiscard]] Kind kind_of(const Expr& expression, const Indices& indices);

@@ -23,7 +23,7 @@ std::string not_possible(const char* lowering, const Obstacle& obstacle) {
 ChosenLowering asked(const LoweringParts& parts, const char* name, ViewLowering kind,
                      const Obstacle& obstacle, Reporter& reporter) {
     if (!obstacle) return {kind, parts.list.count, "the graph asks for it"};
-    // Another stage reports the fault.
+    // An obstacle without a reason stands for a fault that another stage reports.
     if (obstacle->reason.empty()) return {};
     Diagnostic& d =
         reporter.error(parts.desc.lowering_loc, "W199",

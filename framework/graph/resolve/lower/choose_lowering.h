@@ -13,9 +13,9 @@ struct ChosenLowering {
     std::string reason;                      // As PassDecl::lowering_reason.
 };
 
-// Returns the lowering of a pass whose views are drawn to layers. By default, the result is the first
-// possible choice of this list: layer output, if the pass leaves out draws; multiview; one pass for each
-// view. This function is the only place that decides.
+// Returns the lowering (the way in which the views are drawn) of a pass whose views are drawn to layers. By
+// default, the result is the first possible choice of this list: layer output, if the pass leaves out draws;
+// multiview; one pass for each view. This function is the only place that decides.
 // Errors: W199 (the author's choice is not possible). Reports nothing else: after any other fault it chooses
 // one pass for each view, and a later stage reports the fault.
 [[nodiscard]] ChosenLowering choose_lowering(const ResolveInput& input, const Values& values,

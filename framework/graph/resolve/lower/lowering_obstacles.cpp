@@ -16,7 +16,8 @@ namespace {
 constexpr const char* kSunViews = "sun";
 constexpr uint32_t kFrameSetNumber = 0;
 
-// Stands for a fault that has nothing to do with the lowering. A later stage reports the fault.
+// Returns an obstacle without a reason. It stands for a fault of the graph that has nothing to do with the
+// lowering, and that a later stage reports.
 LoweringObstacle fault() {
     return {};
 }
@@ -33,8 +34,9 @@ std::optional<LoweringObstacle> repeat_obstacle(const PassDesc& desc) {
     return std::nullopt;
 }
 
-// Returns an obstacle if anything except view.number in the shader depends on the number of the view. If one
-// pass draws all views, everything else has the same value for all of them.
+// Returns an obstacle if an expression of the pass, a member of `Params` or a specialisation constant depends
+// on the number of the view. If one pass draws all views, only view.number in the shader can differ between
+// the views.
 std::optional<LoweringObstacle> index_obstacle(const LoweringParts& parts) {
     const std::string remedy =
         "read the number of the view from view.number in the shader, see frame_set.glsl";
@@ -54,7 +56,7 @@ std::optional<LoweringObstacle> index_obstacle(const LoweringParts& parts) {
     return std::nullopt;
 }
 
-// Checks that view i is drawn to layer first + i.
+// Checks that view i is drawn to layer first + i, where `first` is the layer of view 0.
 std::optional<LoweringObstacle> layer_obstacle(const LoweringParts& parts, const PortDesc& port,
                                                const ResourceDecl& image, Reporter& reporter) {
     const RefDesc& ref = port.ref;
@@ -79,7 +81,8 @@ std::optional<LoweringObstacle> layer_obstacle(const LoweringParts& parts, const
     return std::nullopt;
 }
 
-// Returns true if a live scale changes the size of the image.
+// Returns true if a live scale (a parameter that multiplies a size and may change in every frame) changes the
+// size of the image.
 bool is_live(const LoweringParts& parts, ResourceId image) {
     const ResourceDesc* desc = parts.shapes.origins[image].desc;
     return desc != nullptr && !desc->is_buffer && has_live_size(parts.input, parts.values, *desc);

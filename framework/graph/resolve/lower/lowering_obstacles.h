@@ -1,5 +1,5 @@
-// Purpose: finds the rules of a pass, of its list of views and of the device that forbid a lowering. Private
-// to choose_lowering().
+// Purpose: finds the rules of a pass, of its list of views and of the device that forbid a lowering (a way to
+// draw several views with one pass). Private to choose_lowering().
 #pragma once
 
 #include <optional>

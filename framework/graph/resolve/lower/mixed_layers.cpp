@@ -7,7 +7,7 @@
 namespace weft {
 namespace {
 
-// Returns true if a pass that draws only this layer of the attachment would load its content.
+// Returns true if a pass that draws only this layer of the attachment would load the content of this layer.
 bool loads_layer(const Declared& declared, const UseDecl& use, const PortDraft& port, uint32_t layer) {
     return std::ranges::any_of(use.sources, [&](const VersionSource& source) {
         const SubresourceRange& range = source.range;
@@ -17,7 +17,8 @@ bool loads_layer(const Declared& declared, const UseDecl& use, const PortDraft& 
     });
 }
 
-// Returns true if the attachment is loaded, although the content of some of its layers is not.
+// Returns true if the pass loads the attachment, although a pass that draws only one of its layers would not
+// load that layer.
 bool is_mixed(const Declared& declared, const UseDecl& use, const PortDraft& port) {
     const bool is_attachment = port.color_output != nullptr || port.is_depth_port;
     if (!is_attachment || !reads(use.access)) return false;
@@ -45,7 +46,7 @@ SeparateViews find_mixed_layers(const Declared& declared, const VersionedGraph& 
             Diagnostic& d = reporter.error(
                 desc.lowering_loc, "W199",
                 "the views of pass " + quote(desc.name) + " cannot be drawn by one pass: " + reason);
-            add_help(d, "write all of these layers earlier, or none of them");
+            add_help(d, "let earlier passes write all of these layers, or none of them");
             add_help(d, "or remove \"lowering\", so that Weft chooses");
             break;
         }

@@ -43,8 +43,8 @@ void set_export_states(const GraphRequest& request, std::vector<ResourceDecl>& r
         if (decl.lifetime == ResourceLifetime::persistent) {
             decl.between = used;
         } else if (decl.import) {
-            // The program may use the content of the previous frame until the next frame begins. The next
-            // frame discards this content.
+            // After a frame, the program may use the content until the next frame begins. The next frame
+            // discards this content.
             decl.import->exit = decl.import->entry = used;
             decl.import->entry.layout = Layout::undefined;
         }

@@ -15,7 +15,7 @@ namespace weft {
 [[nodiscard]] bool shape_export(const ResourceDesc& desc, const ExportUse& use, ResourceDecl& decl,
                                 Reporter& reporter);
 
-// Sets the states of all exports between frames. Their formats must be known.
+// Sets the states of all exports between frames. The formats of the exports must be known.
 void set_export_states(const GraphRequest& request, std::vector<ResourceDecl>& resources);
 
 }  // namespace weft

@@ -175,7 +175,8 @@ class ResourceShaper {
                     input_.limits.image_side_px, "graph.imageSidePx", " px for each side");
     }
 
-    // Returns the size of an image: that of its picture, or else the key "size".
+    // Returns the size of an image: the size of the picture in its file, or otherwise the value of the key
+    // "size".
     std::optional<ExprValue> image_size() {
         if (!has_file()) return value(desc_.size, default_size(values_, render_name()));
         if (!has_picture() && desc_.size.empty()) {

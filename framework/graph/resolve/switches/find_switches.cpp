@@ -8,7 +8,7 @@
 namespace weft {
 namespace {
 
-// Reports a pass whose "switch" excludes another property of the pass.
+// Reports a pass with "switch" that belongs to a group, or that also has the key "rest" or "perFrame".
 void check_switch_keys(PassId id, const PassDraft& draft, PassReporter& report) {
     const PassDesc& desc = *draft.desc;
     const bool sliced = !desc.per_frame.empty() && desc.per_frame.text != "false";
@@ -23,8 +23,8 @@ void check_switch_keys(PassId id, const PassDraft& draft, PassReporter& report) 
         add_help(d, "move the pass out of the group, or remove \"switch\"");
     else
         add_help(d, "remove one of the two keys");
-    add_help(d, "or remove the pass with \"if\": " + quote(desc.switch_param) +
-                    ": then a change of the parameter makes a new plan");
+    add_help(d, "or use \"if\": " + quote(desc.switch_param) +
+                    " instead of \"switch\". Then Weft makes a new plan when the parameter changes");
 }
 
 // Warns about a pass whose "if" depends on the parameter of its "switch": a change of the parameter makes a
@@ -68,13 +68,14 @@ bool add_switch(PassId id, const PassDesc& desc, std::vector<SwitchDecl>& switch
                                  quote(desc.switch_param) + " is one switch too many: a graph has at most " +
                                      std::to_string(kMostSwitches) + ", and this one already has " + known);
     add_help(d, "let several passes use the same switch");
-    add_help(d, "or remove the pass with \"if\": " + quote(desc.switch_param) +
-                    ": then a change of the parameter makes a new plan");
+    add_help(d, "or use \"if\": " + quote(desc.switch_param) +
+                    " instead of \"switch\". Then Weft makes a new plan when the parameter changes");
     return false;
 }
 
-// Observers and debug views only look at a resource. If all passes that write the resource have the same
-// switch, the looking pass gets this switch too: while the resource is absent, there is nothing to see.
+// Observers (passes that read a resource back) and debug views only look at a resource. If all passes that
+// write the resource have the same switch, the looking pass gets this switch too: while the resource is
+// absent, there is nothing to see.
 void follow_switch(const ResolveInput& input, Expansion& expansion, PassDraft& looking) {
     const std::string& shown = looking.desc->in.front().ref.name;
     const auto resource = input.graph.resources.find(shown);
@@ -94,7 +95,8 @@ void follow_switch(const ResolveInput& input, Expansion& expansion, PassDraft& l
 
 void find_switches(const ResolveInput& input, Expansion& expansion, PassReporter& report,
                    Reporter& reporter) {
-    // A pass that its "if" removes is not among the passes of the expansion.
+    // This loop visits the descriptions in the graph file, because a pass that its "if" removes is not among
+    // the passes of the expansion.
     for (const auto& [name, desc] : input.graph.passes)
         if (!desc.switch_param.empty()) warn_of_condition(desc, reporter);
     for (PassId id(0); id < expansion.passes.size(); ++id) {

@@ -15,8 +15,9 @@ bool asks_for_validity(const PassDraft& draft, const UseDecl& use) {
                                [&](const BlockMember& member) { return member.name == use.port + "Valid"; });
 }
 
-// The inputs of a pass in one combination. Each use has two numbers: 1 if the use is read, and 1 if its
-// content is not valid although the shader asks for the validity.
+// The inputs of a pass in one combination of switch values. The list has two numbers for each use. The first
+// number is 1 if the pass reads the use. The second number is 1 if the shader asks whether the content is
+// valid, and it is not valid.
 using Inputs = std::vector<uint8_t>;
 
 Inputs inputs_in(const PassDraft& draft, const BoundPass& bound, Combination combination) {

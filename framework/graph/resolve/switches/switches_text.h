@@ -23,7 +23,7 @@ struct SwitchValues {
 [[nodiscard]] SwitchValues fewest_values(const std::vector<SwitchDecl>& switches, CombinationSet set);
 // Returns a text such as `"fog" is off and "rain" is on`.
 [[nodiscard]] std::string values_text(const std::vector<SwitchDecl>& switches, const SwitchValues& values);
-// Returns the text of the fewest values.
+// Returns the text for the result of fewest_values(), such as `"fog" is off and "rain" is on`.
 [[nodiscard]] inline std::string switches_text(const std::vector<SwitchDecl>& switches, CombinationSet set) {
     return values_text(switches, fewest_values(switches, set));
 }

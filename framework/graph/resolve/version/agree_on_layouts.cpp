@@ -50,9 +50,9 @@ class LayoutAgreement {
         });
     }
 
-    // Each image that units write has one layout while no unit writes it. If its readers need different
-    // layouts, all of them use GENERAL. The program is one of the readers if it reads the image between
-    // frames.
+    // A unit is a set of passes with "rest", or a round of a group. An image that units write has one fixed
+    // layout at all times except while a unit writes it. If the readers of the image need different layouts,
+    // all of them use GENERAL. The program is one of the readers if it reads the image between frames.
     void agree_at_home() {
         Wanted wanted(graph_.resources.size());
         for (const Cell& cell : cells_) {

@@ -20,8 +20,8 @@ struct CellUse {
 struct Cell {
     ResourceId resource = kNoId;
     SubresourceRange range;
-    // The passes that write the cell, one use for each pass. If `ordered` is true, they are in the order of
-    // their versions.
+    // The passes that write the cell (a part of a resource), one use for each pass. If `ordered` is true,
+    // they are in the order of their versions.
     std::vector<CellUse> writers;
     // The uses that read the cell and do not write it.
     std::vector<CellUse> readers;

@@ -47,7 +47,8 @@ class SlicedCell {
     void check() {
         const auto is_sliced = [&](const CellUse& w) { return slice_of(declared_, w.pass) != FrameSlice{}; };
         if (!cell_.ordered || std::ranges::none_of(cell_.writers, is_sliced)) return;
-        // check_frame_slices() has reported an error if a pass with `perFrame` writes a resource with history.
+        // check_frame_slices() has reported an error if a pass with `perFrame` writes a resource with
+        // history.
         if (graph_.resources[cell_.resource].history > 0) return;
         const auto changes = [&](const CellUse& w) { return source_of(w) != nullptr; };
         if (std::ranges::all_of(cell_.writers, changes)) return;
@@ -58,7 +59,8 @@ class SlicedCell {
  private:
     const UseDecl& use(const CellUse& u) const { return graph_.passes[u.pass].uses[u.use]; }
 
-    // Returns the version that the use sees in this cell, or null if the use sees no earlier content.
+    // Returns the version that the use sees in this cell (a part of the resource), or null if the use sees no
+    // earlier content.
     const VersionSource* source_of(const CellUse& u) const {
         const std::vector<VersionSource>& sources = use(u).sources;
         const auto found = std::ranges::find_if(

@@ -112,8 +112,9 @@ class SwitchConnector {
             add_help(d, "or name a replacement with \"else\", or make the port \"optional\": true");
     }
 
-    // Checks that a cell has content at the end of each frame if its resource must have content then: the
-    // output and other imports whose old content is dropped, and resources with history.
+    // Checks that a cell (a part of a resource) has content at the end of each frame, if the resource must
+    // have content at that time. This applies to the output, to other imports whose old content is dropped,
+    // and to resources with history.
     void check_end_of_frame(const Cell& cell) {
         const ResourceDecl& resource = graph_.resources[cell.resource];
         const bool import = resource.lifetime == ResourceLifetime::imported && !has_content(cell);
@@ -134,7 +135,7 @@ class SwitchConnector {
                               switches_text(declared_.expansion.switches, absent) + ", no pass writes it");
         add_help(d, "let a pass that always runs write all of " + what + " before this pass");
         if (!import)
-            add_help(d, "or write another resource with \"keep\", which needs no new content in each frame");
+            add_help(d, "or write another resource that has \"keep\": no pass has to write it in each frame");
     }
 
     void check_slices(const Cell& cell, const CellUse& writer) {

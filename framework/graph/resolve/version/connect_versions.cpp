@@ -41,8 +41,8 @@ class VersionConnector {
         for (const Cell& cell : cells_) gather(cell);
         const size_t known = reporter_.error_count();
         for (PassId pass(0); pass < seen_.size(); ++pass) finish_pass(pass);
-        // The loop above reports errors in the order of the pass names. This call sorts them by their place
-        // in the file.
+        // finish_pass() has reported errors in the order of the pass names. This call sorts these errors by
+        // their place in the file.
         reporter_.sort_errors(known);
         sort_edges();
     }
@@ -194,8 +194,11 @@ class VersionConnector {
                      "writes all of the resource");
         if (resource.history > 0) {
             const std::string last = role_name(resource.name, 1);
-            add_help(d, "the copy of the current frame is empty at first: read " + quote(last) +
-                            " for the content of the previous frame, and write " + quote(resource.name));
+            add_help(d,
+                     "a resource with \"history\" has an empty copy at the beginning of each frame. Read " +
+                         quote(last) +
+                         " to get the content of the previous frame, and write the new content to " +
+                         quote(resource.name));
         }
         if (const PassDesc* dropped = dropped_writer(declared_.expansion, resource.name, reporter_)) {
             add_help(d, "pass " + quote(dropped->name) +

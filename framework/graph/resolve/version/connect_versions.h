@@ -34,8 +34,9 @@ void connect_switched(const Declared& declared, const std::vector<Cell>& cells, 
 void find_rest_units(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
                      Reporter& reporter);
 
-// Gives one layout to all reads of an image that units write, and to all reads of an image in a group. Call
-// it after find_rest_units().
+// Gives one layout to all reads of an image that units write, and to all reads of an image in a group. A unit
+// is a set of passes with "rest" that run together, or a round of a group. Call this function after
+// find_rest_units().
 void agree_on_layouts(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph);
 
 }  // namespace weft

@@ -94,8 +94,9 @@ class RestUnitFinder {
             if (!rests(writer.pass)) changes_[id] = writer.pass;
     }
 
-    // Unites the passes with "rest" that must run together because of this cell: all its writers, and the
-    // readers that see a version before the last one.
+    // Unites the passes with "rest" that must run together because of this cell (a part of a resource). These
+    // passes are all writers of the cell, and the readers that see a version before the last one. If the
+    // resource is transient, all readers of the cell belong to them.
     void unite(const Cell& cell) {
         if (!unit_writes(cell)) return;
         const PassId first = cell.writers.front().pass;
@@ -146,7 +147,7 @@ class RestUnitFinder {
         }
     }
 
-    // Returns true if a port with "wakes": false reads the cell.
+    // Returns true if a port with "wakes": false of the pass reads the cell (a part of a resource).
     [[nodiscard]] bool declares_own_content(const Cell& cell, PassId pass) const {
         return std::ranges::any_of(graph_.passes[pass].uses, [&](const UseDecl& u) {
             return !u.wakes && u.resource == cell.resource && overlaps(u.range, cell.range);
@@ -154,7 +155,7 @@ class RestUnitFinder {
     }
 
     void check_writer(const Cell& cell, const CellUse& writer) {
-        if (draft(writer.pass).decl.carries) return;  // The other writers get report_not_kept().
+        if (draft(writer.pass).decl.carries) return;  // report_not_kept() handles the other writers.
         if (!has_unit(writer.pass)) return report_other_writer(cell, writer);
         if (!is_kept(cell) && resource(cell).lifetime != ResourceLifetime::transient)
             return report_not_kept(cell, writer);
@@ -280,7 +281,7 @@ class RestUnitFinder {
     }
 
     void report_middle(const Cell& cell, const CellUse& reader, const CellUse& writer) {
-        if (group_of(writer.pass)) return;  // check_group_order() reports it.
+        if (group_of(writer.pass)) return;  // check_group_order() reports this.
         if (!is_new(cell, reader.pass, writer.pass)) return;
         Diagnostic& d =
             error(reader.pass, use(reader).loc,
@@ -293,9 +294,10 @@ class RestUnitFinder {
 
     void report_own_content(const Cell& cell, const CellUse& u) {
         if (!is_new(cell, u.pass, u.pass)) return;
-        Diagnostic& d = error(u.pass, use(u).loc,
-                              rest_reason(u.pass) + ", but its result depends on the content that " +
-                                  what(cell) + " had before: it would differ whenever the pass runs again");
+        Diagnostic& d =
+            error(u.pass, use(u).loc,
+                  rest_reason(u.pass) + ", but its result depends on the content that " + what(cell) +
+                      " had before, so the result would change each time the pass runs again");
         const ShaderBinding* binding = graph_.passes[u.pass].ports[u.use].binding;
         if (declared_.expansion.passes[u.pass].desc->partial)
             add_help(d, "if the pass writes all of " + what(cell) + ", remove \"partial\"");

@@ -9,9 +9,9 @@
 
 namespace weft {
 
-// Returns the cells with the accesses of different rounds in separate cells, and marks the uses that read
-// what other rounds write (UseDecl::latest). Errors: W190 if several rounds, or a round and a pass outside
-// the group, write the same part, or if a pass outside the group uses a resource of the group.
+// Divides the cells, so that accesses by different rounds are in different cells. Also marks the uses that
+// read the results of other rounds (UseDecl::latest). Errors: W190 if several rounds, or a round and a pass
+// outside the group, write the same part, or if a pass outside the group uses a resource of the group.
 [[nodiscard]] std::vector<Cell> separate_rounds(const Declared& declared, std::vector<Cell> cells,
                                                 VersionedGraph& graph, Reporter& reporter);
 // Checks that no pass must run between two passes of a group. The edges of the graph must be complete.

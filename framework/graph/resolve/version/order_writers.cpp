@@ -151,8 +151,8 @@ class WriterOrder {
         if (!writes_cell) cell.foreign_pins[reader];
     }
 
-    // Adds arcs ("from" runs before "to") between the passes of one repeat that write the cell, so that they
-    // run one after the other.
+    // Adds arcs ("from" runs before "to") between the passes of one repeat that write the cell (a part of a
+    // resource), so that these passes run one after the other.
     void add_repeats(const Cell& cell) {
         std::map<const PassDesc*, std::map<uint32_t, CellUse>> repeats;
         for (const CellUse& writer : cell.writers) {
@@ -169,13 +169,13 @@ class WriterOrder {
         }
     }
 
-    // If exactly one writer of the cell replaces all content (WriteRank::fresh), adds arcs so that this
-    // writer runs before all other writers. If no writer replaces all content, but exactly one can start
-    // without an earlier version (WriteRank::resumes), adds such arcs for that writer.
+    // If exactly one writer of the cell (a part of a resource) replaces all content (WriteRank::fresh), adds
+    // arcs so that this writer runs before all other writers. If no writer replaces all content, but exactly
+    // one can start without an earlier version (WriteRank::resumes), adds such arcs for that writer.
     void add_base(const Cell& cell) {
         if (cell.writers.size() < 2) return;
-        // A carry pass runs before all other writers. One of the other writers may in turn have to run before
-        // the rest of them.
+        // A carry pass (it copies content of the last frame) runs before all other writers. One of the other
+        // writers may in turn have to run before the rest of them.
         std::vector<CellUse> writers = cell.writers;
         const auto carries = [this](const CellUse& w) { return drafts()[w.pass].decl.carries; };
         if (const auto carry = std::ranges::find_if(writers, carries); carry != writers.end()) {
@@ -247,7 +247,8 @@ class WriterOrder {
     }
 
     bool order_all() {
-        // Cells whose writers are ordered, but whose order has not yet been used to order other passes.
+        // Cells (parts of resources) whose writers are ordered, but whose order has not yet been used to
+        // order other passes.
         std::vector<Cell*> fresh;
         std::vector<Cell*> pending;
         for (Cell& cell : cells_) (cell.ordered ? fresh : pending).push_back(&cell);
@@ -294,7 +295,7 @@ class WriterOrder {
                                             range + ", but nothing determines their order");
         add_note(d, reporter_.sources(), use(earlier).loc, "the other pass writes here");
         add_help(d, "define the order: add \"after\": [" + quote(name_a) + "] to " + quote(name_b) +
-                        ", or the reverse");
+                        ", or add \"after\": [" + quote(name_b) + "] to " + quote(name_a));
         add_help(d, "or let pass " + quote(name_b) + " read the result of " + quote(name_a) + ": " +
                         quote(declared_.resource_name(cell.resource) + "@" + name_a));
     }

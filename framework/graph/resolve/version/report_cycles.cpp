@@ -187,8 +187,9 @@ class CycleReport {
                quote(resource + "@" + writer);
     }
 
-    // Returns a read in the cycle that would need no order with "wakes": false. In such a read, a pass of a
-    // group reads what another pass of the same round writes. Returns null if there is none.
+    // Returns a read in the cycle by a pass of a group that reads the result of another pass of the same
+    // group. With "wakes": false at the port, this read would not order the two passes. Returns null if there
+    // is no such read.
     const OrderArc* read_in_group(const std::vector<PassId>& knot) const {
         const auto draft = [&](PassId pass) -> const PassDraft& { return declared_.expansion.passes[pass]; };
         const auto found = std::ranges::find_if(order_.arcs(), [&](const OrderArc& arc) {
@@ -229,10 +230,10 @@ class CycleReport {
         const OrderArc* read = read_in_group(knot);
         if (read == nullptr) return add_help(d, remedy(*cut, knot));
         const std::string resource = quote(declared_.resource_name(read->resource));
-        add_help(d, "if pass " + quote(declared_.author_name(read->to)) +
-                        " needs only what the rounds have left in " + resource +
-                        " before, add \"wakes\": false to the port that reads it: { \"ref\": " + resource +
-                        ", \"wakes\": false }");
+        add_help(d, "if pass " + quote(declared_.author_name(read->to)) + " needs only the content of " +
+                        resource +
+                        " from earlier rounds, add \"wakes\": false to the port that reads it: { \"ref\": " +
+                        resource + ", \"wakes\": false }");
     }
 
     const Declared& declared_;

@@ -56,8 +56,8 @@ class RoundSeparator {
         separated_.push_back(std::move(others));
     }
 
-    // Divides a cell of a resource that belongs to a group into one cell for each round. An observer reads
-    // the cell of the last round.
+    // Divides a cell of a resource that belongs to a group into one cell for each round. An observer (a pass
+    // that reads the resource back) reads the cell of the last round.
     void add_local(const Cell& cell) {
         const std::string group = owner(cell);
         std::map<uint32_t, Cell> rounds;
@@ -82,11 +82,12 @@ class RoundSeparator {
         for (auto& [number, part] : rounds) separated_.push_back(std::move(part));
     }
 
-    // Checks that all writers of the cell belong to the round of `first`. Returns false if not.
+    // Checks that all writers of the cell (a part of a resource) belong to the round of `first`. Returns
+    // false if one of them does not.
     bool check_writers(const Cell& cell, const CellUse& first) {
         for (const CellUse& writer : cell.writers) {
             const PassDraft& other = draft(writer.pass);
-            if (other.decl.carries) continue;  // find_rest_units() reports it.
+            if (other.decl.carries) continue;  // find_rest_units() reports this fault.
             if (other.group == draft(first.pass).group && other.round == draft(first.pass).round) continue;
             report_writers(cell, first, writer);
             return false;

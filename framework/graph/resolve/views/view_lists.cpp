@@ -133,7 +133,7 @@ class ReferenceCheck {
             text += " shows " + quote(at);
         } while (at != list.name);
         Diagnostic& d = reporter_.error(list.of_loc, "W191", "lists of views show each other: " + text);
-        add_help(d, "let one of these lists show \"camera\" or another list");
+        add_help(d, "let one of these lists show \"camera\", or a list that is not in this cycle");
     }
 
     const ResolveInput& input_;

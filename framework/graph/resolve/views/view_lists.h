@@ -14,7 +14,7 @@ namespace weft {
 // W109, W118, W191, W230.
 [[nodiscard]] std::map<std::string, Expr> count_views(const ResolveInput& input, Values& values,
                                                       Reporter& reporter);
-// Returns all lists of views, by name. Call it when all names have their values. Errors: W109.
+// Returns all lists of views, by name. Call this function when all names have their values. Errors: W109.
 [[nodiscard]] std::map<std::string, ViewList, std::less<>> list_views(const ResolveInput& input,
                                                                       Values& values, Reporter& reporter);
 // Returns the list that a pass names in "view" or "views". Returns null after reporting an error, now or

@@ -19,9 +19,9 @@ namespace weft::image {
 
 enum class Compared : uint8_t { as_they_are, as_displayed };
 
-// Returns for each texel the largest difference of its channels. A raw difference is returned unchanged. A
-// difference of 8-bit values is divided by 255. With `as_displayed`, 8-bit display values are always
-// compared.
+// Returns for each texel the largest difference of its channels. If raw values are compared, their difference
+// is returned unchanged. If 8-bit values are compared, their difference is divided by 255. With
+// `as_displayed`, 8-bit display values are always compared.
 [[nodiscard]] Plane difference_map(const Image& a, const Image& b, Compared compared = Compared::as_they_are);
 
 }  // namespace weft::image

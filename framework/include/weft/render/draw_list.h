@@ -34,7 +34,8 @@ class DrawList {
     // and front face are dynamic state; viewport and scissor are set. The list binds its vertex buffers in
     // the order of the streams in the vertex format. It binds each of the sets 2 and 3 that the pipeline
     // layout `draw.layout` has. It sets the front face, and the cull mode if `draw.cull` is `material`. It
-    // may bind a pipeline of its own for `draw.targets`. Returns the number of draws that were left out.
+    // may bind a pipeline of its own for `draw.targets`. Returns the number of draws that it did not record,
+    // because they are outside of the frustum of the view.
     virtual uint32_t record(const vk::DrawContext& draw, const DrawView& view) const = 0;
     // Returns a number that changes whenever the draws change; nullopt if they may change in every frame.
     [[nodiscard]] virtual std::optional<uint64_t> version() const { return std::nullopt; }

@@ -1,6 +1,7 @@
-// Purpose: the values that a program may change from frame to frame. They include the parameters of the graph
-// whose change needs no new plan. To change another parameter, swap the plan (Session::prepare()). Units:
-// metres, seconds; exposure in EV (radiance is stored multiplied by 2^EV).
+// Purpose: the values that a program may change from frame to frame. They include those parameters of the
+// graph that can change without a new plan. To change another parameter, prepare a new plan and swap to it
+// (Session::prepare(), swap_in()). Units: metres, seconds; exposure in EV (radiance is stored multiplied by
+// 2^EV).
 #pragma once
 
 #include <cstdint>
@@ -52,17 +53,19 @@ struct SkyColors {
 struct FrameInput {
     // A camera whose `node` is not kNone moves: its transform comes from the node at `time_s`.
     scene::Camera camera;
-    // The pre-exposure. It is also the exposure of the picture, unless the graph has automatic exposure
-    // (modules/exposure.json) and its parameter `autoExposure` is not 0.
+    // The pre-exposure in EV: radiance is stored multiplied by 2^exposure_ev. It is also the exposure of the
+    // picture, unless the graph has automatic exposure (modules/exposure.json) and its parameter
+    // `autoExposure` is not 0.
     float exposure_ev = 0;
     double time_s = 0;
     double delta_time_s = 0;  // Time since the previous frame.
     // True: the camera has jumped since the previous frame. Shaders then see no history in this frame:
-    // `<port>Valid` of histories is 0, and the view of this frame replaces the view of the previous frame.
+    // `<port>Valid` is 0 for each port that reads an earlier frame, and the view of this frame is also used
+    // as the view of the previous frame.
     bool camera_cut = false;
-    // Lists of turns. Key: the name of an import of kind "turns", which a group of passes uses. Value: the
-    // numbers of the rounds of that group that run in this frame, in the order in which they run. Without an
-    // entry, the group itself chooses: its rounds run in turn.
+    // The rounds of groups that run in this frame. A round is one copy of all passes of a group. Key: the
+    // name of the import of kind "turns" that the group uses. Value: the numbers of the rounds, in the order
+    // in which they run. Without an entry, the rounds of the group take turns.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
     // The views of this frame for each list in SessionInput::views that the graph uses.
     ViewLists views = {};
@@ -71,9 +74,11 @@ struct FrameInput {
     // and without a Vulkan object:
     // - Parameters of cost `live`, as `weft plan` lists them: the expressions of the graph are evaluated
     //   once.
-    // - Switches: 0 turns the passes with this switch off, any other value turns them on. `Params` blocks
-    //   keep the value with which the graph was prepared. The change allocates no memory.
-    // - Scales of live sizes, clamped to the range of the parameter. The change allocates no memory.
+    // - Switches: 0 turns the passes with this switch off, any other value turns them on. In the `Params`
+    //   blocks of shaders, the parameter keeps the value with which the graph was prepared. The change
+    //   allocates no memory.
+    // - Scales of live sizes (the used areas of images, which may change in every frame), clamped to the
+    //   range of the parameter. The change allocates no memory.
     // Error: W242.
     ParameterValues parameters = {};
     // The lights of this frame; they replace the lights of the scene. Their `node` is ignored. The graph's
@@ -89,7 +94,8 @@ struct FrameInput {
     // program writes its own buffers of this slot here (ImportObject::slot_buffers). May be empty.
     std::function<void(uint32_t slot)> fill_slot = {};
     // Versions of the contents of the program's own imports, by name. Give an import a new number whenever
-    // its content changes. Passes with "rest" that read an import without a version run in every frame.
+    // its content changes. A pass with "rest" is skipped while its inputs stay the same. If it reads an
+    // import without a version, it runs in every frame.
     std::map<std::string, uint64_t, std::less<>> import_versions = {};
     // Values of the program for passes in C++, by name; may be null. Weft adds the value "lights".
     const HostInputs* host = nullptr;

@@ -7,8 +7,8 @@
 // irradiance probes (render/probes/probe_imports.h), and the output image. The list of views "sun" has the
 // cascades of the sun. "furtherSuns" has the views of the directional lights 2 to 4. "sceneSuns" has views of
 // the directional lights 1 to 4 over all objects that do not move. "lampFaces" has the views of the scene's
-// lamps. Graphs may also use the view "camera", the element types Light and DrawCommand and those of the
-// buffers, and the numbers directionalLights, environmentPictures, outputIsLinear and irradianceProbes.
+// lamps. Graphs may also use the view "camera", the element types Light and DrawCommand, the element types of
+// these buffers, and the numbers directionalLights, environmentPictures, outputIsLinear and irradianceProbes.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ inline constexpr std::array kCommandLists{"opaque", "masked", "transparent", "an
 // buffer with a shared::DrawCommand for each draw. For an empty list it has one element.
 [[nodiscard]] std::string commands_of(std::string_view list);
 
-// True if the graph can see the irradiance probes by the import of this name.
+// Returns true if the import of this name gives graphs access to the irradiance probes.
 [[nodiscard]] bool is_probe_import(std::string_view name);
 
 // Returns an import of kind "views" with `count` views.

@@ -18,8 +18,9 @@ namespace weft::render {
 struct ImportObject {
     VkImage image = VK_NULL_HANDLE;
     VkBuffer buffer = VK_NULL_HANDLE;
-    // One buffer for each frame slot, for data that the program writes in every frame: it writes the buffer
-    // of the next frame in FrameInput::fill_slot, while the GPU may still read the other one.
+    // One buffer for each frame slot, for data that the program writes in every frame. In
+    // FrameInput::fill_slot, the program writes the buffer of the next frame, while the GPU may still read
+    // the other buffer.
     std::array<VkBuffer, vk::kFramesInFlight> slot_buffers{};
     bool operator==(const ImportObject&) const = default;
 };
@@ -42,8 +43,8 @@ struct OwnImport {
 
 // A resource of the graph that the program uses between frames (GraphRequest::exports). One of `image` and
 // `buffer` is null. The objects change whenever a new plan begins: after the first frame that follows
-// Session::swap_in(), resize() or rebind(), ask again. Of a resource with history, the object changes in
-// every frame.
+// Session::swap_in(), resize() or rebind(), call Session::exported() again. Of a resource with history, the
+// object changes in every frame.
 struct ExportedResource {
     VkImage image = VK_NULL_HANDLE;
     VkImageView view = VK_NULL_HANDLE;  // A view of the whole image.

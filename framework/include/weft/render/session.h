@@ -65,7 +65,8 @@ struct SessionInput {
     // instances and no parts (W246). DrawList::record() binds them. Error: W256 a shader reads a set that is
     // missing here.
     OwnDrawSets draw_sets = {};
-    // The light probes of the scene: scene::place_probes() or read_probes(). Empty: the scene has none.
+    // The light probes of the scene, from scene::place_probes() or scene::read_probes(). Empty: the scene has
+    // none.
     scene::Probes probes = {};
     // True: FrameInput::transforms may move the instances of the scene. Then the buffers of the instances are
     // in memory that the CPU writes, one buffer for each frame slot.
@@ -83,11 +84,13 @@ struct SessionInput {
 
 // How Session::warm_up_probes() lights the light probes.
 struct ProbeWarmUp {
-    uint32_t rounds = 4;  // Number of turns of each irradiance probe. A reflection probe has one turn.
-    // Number of probes that have a turn in one frame, at least 1. A large number makes each frame long. With
-    // a small number, many frames are rendered.
+    // Number of updates (turns) of each irradiance probe. A reflection probe is updated once.
+    uint32_t rounds = 4;
+    // Number of probes that are updated in one frame, at least 1. With a large number, each frame takes long.
+    // With a small number, many frames are rendered.
     uint32_t most_per_frame = 64;
-    // Called after each frame with the number of turns so far and of all turns. May be empty.
+    // Called after each frame with the number of updates of probes so far (`done`) and of all updates
+    // (`all`). May be empty.
     std::function<void(uint32_t done, uint32_t all)> progress = {};
 };
 
@@ -157,16 +160,16 @@ class Session {
     // create(). This thread renders the frames, so each of these pipelines delayed a frame.
     [[nodiscard]] uint64_t pipelines_made_between_frames() const;
 
-    // Returns the number of irradiance probes of the scene that exist.
+    // Returns the number of irradiance probes of the scene. Grid points without a probe do not count.
     [[nodiscard]] uint32_t probe_count() const;
     // Returns the number of reflection probes of the scene.
     [[nodiscard]] uint32_t reflection_probe_count() const;
-    // Lights all probes before the first frame. It runs additional frames with the input `first`. It chooses
-    // the turns of these frames itself, so that all probes have turns. These frames have no picture: only
-    // passes with "rest" and groups run, and the passes whose results these read. Weft submits the frames
-    // itself, drops their readbacks and does not count them, and the first frame sees no history. Returns the
-    // times of the frames. Does nothing if the scene has no probes, or if no group of the graph takes its
-    // turns from the imports "probeTurns" and "reflectionTurns".
+    // Lights all probes before the first frame. For this, it renders additional frames with the input
+    // `first`, and chooses the probes that each of these frames updates. These frames have no picture: only
+    // passes with "rest" and groups of passes run, and the passes whose results they need. Weft submits the
+    // frames itself, drops their readbacks and does not count them, and the first frame sees no history.
+    // Returns the times of the frames. Does nothing if the scene has no probes, or if no group of the graph
+    // uses the import "probeTurns" or "reflectionTurns" to choose its rounds.
     [[nodiscard]] Result<std::vector<vk::FrameTiming>> warm_up_probes(const FrameInput& first,
                                                                       const ProbeWarmUp& settings = {});
     [[nodiscard]] Status render_frame(const FrameInput& input);

@@ -38,7 +38,8 @@ struct CountChange {
 struct PlanDiff {
     bool same = false;  // True: the hashes of the plans are equal.
     std::vector<CountChange> counts;
-    NamesDiff passes;  // The changes of passes. They include whether a pass is live, and its barriers.
+    // The changes of passes, also of their barriers, and of whether a pass is live (not culled).
+    NamesDiff passes;
     NamesDiff resources;
     NamesDiff groups;
     // The smallest set of moves that changes the first order into the second. Only passes in both plans are

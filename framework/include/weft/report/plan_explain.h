@@ -21,7 +21,8 @@ namespace weft {
                                                 const std::string& b);
 // Explains for which passes on other queues the pass waits, and which passes wait for it.
 [[nodiscard]] Result<std::string> explain_wait(const FramePlan& plan, const std::string& pass);
-// Tells whether the pass rests, with which passes it runs together, and which changes make it run.
+// Tells whether the pass rests (is skipped while its inputs do not change), with which passes it runs
+// together, and which changes make it run.
 [[nodiscard]] Result<std::string> explain_rest(const FramePlan& plan, const std::string& pass);
 // Tells when the pass is switched off and what its readers see then, and which of its inputs depend on
 // switches.

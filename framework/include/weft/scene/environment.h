@@ -26,9 +26,10 @@ struct LightPicture {
 
 // A sun that was found in a picture of the surroundings: a small region of very bright texels.
 struct PictureSun {
-    glm::vec3 to_sun{0, 1, 0};     // Unit vector to the centroid of the light.
-    float solid_angle_sr = 0;      // Solid angle of the region.
-    float angular_radius_rad = 0;  // Of a disc of uniform luminance that spreads its light like the region.
+    glm::vec3 to_sun{0, 1, 0};  // Unit vector to the centroid of the light.
+    float solid_angle_sr = 0;   // Solid angle of the region.
+    // Angular radius of a disc of uniform luminance whose light spreads as widely as the light of the region.
+    float angular_radius_rad = 0;
     // The illuminance that the region adds on a plane that faces it, in lx, Rec.709.
     glm::vec3 illuminance_lx{0};
 };
@@ -57,8 +58,8 @@ struct Environment {
 // Makes an Environment from radiance in cd/m²: width_px × height_px texels, all finite and not negative.
 [[nodiscard]] Environment build_environment(uint32_t width_px, uint32_t height_px,
                                             std::span<const glm::vec3> radiance);
-// The same for a picture with suns. `without_suns` has the same texels, but without the suns. The light of
-// the environment is computed from `without_suns`.
+// Makes an Environment from a picture with suns. `radiance` has the texels of the picture, and `without_suns`
+// has the same texels without the suns. The light of the environment is computed from `without_suns`.
 [[nodiscard]] Environment build_environment(uint32_t width_px, uint32_t height_px,
                                             std::span<const glm::vec3> radiance,
                                             std::span<const glm::vec3> without_suns);

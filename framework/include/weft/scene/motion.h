@@ -16,8 +16,8 @@ inline constexpr uint32_t kNone = UINT32_MAX;
 enum class Interpolation : uint8_t { step, linear, cubic_spline };
 enum class MotionPath : uint8_t { translation, rotation, scale };
 
-// A value over time. Before the first key it has the value of the first key, after the last key that of the
-// last key.
+// A value over time. Before the first key, it is the value of the first key; after the last key, it is the
+// value of the last key.
 struct MotionSampler {
     Interpolation interpolation = Interpolation::linear;
     bool rotates = false;        // True: the values are quaternions. False: w is not used.
@@ -44,7 +44,8 @@ struct Animation {
 // A node that moves, because a channel moves it or one of its parents. Its transform in the world is
 // world(parent) * before * translation * rotation * scale.
 struct MovingNode {
-    uint32_t parent = kNone;  // Index into Motion::nodes, below that of this node; kNone: no parent moves.
+    // Index into Motion::nodes, smaller than the index of this node; kNone: no parent moves.
+    uint32_t parent = kNone;
     glm::mat4 before{1};
     glm::vec3 translation{0};
     glm::quat rotation{1, 0, 0, 0};

@@ -16,15 +16,16 @@
 namespace weft::scene {
 
 struct PlacementParams {
-    uint32_t most_probes = kMostIrradianceProbes;  // At least 8, at most kMostIrradianceProbes.
+    // Limit of the number of probes: at least 8, at most kMostIrradianceProbes.
+    uint32_t most_probes = kMostIrradianceProbes;
     // The finest spacing. Near objects the spacing is at most 4 times as large, on open ground 32 times.
     float min_spacing_m = 0.5f;
     // Large scenes get their probes around this place. nullopt: the centre of the geometry.
     std::optional<glm::vec3> camera;
 };
 
-// Places the probes. Instances that move do not count. If the scene lists reflection probes, the result
-// contains exactly these.
+// Places the probes. Instances that move are ignored. If the scene lists reflection probes, the result
+// contains exactly the listed reflection probes.
 [[nodiscard]] Result<Probes> place_probes(const Scene& scene, const PlacementParams& params = {},
                                           const SceneLimits& limits = {}, const LoadOptions& options = {});
 

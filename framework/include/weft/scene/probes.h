@@ -17,8 +17,8 @@ inline constexpr uint32_t kMostIrradianceProbes = 255;
 inline constexpr uint32_t kMostReflectionProbes = 24;
 // The largest number of grid points that a volume lists. Dropped grid points count, too.
 inline constexpr uint32_t kMostGridPoints = 16'384;
-// The largest distance between a probe and its grid point, in spacings of the level of a cell. A probe that
-// is farther away does not belong to this cell.
+// The largest distance between a probe and its grid point, divided by the grid spacing of the cell's level. A
+// probe that is farther away does not belong to this cell.
 inline constexpr float kMostOffset = 0.45f;
 
 // kept: the probe is at its grid point. moved: the grid point is inside of an object or at a surface, and
@@ -31,8 +31,9 @@ struct Probe {
     uint32_t level = 0;  // The coarsest level that has this grid point.
     glm::vec3 offset{0};
     ProbeState state = ProbeState::kept;
-    // With `dropped`: another grid point, whose probe gives the light here. cells_of() returns the probe of
-    // that other grid point for all corners of cells that are here.
+    // For a dropped grid point: another grid point, whose probe gives the light here instead. If a corner of
+    // a cell is at the dropped grid point, cells_of() returns the probe of the other grid point for this
+    // corner.
     std::optional<glm::ivec3> substitute = {};
 };
 
@@ -54,13 +55,13 @@ struct ProbeVolume {
     float spacing_m = 1;
     std::vector<uint32_t> strides{1};
     std::vector<Probe> probes;   // Sorted by z, then y, then x of `at`.
-    bool around_camera = false;  // The levels surround a camera, because the scene is large.
+    bool around_camera = false;  // True: the scene is large, so the levels surround a camera.
 };
 
 [[nodiscard]] glm::vec3 position_of(const ProbeVolume& volume, const Probe& probe);
 // Returns the number of probes in this state.
 [[nodiscard]] uint32_t count_of(const ProbeVolume& volume, ProbeState state);
-// Returns all cells of all levels: the fine levels first, each sorted by z, y and x.
+// Returns all cells of all levels, the fine levels first. The cells of each level are sorted by z, y and x.
 [[nodiscard]] std::vector<ProbeCell> cells_of(const ProbeVolume& volume);
 
 struct ProbeBox {
@@ -72,7 +73,8 @@ struct ProbeBox {
 struct ReflectionProbe {
     std::string name;
     glm::vec3 position{0};
-    // The box in which the probe counts. Without a box, the probe counts for all surfaces that it sees.
+    // The part of the scene in which surfaces use the probe. Without a box, all surfaces that the probe sees
+    // use it.
     std::optional<ProbeBox> box;
 };
 

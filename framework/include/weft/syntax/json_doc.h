@@ -45,13 +45,14 @@ struct IncludedJson {
     JsonNode root;
 };
 
-// A name of the section "ports" of a module.
+// A port of a module: a name in the section "ports" of its file.
 struct ModulePort {
     std::string description;  // Empty if the module gives none.
     SourceLoc loc;
 };
 
-// A name of the including graph that replaces a port, from the key "with" of an include.
+// A name of the including graph that replaces a port of a module. The key "with" of the include gives this
+// name.
 struct PortTarget {
     std::string name;
     SourceLoc port_loc, loc;  // Places of the name of the port and of the name that replaces it.

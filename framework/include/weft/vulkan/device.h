@@ -71,7 +71,8 @@ struct EmbedderDevice {
     // The features that are enabled in `device`; see enable_features(). No extension is required.
     const FeatureChain* enabled = nullptr;
     EmbedderCallbacks callbacks = {};
-    // Time-out for every wait for the GPU, and for every ticket of a frame (FrameSubmit::ticket).
+    // Time-out for every wait for the GPU, also for a frame that the program submits itself
+    // (FrameSubmit::ticket).
     uint64_t timeout_ns = 60'000'000'000;
 };
 

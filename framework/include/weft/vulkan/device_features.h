@@ -1,7 +1,7 @@
 // Purpose: the Vulkan features that Weft uses; the tables are in device_features.cpp. A device that lacks a
 // required feature is rejected. Optional features are enabled if the device has them; a graph that needs a
-// missing one gets an error with its name. An embedder calls enable_features() before it creates its device,
-// and passes the device and the features to Device::adopt().
+// missing feature gets an error with the name of the feature. An embedder calls enable_features() before it
+// creates its device, and passes the device and the features to Device::adopt().
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -32,7 +32,8 @@ struct OptionalFeatures {
     bool uniform_array_indexing = false;
     // One draw for several views. Every device of Vulkan 1.1 has it, but an embedder must enable it.
     bool multiview = false;
-    // Vertex shaders that select the layer (ShaderLayer).
+    // Vertex shaders may write gl_Layer, the layer to which a triangle is drawn (SPIR-V capability
+    // ShaderLayer).
     bool output_layer = false;
     // The three features that tables of textures need; see texture_tables().
     bool runtime_arrays = false;

@@ -20,10 +20,10 @@
 
 namespace weft::vk {
 
-// In the descriptor set of several views, the constants of view i begin at this offset times i.
+// In the descriptor set of several views, the constants of view i begin at i times this number of bytes.
 inline constexpr uint32_t kViewStrideBytes = 512;
-// In the constants of a view, at binding 1 of descriptor set 0: the offset of the number of the view in its
-// list. Passes with layer output read it.
+// Offset of the number of a view in its list, within the constants of the view (binding 1 of descriptor set
+// 0). Passes with layer output, whose vertex shader selects the layer by this number, read it.
 inline constexpr uint32_t kViewNumberOffsetBytes = 424;
 
 // The attachments of a pass, as a pipeline that draws in the pass needs them.
@@ -71,7 +71,7 @@ struct DrawContext {
     // all `views`. The source must not do this if the shader does not read the matrix of the view
     // (frame_ranges), because such a shader may place vertices anywhere.
     bool culls_draws = false;
-    bool depth_clamp = false;  // True: draws before the near plane and behind the far plane are drawn too.
+    bool depth_clamp = false;  // True: geometry before the near plane and behind the far plane is drawn, too.
     std::span<const FrameRange> frame_ranges;  // The constants of set 0 that the shader reads.
     bool uses_materials = false;               // True: the pipeline layout has set 2 (material).
     bool uses_instances = false;               // True: the pipeline layout has set 3 (draw).
@@ -85,7 +85,8 @@ struct ViewPlace {
     VkDeviceSize offset_bytes = 0;
 };
 
-// Descriptor sets 0 that an executor owns, because their views are in buffers of its plan.
+// Copies of descriptor set 0 that an executor owns, because the constants of their views are in buffers of
+// the executor's plan.
 class ViewSets {
  public:
     virtual ~ViewSets() = default;
@@ -107,9 +108,9 @@ class DrawSource {
         std::span<const ViewPlace> /*places*/) const {
         return std::unique_ptr<ViewSets>();
     }
-    // Returns descriptor set 0 like frame_set(), for a pass that draws or writes images with a live size. In
-    // the constants of the view, the viewport has the size of this area in the frame. A source that does not
-    // know areas returns frame_set().
+    // Returns descriptor set 0 like frame_set(), for a pass that draws or writes images with a live size.
+    // `area` is the part of these images that the pass uses in the frame. In the constants of the view, the
+    // viewport has the size of `area`. A source without support for areas returns frame_set().
     [[nodiscard]] virtual VkDescriptorSet frame_set_of_area(uint32_t frame_slot, std::string_view view,
                                                             const LiveArea& /*area*/) const {
         return frame_set(frame_slot, view);
@@ -132,9 +133,10 @@ class DrawSource {
     // the streams in the import's vertex format. Returns how many draws were left out because they are
     // outside of the frustum.
     virtual uint32_t record(const DrawContext& context) const = 0;
-    // Appends these parts of the uniform blocks of frame_set() to `bytes`. If all of them, and all versions,
-    // are the same as in an earlier frame, set 0 has the same content as in that frame. Returns false if the
-    // source does not know the content; then passes with "rest" that use set 0 run in every frame.
+    // Appends the parts `ranges` of the uniform blocks of frame_set() to `bytes`. If all these bytes, and the
+    // versions of all draw lists and imports, are the same as in an earlier frame, set 0 has the same content
+    // as in that frame. Returns false if the source does not know the content. Then passes with "rest", which
+    // are otherwise skipped while their inputs stay the same, run in every frame if they use set 0.
     [[nodiscard]] virtual bool add_frame_bytes(uint32_t /*frame_slot*/, std::string_view /*view*/,
                                                std::span<const FrameRange> /*ranges*/,
                                                std::vector<std::byte>& /*bytes*/) const {

@@ -59,19 +59,24 @@ struct FrameInput {
     double delta_time_s = 0;
     float pre_exposure = 1;
     float prev_pre_exposure = 1;
-    bool hides_history = false;  // True: the shader values `<port>Valid` of histories are 0.
-    // True: the frame only prepares the results of units (passes with `rest`, and groups). Other passes run
-    // only if units need them, directly or through other passes.
+    // True: shaders see no history: `<port>Valid` is 0 for each port that reads an earlier frame.
+    bool hides_history = false;
+    // True: the frame only prepares the results of units. A unit is a set of passes that run together or not
+    // at all: passes with `rest`, or one round of a group. Other passes run only if units need them, directly
+    // or through other passes.
     bool prepares_units = false;
     const HostInputs* host = nullptr;
     // Versions of the contents of imported buffers and images, by name. Give an import a new number whenever
-    // its content changes. A rest unit that reads an import without a version runs in every frame.
+    // its content changes. A pass with `rest` is skipped while its inputs stay the same. If it reads an
+    // import without a version, it runs in every frame.
     std::map<std::string, uint64_t, std::less<>> import_versions = {};
-    // For each import of kind "turns": the rounds of the group to run in this frame, in this order. A group
-    // without a list runs its rounds in turn.
+    // For each import of kind "turns": the numbers of the rounds of its group that run in this frame, in this
+    // order. A round is one copy of all passes of the group. Without a list, the rounds of a group take
+    // turns.
     std::map<std::string, std::vector<uint32_t>, std::less<>> turns = {};
-    // Scales of live sizes in this frame, by the name of the parameter. A scale outside of the range of its
-    // parameter is clamped. A scale that is not in the map has the value of its parameter.
+    // Scales of live sizes (the used areas of images, which may change in every frame), by the name of the
+    // parameter. A scale outside of the range of its parameter is clamped. A scale that is not in the map has
+    // the value of its parameter.
     Scales scales = {};
     // Switches by the name of their parameter: true is on. A switch without an entry has the value of its
     // parameter. Names that are no switches are ignored. Null: no entries.
@@ -129,7 +134,7 @@ struct Predecessor {
 class Amendment {
  public:
     virtual ~Amendment() = default;
-    // Returns the numbers of the new pipelines; both are 0 if the amendment has only values.
+    // Returns the numbers of pipelines, as in PipelineCounts; both are 0 if the amendment has only values.
     [[nodiscard]] virtual PipelineCounts pipelines() const = 0;
 };
 
@@ -157,15 +162,16 @@ class Executor {
     // Takes over from an old executor. Call this before the first frame of the new executor. That frame
     // copies the contents of persistent resources from the old plan, and does not run the prologue. The old
     // executor lives until that frame has finished, and passes on its timings and readbacks. If each of the
-    // two plans has only one batch, the host does not wait. Errors: those of begin_frame(). After an error no
-    // further frame runs.
+    // two plans has only one batch (one submission per frame), the host does not wait. Errors: those of
+    // begin_frame(). After an error no further frame runs.
     [[nodiscard]] virtual Status take_over(Predecessor predecessor) = 0;
 
     // Waits until the next frame slot is free and returns its index, so that the program can fill its own
     // data for this slot. Errors: V407 time-out, V408 device lost; both messages name the passes in flight.
     [[nodiscard]] virtual Result<uint32_t> begin_frame() = 0;
     // Records and submits one frame in the slot that begin_frame() returned. If FrameSubmit::commands is not
-    // null, it only records the frame. Errors: V422 and V423, after which no command is recorded; V418.
+    // null, it only records the frame. Errors: V422 and V423, `submit` asks for something that is not
+    // possible, and nothing is recorded; V418, recording or submitting failed.
     [[nodiscard]] virtual Status run(const FrameInput& frame) = 0;
     // Waits for the fences of all frames in flight, and collects the timings and readbacks of these frames.
     // It does not wait for other work on the device.

@@ -14,12 +14,13 @@ namespace weft::vk {
 struct PassTiming {
     std::string pass;
     double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if it was not measured.
-    // True if the pass did not run in this frame: it has `rest`, or other rounds of its group had their turn.
+    // True if the pass did not run in this frame, because it has `rest` and its inputs have not changed, or
+    // because other rounds of its group had their turn.
     bool rested = false;
     // True if the pass did not run in this frame, because its switch was off.
     bool switched_off = false;
-    // For a pass with `rest` or in a group that ran: the reason, such as `pass "table" ran`. Empty for all
-    // other passes.
+    // Only for a pass that ran in this frame and that has `rest` or is in a group: the reason why it ran,
+    // such as `pass "table" ran`. Empty for all other passes.
     std::string woken_by;
     // Number of draws that were not recorded because they are outside of the frustum of the view. With
     // several views: the sum of view_draws_left_out.
@@ -35,7 +36,7 @@ struct FrameTiming {
     double submit_ms = 0;
     double wait_ms = 0;  // Time in milliseconds that the host waited for the fence of the frame slot.
     // Number of entries of FrameInput::turns that were ignored: rounds that do not exist, rounds that occur
-    // twice, and entries after the first "perFrame".
+    // twice, and rounds that come after the limit "perFrame" of their group is reached.
     uint32_t dropped_turns = 0;
 };
 

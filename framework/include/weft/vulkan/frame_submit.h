@@ -32,7 +32,8 @@ struct SemaphoreSignal {
 };
 
 // A promise of the program: the timeline semaphore will reach the value when the commands of the frame have
-// finished, because its submission signals the value, or because the program calls vkSignalSemaphore().
+// finished. Either the submission of these commands signals the value, or the program calls
+// vkSignalSemaphore().
 struct FrameTicket {
     VkSemaphore timeline = VK_NULL_HANDLE;
     uint64_t value = 0;

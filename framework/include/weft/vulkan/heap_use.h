@@ -17,10 +17,11 @@ struct HeapUse {
     uint32_t allocations = 0;  // Number of blocks; each has its own vkAllocateMemory() or allocate() call.
 };
 
-// Returns the memory for the heaps of the plan, and for the buffers of parameters, uploads and readbacks, by
-// memory heap. Heaps of the device that the plan does not use are left out. The imports are not included,
-// because they exist already, and neither are the small stand-ins for descriptors without a port. Creates no
-// object. Errors: V411 the device has no memory type for a heap of the plan, V417.
+// Returns, for each memory heap of the device, the memory for the heaps of the plan and for the buffers of
+// parameters, uploads and readbacks. Heaps of the device that the plan does not use are left out. The imports
+// are not included, because they exist already. The small dummy resources for descriptors without a port are
+// not included either. Creates no object. Errors: V411 the device has no memory type for a heap of the plan;
+// V417 the executor cannot run the plan.
 [[nodiscard]] Result<std::vector<HeapUse>> heap_use(Device& device, const FramePlan& plan);
 
 }  // namespace weft::vk
