@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"CutIsANumber",
               "{ \"version\": 1, \"keys\": [\n{ \"time\": 0, \"eye\": [0,0,0], \"at\": [0,0,1], \"cut\": 1 "
               "}] }",
-              2, "boolean"}),
+              2, "true or false"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
