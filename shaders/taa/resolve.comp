@@ -1,5 +1,6 @@
 // Temporal anti-aliasing: blends this frame, whose sample positions are jittered, with the history of the same
-// surfaces. Output: scene-linear × preExposure; alpha is the number of blended frames, at most 256.
+// surfaces. Output: scene-linear × preExposure; alpha is the number of blended frames, at most 256. It is negative where
+// the object moves by itself, and not only with the camera.
 //
 // Sources: Karis 2014, "High-Quality Temporal Supersampling", for the velocity of the nearest neighbour, blending of
 // compressed colours, and YCoCg. Salvi 2016, "An Excursion in Temporal Supersampling", for clipping the history to a
@@ -28,8 +29,9 @@ layout(push_constant) uniform Params {
     float trust;        // Distance from the middle of the clipping box to its sides, in standard deviations.
 } params;
 
-// The clipping box of a still pixel is larger by this factor, so that a thin wire that only some frames hit is kept.
-const float kTrustInStillness = 4.0;
+// The clipping box of a still pixel is larger by this factor, so that a thin wire or a small highlight that only some
+// frames hit is kept. A pixel that moves by kMovingPx or more has the normal box.
+const float kTrustInStillness = 16.0, kMovingPx = 0.125;
 const float kStillPx = 0.01;  // Movements below this length (in pixels) are rounding errors.
 // A pixel has become brighter or darker if log2(now / history) is far from 0; from kChange on, it counts as a whole
 // pixel. The light of a tile of 8 × 8 pixels has changed if many more pixels have become brighter than darker, or the
@@ -85,6 +87,15 @@ vec2 moved(Neighbours n, vec2 uv) {
     if (n.depth > 0.0) return texelFetch(velocity, n.nearest, 0).xy;
     const vec4 clip = view.prev_view_projection * vec4(ray_direction(uv), 0.0);
     return uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
+}
+
+// Returns true if the object moves by itself. Then its motion differs from that of a still point at the same place.
+bool moves_by_itself(Neighbours n, vec2 motion, vec2 size) {
+    if (n.depth <= 0.0) return false;
+    const vec2 uv = (vec2(n.nearest) + 0.5) / size;
+    const vec4 clip = view.prev_view_projection * vec4(world_position(uv, n.depth), 1.0);
+    const vec2 still = uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
+    return length((motion - still) * size) > kMovingPx;
 }
 
 // Moves a colour outside the box to the point where the line from the colour to the middle enters the box. The box
@@ -149,7 +160,11 @@ void main() {
     const float ratio = log2((luma_of(linear) + kBlack) / (luma_of(old) + kBlack));
     const float pixels = changed_share(ratio, was_there && drawn);
     if (!drawn) return;
-    float changed = smoothstep(kLeastShare, kMostShare, pixels), moving = clamp(motion_px, 0.0, 1.0);
+    // Where an object stood that moves by itself, another surface appears. This surface has no history yet.
+    const bool own = moves_by_itself(around, motion, vec2(size));
+    const float history = texelFetch(before, clamp(ivec2(from * vec2(size)), ivec2(0), size - 1), 0).a;
+    const bool appears = own != (history < 0.0);
+    float changed = appears ? 1.0 : smoothstep(kLeastShare, kMostShare, pixels), moving = clamp(motion_px, 0.0, 1.0);
     if (around.depth > 0.0) {
         const RadianceChange change = change_of_radiance(world_position(uv, around.depth));
         const float one_cd = frame.pre_exposure / max(luma_of(linear), kBlack);  // 1 cd/m² as a share of the light.
@@ -157,12 +172,13 @@ void main() {
         moving = max(moving, min(change.all * one_cd / kLeastLag, 1.0));
     }
     moving = max(moving, changed);
-    const float trust = params.trust * mix(kTrustInStillness, 1.0, moving);
+    const float trust = params.trust * mix(kTrustInStillness, 1.0, min(moving / kMovingPx, 1.0));
     const vec3 believed = clipped(compressed(old), around.mean, around.deviation * trust);
-    const float count = was_there ? max(seen.a, 0.0) * (1.0 - changed) : 0.0;
+    const float count = was_there ? abs(history) * (1.0 - changed) : 0.0;
     const float newest = mix(params.newestStill, params.newest, moving);
     const float settling = count < kSettled ? 1.0 / (count + 1.0) : 0.0;
     const float weight = was_there ? max(settling, newest) : 1.0;
     const vec3 color = expanded(mix(believed, now, weight));
-    imageStore(resolved, pixel, vec4(nearest_half(clamp(color, 0.0, 65000.0)), min(count + 1.0, 256.0)));
+    const float blended = min(count + 1.0, 256.0);
+    imageStore(resolved, pixel, vec4(nearest_half(clamp(color, 0.0, 65000.0)), own ? -blended : blended));
 }
