@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Switches off one part of the light of probes after the other, and compares the pictures with a path tracer.
+"""Switches off one part of the light after the other (parts of the probes, and the near field), and compares the pictures with a path tracer.
 
 usage: ablation.py WEFT
 
@@ -32,16 +32,18 @@ def probes_in(folder, name, volume, reflections):
 
 
 def variants(folder):
-    """Returns for each reference the options and graphs: first with all parts, then without one of them."""
+    """Returns lists of variants for references: part, options and graph; first with all parts, then without one of them."""
     court = probes_in(folder, "court", COURT, [])
     diorama = probes_in(folder, "diorama", DIORAMA, REFLECTIONS)
-    return {
-        "court-day": [("all parts", court, "deferred"),
-                      ("no visibility of probes", court, FOLDER / "no_visibility.json"),
-                      ("no bounces", court + ["--param", "probeFeedback=0"], "deferred"),
-                      ("no volume", ["--probes", "none"], "deferred")],
-        "diorama-day": [("all parts", diorama, "deferred"),
-                        ("no reflection probes", probes_in(folder, "plain", DIORAMA, []), "deferred")]}
+    near = FOLDER / "near.json"
+    return [
+        ("court-day", [("all parts", court, "deferred"),
+                       ("no visibility of probes", court, FOLDER / "no_visibility.json"),
+                       ("no bounces", court + ["--param", "probeFeedback=0"], "deferred"),
+                       ("no volume", ["--probes", "none"], "deferred")]),
+        ("diorama-day", [("all parts", diorama, "deferred"),
+                         ("no reflection probes", probes_in(folder, "plain", DIORAMA, []), "deferred")]),
+        ("court-day", [("with near field", ["--probes", "auto"], near), ("no near field", ["--probes", "auto"], "deferred")])]
 
 
 def ball_pixels(reference):
@@ -86,7 +88,7 @@ def main():
     failed = []
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
-        for name, parts in variants(folder).items():
+        for name, parts in variants(folder):
             whole = None
             for part, options, graph in parts:
                 reference = dict(references[name], options=options)

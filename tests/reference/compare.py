@@ -62,13 +62,19 @@ def read_pfm(path):
     return width, height, rows[::-1]  # PFM begins with the lowest row.
 
 
+def radiance_of(graph):
+    """Returns the resource with the radiance: with temporal anti-aliasing, `hdr` is a single sample for each pixel."""
+    return "resolved" if "modules/taa.json" in graph.read_text() else "hdr"
+
+
 def render(weft, reference, graph, folder):
+    graph = graph if isinstance(graph, pathlib.Path) else GRAPHS / (graph + ".json")
     out = folder / (reference["name"] + ".pfm")
     command = [weft, "render", FOLDER / "scenes" / (reference["scene"] + ".gltf"),
-               "--graph", graph if isinstance(graph, pathlib.Path) else GRAPHS / (graph + ".json"),
+               "--graph", graph,
                "--env", FOLDER / "environments" / (reference["environment"] + ".hdr"),
                "--exposure", "0", "--size", "%dx%d" % tuple(n * reference["samples"] for n in reference["size"]), "--camera", reference["camera"],
-               "--resource", "hdr", "--timeout", "1200", "-o", out, *reference["options"]]
+               "--resource", radiance_of(graph), "--timeout", "1200", "-o", out, *reference["options"]]
     run = subprocess.run([str(c) for c in command], capture_output=True, text=True)
     if run.returncode == NO_DEVICE:
         print(run.stderr)
