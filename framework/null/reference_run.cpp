@@ -172,8 +172,9 @@ class Reference {
 
     // Starts a frame. Transient resources start undefined, except those that a rest unit writes. Image
     // imports whose entry layout is `undefined` start undefined, too. A resource with history has several
-    // copies: the copy with the age n has the content from n frames ago. From the second frame on, the copy with
-    // the age n gets the last content of the copy with the age n - 1; see role() for the age 0. All other resources keep their last content.
+    // copies: the copy with the age n has the content from n frames ago. From the second frame on, the copy
+    // with the age n gets the last content of the copy with the age n - 1; see role() for the age 0. All
+    // other resources keep their last content.
     void begin_frame() {
         std::vector<std::vector<CellValue>> left(cells_.size());
         for (ResourceId id(0); id < cells_.size(); ++id)

@@ -46,10 +46,10 @@ const float kBlack = 1e-3;
 const float kPi = 3.14159265;
 const float kLeastDistance2 = 1e-4;  // Square of the smallest distance of a lamp from a surface, in m².
 
-// The lights of a frame may change a share of the light of a pixel. From kLeastLag on, the history is clipped as where
-// the picture moves. A lamp steps if its illuminance changes by most of its size in one frame, for example if it goes
-// off. If steps change more than the share kLeastStep, less of the history counts, and from kMostStep on none of it. The
-// surface is assumed to reflect kReflected of the light.
+// The lights of a frame may change a share of the light of a pixel. From kLeastLag on, the newest frame counts as where
+// the picture moves; from an eighth of kLeastLag on, the history is clipped as there. A lamp steps if its illuminance
+// changes by most of its size in one frame, for example if it goes off. If steps change more than the share kLeastStep,
+// less of the history counts, and from kMostStep on none of it. The surface is assumed to reflect kReflected of the light.
 const float kLeastLag = 0.02, kLeastStep = 0.01, kMostStep = 0.03, kReflected = 0.5;
 
 shared float changes[kTileSide * kTileSide], row_sums[kTileSide];
@@ -81,20 +81,25 @@ Neighbours neighbours_of(ivec2 pixel) {
     return n;
 }
 
+// Returns the movement, in uv, that a still point at `uv` has only because the camera moves. `point`: its place (w = 1)
+// or its direction (w = 0) in world space.
+vec2 moved_by_camera(vec4 point, vec2 uv) {
+    const vec4 clip = view.prev_view_projection * point;
+    return uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
+}
+
 // Returns the movement of the pixel's content since the previous frame, in uv. The movement of the sky follows only
 // from the rotation of the camera.
 vec2 moved(Neighbours n, vec2 uv) {
     if (n.depth > 0.0) return texelFetch(velocity, n.nearest, 0).xy;
-    const vec4 clip = view.prev_view_projection * vec4(ray_direction(uv), 0.0);
-    return uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
+    return moved_by_camera(vec4(ray_direction(uv), 0.0), uv);
 }
 
 // Returns true if the object moves by itself. Then its motion differs from that of a still point at the same place.
 bool moves_by_itself(Neighbours n, vec2 motion, vec2 size) {
     if (n.depth <= 0.0) return false;
     const vec2 uv = (vec2(n.nearest) + 0.5) / size;
-    const vec4 clip = view.prev_view_projection * vec4(world_position(uv, n.depth), 1.0);
-    const vec2 still = uv - view.jitter_uv - (clip.xy / clip.w * 0.5 + 0.5);
+    const vec2 still = moved_by_camera(vec4(world_position(uv, n.depth), 1.0), uv);
     return length((motion - still) * size) > kMovingPx;
 }
 

@@ -72,12 +72,11 @@ void SceneLights::write(uint32_t slot, std::span<const shared::Light> lights) {
     lights_.write(slot, std::as_bytes(lights));
     // The first frame has no previous frame to compare with.
     std::vector<shared::LightChange> changes =
-        is_first_ ? std::vector<shared::LightChange>() : light_changes(last_, lights);
+        last_ ? light_changes(*last_, lights) : std::vector<shared::LightChange>();
     // The elements behind the last change are 0, which ends the list.
     changes.resize(shared::kMostLightChanges);
     changes_.write(slot, std::as_bytes(std::span(changes)));
-    last_.assign(lights.begin(), lights.end());
-    is_first_ = false;
+    last_.emplace(lights.begin(), lights.end());
 }
 
 void SceneLights::add_versions(std::map<std::string, uint64_t, std::less<>>& to) const {

@@ -1,12 +1,13 @@
 // Purpose: the lights of the scene as the import "sceneLights" (shared::Light), in the order of the frame
 // constants light_count, directional_count and plain_count. Also the lights that differ from those of the
-// previous frame, as the import "lightChanges" (shared::LightChange). The versions of these imports change only
-// if their content changes. So passes with "rest", which run only if an input has changed, can read them. They
-// cannot read the buffer that the pass type light_upload writes, because such a pass runs in every frame.
-// Errors: those of vk::Buffer::create().
+// previous frame, as the import "lightChanges" (shared::LightChange). The versions of these imports change
+// only if their content changes. So passes with "rest", which run only if an input has changed, can read
+// them. They cannot read the buffer that the pass type light_upload writes, because such a pass runs in every
+// frame. Errors: those of vk::Buffer::create().
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -59,8 +60,7 @@ class SceneLights {
  private:
     FrameBuffer lights_;
     FrameBuffer changes_;
-    std::vector<shared::Light> last_;  // The lights of the last write().
-    bool is_first_ = true;
+    std::optional<std::vector<shared::Light>> last_;  // The lights of the last write().
 };
 
 }  // namespace weft::render

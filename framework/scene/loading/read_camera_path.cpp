@@ -3,7 +3,6 @@
 
 #include "graph/diagnostics/quantity_text.h"
 #include "scene/loading/field_reader.h"
-#include "scene/model/node_placement.h"
 #include "weft/scene/camera_path.h"
 
 namespace weft::scene {

@@ -1,5 +1,5 @@
-// Tests that the picture of a still camera with temporal anti-aliasing is calm after 32 frames: the FLIP error of
-// neighbouring frames is at most 0.005 in the mean and 0.05 in 99 % of the pixels.
+// Tests that the picture of a still camera with temporal anti-aliasing is calm after 32 frames: the FLIP
+// error of neighbouring frames is at most 0.005 in the mean and 0.05 in 99 % of the pixels.
 #include <algorithm>
 #include <numeric>
 
@@ -44,7 +44,8 @@ TEST_F(StillFrames, AreCalmAfterThirtyTwoFrames) {
     const image::Image first = picture_of(*session), second = picture_of(*session);
     image::Plane map = image::flip_map(first, second);
     std::ranges::sort(map.values);
-    const double mean = std::accumulate(map.values.begin(), map.values.end(), 0.0) / double(map.values.size());
+    const double mean =
+        std::accumulate(map.values.begin(), map.values.end(), 0.0) / double(map.values.size());
     const float most = map.values[map.values.size() * 99 / 100];
     std::printf("FLIP of neighbouring frames: mean %.5f, 99th percentile %.4f\n", mean, most);
     EXPECT_LE(mean, 0.005);

@@ -126,9 +126,9 @@ CombinationSet Presence::present_in(PassId pass, const BoundPort& input) const {
     if (expansion.switches.empty() || declared_.shapes.origins[resource].has_content ||
         suspects_.writers[resource])
         return kEveryCombination;
-    // `named`: the combinations of switch values in which a pass runs whose name stands after `@`. `others`: the
-    // combinations in which other writers of the resource run. If the named passes are off, the version of
-    // another writer may stay visible.
+    // `named`: the combinations of switch values in which a pass runs whose name stands after `@`. `others`:
+    // the combinations in which other writers of the resource run. If the named passes are off, the version
+    // of another writer may stay visible.
     CombinationSet named = 0, others = 0;
     std::set<std::string> other_names;
     bool passes_version_on = input.draft.pins.empty(), any = false;
