@@ -73,7 +73,16 @@ struct ProbeQuery {
     float facing_basis[9], mirrored_basis[9];
 };
 
-vec3 probe_grid_origin() { return uintBitsToFloat(probeMap.items[0].xyz); }
+// Returns the way from the origin of the grid to a point, along the axes of the grid, in spacings of the finest level.
+vec3 probe_grid_place(vec3 position) {
+    const vec4 grid = uintBitsToFloat(probeMap.items[0]);
+    const vec3 way = (position - grid.xyz) / grid.w;
+    const float yaw_rad = uintBitsToFloat(probeMap.items[1].w);
+    if (yaw_rad == 0.0) return way;
+    const float c = cos(yaw_rad), s = sin(yaw_rad);
+    return vec3(c * way.x - s * way.z, way.y, s * way.x + c * way.z);
+}
+
 float probe_grid_spacing_m() { return uintBitsToFloat(probeMap.items[0].w); }
 uint probe_stride(uint level) { return probeMap.items[2u + level / 4u][level % 4u]; }
 
@@ -256,7 +265,7 @@ void add_cells_around(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float
 // `mirrored`: the two directions for which the irradiance is wanted; `facing` is usually the normal.
 ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 facing, vec3 mirrored) {
     const ProbeQuery q = ProbeQuery(position, n, to_eye, harmonic_basis(facing), harmonic_basis(mirrored));
-    const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
+    const vec3 grid = probe_grid_place(position);
     const uint levels = probeMap.items[1].x;
     ProbeSum sum = ProbeSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
     float rest = 1.0;     // Weight that is left for the coarser levels.

@@ -64,7 +64,7 @@ vec3 point_at(ivec2 pixel, float z) {
 // probes.
 float near_radius_m(vec3 position) {
     if (!HAS_probeMap) return params.nearRadius;
-    const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
+    const vec3 grid = probe_grid_place(position);
     const uint levels = probeMap.items[1].x;
     for (uint level = 0u; level < levels; ++level) {
         const float stride = float(probe_stride(level));

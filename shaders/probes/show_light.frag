@@ -38,7 +38,7 @@ void main() {
     const vec4 light = probe_irradiance_over_pi(position, normal, to_eye);
     probeIrradiance.rgb = light.rgb * (light.a * frame.pre_exposure);
     const ProbeQuery q = ProbeQuery(position, normal, to_eye, harmonic_basis(normal), harmonic_basis(normal));
-    const vec3 grid = (position - probe_grid_origin()) / probe_grid_spacing_m();
+    const vec3 grid = probe_grid_place(position);
     for (uint level = 0u; level < probeMap.items[1].x; ++level) {
         const float stride = float(probe_stride(level));
         vec3 t;

@@ -92,6 +92,7 @@ ProbeTables probe_tables(const scene::ProbeVolume& volume) {
         }
     tables.cells = hash_cells(cells, volume, numbers);
     tables.grid.origin = volume.origin;
+    tables.grid.yaw_rad = glm::radians(volume.yaw_deg);
     tables.grid.spacing_m = volume.spacing_m;
     tables.grid.levels = static_cast<uint32_t>(
         cells.empty() ? 0 : std::min<size_t>(volume.strides.size(), shared::kMostProbeLevels));

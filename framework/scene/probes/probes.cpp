@@ -1,6 +1,7 @@
 #include "weft/scene/probes.h"
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/probes/probe_grid.h"
 
@@ -25,8 +26,14 @@ constexpr uint64_t kHarmonicsBytes = 16ull * 16;
 
 }  // namespace
 
+glm::mat3 yaw_rotation(float yaw_deg) {
+    if (yaw_deg == 0) return glm::mat3(1);
+    return glm::mat3(glm::rotate(glm::dmat4(1), glm::radians(double{yaw_deg}), glm::dvec3(0, 1, 0)));
+}
+
 glm::vec3 position_of(const ProbeVolume& volume, const Probe& probe) {
-    return volume.origin + glm::vec3(probe.at) * volume.spacing_m + probe.offset;
+    const glm::vec3 way = glm::vec3(probe.at) * volume.spacing_m + probe.offset;
+    return volume.origin + (volume.yaw_deg == 0 ? way : yaw_rotation(volume.yaw_deg) * way);
 }
 
 uint32_t count_of(const ProbeVolume& volume, ProbeState state) {

@@ -63,12 +63,14 @@ class ProbeReader : public FieldReader {
     VolumeText read_volume(const JsonNode& node) {
         VolumeText out;
         if (!expect(node, JsonKind::object)) return out;
-        check_keys(node, {"origin", "spacing", "strides", "size", "probes"});
+        check_keys(node, {"origin", "yaw", "spacing", "strides", "size", "probes"});
         out.volume.origin = vector(required(node, "origin"), kPlace, out.volume.origin);
-        double spacing_m = 1;
+        double spacing_m = 1, yaw_deg = 0;
         if (const JsonNode* spacing = required(node, "spacing"))
             number(*spacing, {kSmallest_m, kMostSpacing_m}, false, spacing_m);
         out.volume.spacing_m = static_cast<float>(spacing_m);
+        if (const JsonNode* yaw = node.find("yaw")) number(*yaw, {-180, 180}, false, yaw_deg);
+        out.volume.yaw_deg = static_cast<float>(yaw_deg);
         const JsonNode *size = node.find("size"), *probes = node.find("probes");
         if ((size == nullptr) == (probes == nullptr)) {
             fault(node.loc, "the volume needs either \"size\" or \"probes\"",
@@ -86,6 +88,9 @@ class ProbeReader : public FieldReader {
         if (const JsonNode* strides = volume.find("strides"))
             fault(strides->loc, "a volume with \"size\" has one level and no \"strides\"",
                   "remove \"strides\"");
+        if (const JsonNode* yaw = volume.find("yaw"))
+            fault(yaw->loc, "a volume with \"size\" has no \"yaw\"",
+                  "remove \"yaw\", or list the grid points in \"probes\"");
         const std::optional<glm::ivec3> size = whole_vector(node, {1, kMostGridPoints});
         if (!size) return;
         const uint64_t points =

@@ -19,7 +19,8 @@ inline constexpr int kGroundStride = 32;
 // coarsest cells.
 [[nodiscard]] std::optional<ProbeVolume> fit_volume(const TriangleTree& tree, const PlacementParams& params,
                                                     uint32_t threads);
-[[nodiscard]] ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& params,
-                                          uint32_t threads);
+// `origin`: the place of grid point (0, 0, 0).
+[[nodiscard]] ProbeVolume surround_camera(const TriangleTree& tree, const glm::vec3& origin,
+                                          const PlacementParams& params, uint32_t threads);
 
 }  // namespace weft::scene

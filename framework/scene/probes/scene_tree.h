@@ -1,5 +1,5 @@
-// Purpose: the tree of all triangles of a scene. Error: S199 the tree needs more memory than the limit
-// leaves.
+// Purpose: the triangles of a scene, and the tree of them. Error: S199 the tree needs more memory than the
+// limit leaves.
 #pragma once
 
 #include "scene/probes/triangle_tree.h"
@@ -8,6 +8,9 @@
 
 namespace weft::scene {
 
+[[nodiscard]] Result<std::vector<SolidTriangle>> scene_triangles(const Scene& scene,
+                                                                 const SceneLimits& limits,
+                                                                 const LoadOptions& options);
 [[nodiscard]] Result<TriangleTree> scene_tree(const Scene& scene, const SceneLimits& limits,
                                               const LoadOptions& options);
 

@@ -14,8 +14,8 @@ constexpr int kReach = 10;
 constexpr double kSpacingsPerSide = 4;
 
 // Returns the cell of this stride that contains the place.
-GridCell cell_at(const glm::vec3& place, const PlacementParams& params, int stride) {
-    const glm::vec3 at = (place - glm::vec3(0.5f * params.min_spacing_m)) / params.min_spacing_m;
+GridCell cell_at(const glm::vec3& place, const glm::vec3& origin, const PlacementParams& params, int stride) {
+    const glm::vec3 at = (place - origin) / params.min_spacing_m;
     const glm::ivec3 cell(glm::floor(at / static_cast<float>(stride)));
     return {cell * stride, stride};
 }
@@ -40,8 +40,9 @@ std::vector<GridCell> cells_around(const ProbeGrid& grid, const GridCell& middle
 }
 
 // Returns the stride of the finest level: kObjectStride, or less if the camera is in a small room.
-int finest_stride(const ProbeGrid& grid, const PlacementParams& params) {
-    const double room_m = grid.room_size(cell_at(*params.camera, params, kObjectStride), kObjectStride / 2);
+int finest_stride(const ProbeGrid& grid, const glm::vec3& origin, const PlacementParams& params) {
+    const double room_m =
+        grid.room_size(cell_at(*params.camera, origin, params, kObjectStride), kObjectStride / 2);
     int stride = kObjectStride;
     while (stride > 1 && double{params.min_spacing_m} * stride * kSpacingsPerSide > room_m) stride /= 2;
     return stride;
@@ -49,7 +50,8 @@ int finest_stride(const ProbeGrid& grid, const PlacementParams& params) {
 
 }  // namespace
 
-ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& params, uint32_t threads) {
+ProbeVolume surround_camera(const TriangleTree& tree, const glm::vec3& origin, const PlacementParams& params,
+                            uint32_t threads) {
     PlacementParams around = params;
     const Bounds& bounds = tree.bounds();
     // If the camera is outside of the scene's bounds, the probes surround the nearest point of the bounds.
@@ -57,11 +59,10 @@ ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& par
     around.camera =
         glm::clamp(params.camera.value_or((bounds.min + bounds.max) * 0.5f), bounds.min, bounds.max);
     const uint32_t share = params.most_probes / kLevels;
-    const glm::vec3 origin(0.5f * params.min_spacing_m);
     // If three levels whose spacings differ by a factor of 2 are enough for the whole scene, the factor is 2.
     // Otherwise it is 4.
     const ProbeGrid probe(tree, origin, params.min_spacing_m, kGroundStride, threads);
-    const int finest = finest_stride(probe, around);
+    const int finest = finest_stride(probe, origin, around);
     const int factor = probe.cells_near_surfaces(finest * 4, share) ? 2 : 4;
     std::vector<uint32_t> strides;
     for (int level = 0, stride = finest; level < kLevels; ++level, stride *= factor)
@@ -70,7 +71,7 @@ ProbeVolume surround_camera(const TriangleTree& tree, const PlacementParams& par
     ProbeGrid grid(tree, origin, params.min_spacing_m, top, threads);
     for (uint32_t level = kLevels; level-- > 0;) {
         const uint32_t most = params.most_probes - share * level;
-        const GridCell middle = cell_at(*around.camera, params, static_cast<int>(strides[level]));
+        const GridCell middle = cell_at(*around.camera, origin, params, static_cast<int>(strides[level]));
         for (const GridCell& cell : cells_around(grid, middle)) {
             if (grid.examined() > kMostGridPoints / 2 || !grid.exchange({}, {cell}, most)) break;
         }

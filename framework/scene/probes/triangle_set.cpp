@@ -80,7 +80,7 @@ void append_instance(const Scene& scene, const Instance& instance, SurfaceKind k
         std::array<glm::vec3, 3>& c = triangle.corners;
         if (!is_usable(c[0]) || !is_usable(c[1]) || !is_usable(c[2])) continue;
         if (determinant < 0) std::swap(c[1], c[2]);
-        std::ranges::rotate(c, std::ranges::min_element(c, less));
+        put_smallest_corner_first(triangle);
         triangle.blocks = kind.blocks;
         triangle.has_inside = kind.has_inside;
         out.push_back(triangle);
@@ -88,6 +88,10 @@ void append_instance(const Scene& scene, const Instance& instance, SurfaceKind k
 }
 
 }  // namespace
+
+void put_smallest_corner_first(SolidTriangle& triangle) {
+    std::ranges::rotate(triangle.corners, std::ranges::min_element(triangle.corners, less));
+}
 
 uint64_t count_triangles(const Scene& scene) {
     uint64_t count = 0;

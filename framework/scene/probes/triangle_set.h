@@ -19,6 +19,9 @@ struct SolidTriangle {
     bool has_inside = true;  // False for surfaces whose back does not mean the inside of an object.
 };
 
+// Turns the order of the corners, so that the smallest is the first.
+void put_smallest_corner_first(SolidTriangle& triangle);
+
 // Farther than this from the origin, in metres, geometry does not count.
 inline constexpr float kFarthest_m = 1e5f;
 

@@ -61,6 +61,7 @@ std::string probes_to_json(const Probes& probes) {
     for (const uint32_t stride : volume.strides)
         strides += (strides.empty() ? "" : ", ") + std::to_string(stride);
     return "{\n  \"version\": 1,\n  \"volume\": {\n    \"origin\": " + list(volume.origin) +
+           (volume.yaw_deg == 0 ? "" : ",\n    \"yaw\": " + number(volume.yaw_deg)) +
            ",\n    \"spacing\": " + number(volume.spacing_m) + ",\n    \"strides\": [" + strides +
            "],\n    \"probes\": " + lines(volume.probes, "    ", point_text) +
            "\n  },\n  \"reflections\": " + lines(probes.reflections, "  ", reflection_text) + "\n}\n";

@@ -40,7 +40,7 @@ struct ProbeGrid {
     uint levels;      // Number of levels; 0: there are no cells. Level 0 is the finest.
     uint slots;       // Number of slots in `probeCells`, a power of two. At least half of them are empty.
     uint probes;
-    uint reserved;
+    float yaw_rad;  // The angle by which the grid is turned around +y, counter-clockwise as seen from above.
     // The stride of level i, in units of spacing_m, is strides[i / 4][i % 4].
     uvec4 strides[kMostProbeLevels / 4u];
 };

@@ -32,7 +32,8 @@ vec3 level_tint(float spacing_m, ProbeGrid grid) {
 }
 
 bool is_moved(vec3 position, ProbeGrid grid) {
-    const vec3 at = (position - grid.origin) / grid.spacing_m;
+    const float c = cos(grid.yaw_rad), s = sin(grid.yaw_rad);
+    const vec3 at = mat3(c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c) * (position - grid.origin) / grid.spacing_m;
     return any(greaterThan(abs(at - round(at)), vec3(1e-3)));
 }
 

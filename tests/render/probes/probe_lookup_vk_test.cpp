@@ -85,7 +85,8 @@ class ProbeLookup : public ProbeTest {
 
 // Returns true if the point is so near to a side of a cell that rounding may change the cell.
 bool is_at_side(const scene::ProbeVolume& volume, const glm::dvec3& position) {
-    const glm::dvec3 grid = (position - glm::dvec3(volume.origin)) / double(volume.spacing_m);
+    const glm::dmat3 to_grid(glm::transpose(scene::yaw_rotation(volume.yaw_deg)));
+    const glm::dvec3 grid = to_grid * (position - glm::dvec3(volume.origin)) / double(volume.spacing_m);
     const glm::dvec3 away = glm::abs(grid - glm::round(grid));
     return std::min({away.x, away.y, away.z}) < 1e-4;
 }
@@ -95,10 +96,12 @@ TEST_F(ProbeLookup, OfRandomVolumesIsThatOfTheReference) {
         uint32_t seed;
         double unlit;
         VolumeOdds odds;
+        float yaw_deg = 0;
     };
-    for (const Case& c :
-         {Case{1, 0, {}}, Case{2, 0.3, {}}, Case{3, 0, {0.9, 1, 0, 0}}, Case{4, 0, {0, 1, 1, 0.4}}}) {
-        const scene::ProbeVolume volume = random_volume(c.seed, c.odds);
+    for (const Case& c : {Case{1, 0, {}}, Case{2, 0.3, {}}, Case{3, 0, {0.9, 1, 0, 0}},
+                          Case{4, 0, {0, 1, 1, 0.4}}, Case{7, 0, {}, 28.5f}}) {
+        scene::ProbeVolume volume = random_volume(c.seed, c.odds);
+        volume.yaw_deg = c.yaw_deg;
         const ProbeResults found = run(volume, {{"unlit", c.unlit}});
         ASSERT_EQ(found.images.size(), 4u);
         ProbeContent content{std::vector<glm::vec4>(found.buffers.at("keepSh").size() / sizeof(glm::vec4)),

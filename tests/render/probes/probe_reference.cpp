@@ -82,7 +82,8 @@ double ProbeReference::fade(const scene::ProbeCell& cell, const glm::dvec3& t) c
 }
 
 ProbeReference::Place ProbeReference::find_place(const glm::dvec3& position, uint32_t level) const {
-    const glm::dvec3 grid = (position - glm::dvec3(volume_.origin)) / spacing_m(level);
+    const glm::dmat3 to_grid(glm::transpose(scene::yaw_rotation(volume_.yaw_deg)));
+    const glm::dvec3 grid = to_grid * (position - glm::dvec3(volume_.origin)) / spacing_m(level);
     const glm::dvec3 corner = glm::floor(grid), t = grid - corner;
     const bool coarsest = level + 1 == volume_.strides.size();
     Place place{cell_at(glm::ivec3(corner), level), t, 1};

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <optional>
 #include <set>
@@ -116,6 +117,31 @@ TEST_P(Placement, KeepsTheRules) {
     expect_no_probe_in_walls(scene, probes);
     expect_covered(scene, probes);
     expect_same_for_other_order(scene.scene, probes);
+}
+
+// If all objects move or turn together, the probes move with them. So the light stays the same.
+TEST_P(Placement, MovesWithTheScene) {
+    const BoxScene still = GetParam().make();
+    const ProbeVolume before = placed(still.scene).volume;
+    const auto turn = [](float angle_deg) {
+        return glm::rotate(glm::mat4(1), glm::radians(angle_deg), glm::vec3(0, 1, 0));
+    };
+    for (const glm::mat4& motion :
+         {glm::translate(glm::mat4(1), glm::vec3(0.25f)),
+          glm::translate(glm::mat4(1), glm::vec3(0.31f, 0.17f, 0.43f)),
+          glm::translate(glm::mat4(1), glm::vec3(-7.7f, 2.1f, 0)), turn(37), turn(-12.3f),
+          glm::translate(glm::mat4(1), glm::vec3(3.1f, 0, -0.7f)) * turn(30)}) {
+        Scene moved = still.scene;
+        for (Instance& instance : moved.instances) instance.transform = motion * instance.transform;
+        const ProbeVolume after = placed(moved).volume;
+        ASSERT_EQ(before.probes.size(), after.probes.size());
+        for (size_t i = 0; i < before.probes.size(); ++i) {
+            EXPECT_EQ(before.probes[i].at, after.probes[i].at);
+            EXPECT_EQ(before.probes[i].state, after.probes[i].state);
+            const glm::vec4 wanted = motion * glm::vec4(position_of(before, before.probes[i]), 1);
+            EXPECT_LE(glm::distance(glm::vec3(wanted), position_of(after, after.probes[i])), 2e-3f);
+        }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Placement,

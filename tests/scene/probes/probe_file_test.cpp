@@ -53,6 +53,16 @@ TEST(ProbeFile, WhatIsWrittenCanBeRead) {
 }
 
 // Cells use the substitute at a corner without a probe.
+TEST(ProbeFile, AGridCanBeTurned) {
+    const Result<Probes> probes = read(with_volume("\"yaw\": 90,\n\"probes\": [{ \"at\": [0, 0, 1] }]"));
+    ASSERT_TRUE(probes) << to_text(probes.errors());
+    const ProbeVolume& volume = probes->volume;
+    EXPECT_LE(glm::distance(position_of(volume, volume.probes.at(0)), glm::vec3(2, 0, 0)), 1e-6f);
+    EXPECT_EQ(read(probes_to_json(*probes))->volume.yaw_deg, 90);
+    expect_fault(with_volume("\"yaw\": 181,\n\"probes\": []"), "S196", 3, "181 is out of range");
+    expect_fault(with_volume("\"size\": [2, 2, 2],\n\"yaw\": 5"), "S196", 4, "no \"yaw\"");
+}
+
 TEST(ProbeFile, ADroppedPointCanHaveASubstitute) {
     std::string points;
     for (int i = 0; i < 8; ++i)

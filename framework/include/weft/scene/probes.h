@@ -48,16 +48,21 @@ struct ProbeCell {
     std::array<uint32_t, 8> corners{};
 };
 
-// Irradiance probes. Point `at` of the grid is at origin + at × spacing_m. Level i uses the points whose
-// coordinates are multiples of strides[i]. Level 0 is the finest.
+// Irradiance probes. Point `at` of the grid is at origin + R × at × spacing_m, where R is the rotation by
+// yaw_deg. Level i uses the points whose coordinates are multiples of strides[i]. Level 0 is the finest.
 struct ProbeVolume {
     glm::vec3 origin{0};
     float spacing_m = 1;
     std::vector<uint32_t> strides{1};
     std::vector<Probe> probes;   // Sorted by z, then y, then x of `at`.
     bool around_camera = false;  // True: the scene is large, so the levels surround a camera.
+    // The angle by which the grid, and the offsets of the probes, are turned around +y, counter-clockwise as
+    // seen from above. In degrees, −180 to 180.
+    float yaw_deg = 0;
 };
 
+// Returns the rotation by an angle around +y.
+[[nodiscard]] glm::mat3 yaw_rotation(float yaw_deg);
 [[nodiscard]] glm::vec3 position_of(const ProbeVolume& volume, const Probe& probe);
 // Returns the number of probes in this state.
 [[nodiscard]] uint32_t count_of(const ProbeVolume& volume, ProbeState state);

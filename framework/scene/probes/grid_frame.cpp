@@ -1,0 +1,168 @@
+#include "scene/probes/grid_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <vector>
+
+#include "scene/probes/triangle_tests.h"
+
+namespace weft::scene {
+namespace {
+
+// A surface faces an axis if the cosine between its normal and the axis, or its negative, is at least this
+// large (2.6°).
+constexpr double kLeastFacing = 0.999;
+// A surface is a wall if the vertical part of its normal is at most this large.
+constexpr double kMostSlope = 0.05;
+// Surfaces whose phases differ by at most this many metres count as one.
+constexpr double kThickness_m = 0.05;
+// Walls whose directions differ by at most this many degrees count as parallel.
+constexpr double kParallel_deg = 0.5;
+// Smaller angles of the grid count as 0.
+constexpr double kLeastYaw_deg = 1e-3;
+// The walls of one direction must have this share of the area of all walls.
+constexpr double kLeastShare = 1.0 / 3;
+// Corners are rounded to multiples of 1 / kPlacesPerMetre metres.
+constexpr double kPlacesPerMetre = 4096;
+// The origin is the place with the wanted phase that is nearest to the lowest corner. If two places are
+// nearly equally near, the number of the upper one is a little larger than 0.5. So a scene with a size of
+// round numbers has the same origin wherever it lies.
+constexpr double kUpperPlace = 0.47;
+
+using Triangles = std::span<const SolidTriangle>;
+
+// A value on a circle, such as an angle or a phase, and the area that has it.
+struct Measured {
+    double value = 0;
+    double area_m2 = 0;
+    auto operator<=>(const Measured&) const = default;
+};
+
+// The lowest and the highest coordinate of all corners along an axis.
+struct Extent {
+    double low_m = 0, high_m = 0;
+};
+
+double modulo(double value, double period) {
+    return value - period * std::floor(value / period);
+}
+
+double area_of(const SolidTriangle& triangle) {
+    const glm::dvec3 first(triangle.corners[0]);
+    return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.corners[1]) - first,
+                                        glm::dvec3(triangle.corners[2]) - first));
+}
+
+// Returns the value between 0 and `period` around which the largest area lies, within `width`, and this area.
+// The value is a median, so that few surfaces with slightly other values do not change it.
+Measured most_common(std::vector<Measured> all, double period, double width) {
+    std::ranges::sort(all);
+    // The values form a circle, so the list is repeated: element i + n is element i after one more turn.
+    const size_t n = all.size();
+    const auto value = [&](size_t i) { return all[i % n].value + (i < n ? 0 : period); };
+    std::vector<double> sums{0};  // Sums of the area, from the first element on.
+    for (size_t i = 0; i < 2 * n; ++i) sums.push_back(sums.back() + all[i % n].area_m2);
+    Measured best;
+    for (size_t first = 0, end = 0; first < n; ++first) {
+        while (end < first + n && value(end) <= value(first) + width) ++end;
+        const double area_m2 = sums[end] - sums[first];
+        if (area_m2 <= best.area_m2) continue;
+        size_t middle = first;
+        while (sums[middle + 1] - sums[first] < area_m2 / 2) ++middle;
+        best = {modulo(value(middle), period), area_m2};
+    }
+    return best;
+}
+
+// Walls at right angles have the same angle modulo 90°.
+double common_yaw_deg(Triangles triangles) {
+    std::vector<Measured> walls;
+    double area_m2 = 0;
+    for (const SolidTriangle& triangle : triangles) {
+        const glm::dvec3 normal = normal_of(triangle);
+        if (normal == glm::dvec3(0) || std::abs(normal.y) > kMostSlope) continue;
+        walls.push_back({modulo(glm::degrees(std::atan2(normal.x, normal.z)), 90), area_of(triangle)});
+        area_m2 += walls.back().area_m2;
+    }
+    const Measured most = most_common(std::move(walls), 90, kParallel_deg);
+    if (most.area_m2 < kLeastShare * area_m2) return 0;
+    const double yaw_deg = most.value > 45 ? most.value - 90 : most.value;
+    return std::abs(yaw_deg) < kLeastYaw_deg ? 0 : yaw_deg;
+}
+
+// Returns the rotation from world space into a frame with this angle.
+glm::dmat3 into_frame(double yaw_deg) {
+    return glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(-yaw_deg), glm::dvec3(0, 1, 0)));
+}
+
+Extent extent_of(Triangles triangles, const glm::dvec3& axis) {
+    if (triangles.empty()) return {};
+    const double first_m = glm::dot(axis, glm::dvec3(triangles.front().corners[0]));
+    Extent extent{first_m, first_m};
+    for (const SolidTriangle& triangle : triangles)
+        for (const glm::vec3& corner : triangle.corners) {
+            const double at_m = glm::dot(axis, glm::dvec3(corner));
+            extent.low_m = std::min(extent.low_m, at_m);
+            extent.high_m = std::max(extent.high_m, at_m);
+        }
+    return extent;
+}
+
+// Returns the phases of the triangles that face the axis. The outer sides of a building face the edge of the
+// scene; they are left out, because few probes are needed there. The area of a lower triangle is a little
+// larger, so that of two equal surfaces the lower one decides, such as a floor before its ceiling.
+std::vector<Measured> phases_along(Triangles triangles, const glm::dvec3& axis, const Extent& extent,
+                                   double spacing_m) {
+    std::vector<Measured> found;
+    for (const SolidTriangle& triangle : triangles) {
+        const double cosine = glm::dot(axis, normal_of(triangle));
+        if (std::abs(cosine) < kLeastFacing) continue;
+        const std::array<glm::vec3, 3>& c = triangle.corners;
+        const double at_m = glm::dot(axis, glm::dvec3(c[0]) + glm::dvec3(c[1]) + glm::dvec3(c[2])) / 3;
+        const double free_m = cosine > 0 ? extent.high_m - at_m : at_m - extent.low_m;
+        if (triangle.has_inside && free_m < spacing_m) continue;
+        const double height = (at_m - extent.low_m) / std::max(extent.high_m - extent.low_m, spacing_m);
+        found.push_back({modulo(at_m, spacing_m), area_of(triangle) * (1.01 - 0.01 * height)});
+    }
+    return found;
+}
+
+}  // namespace
+
+GridFrame grid_frame_of(Triangles triangles, double spacing_m) {
+    const double yaw_deg = common_yaw_deg(triangles);
+    const glm::dmat3 from_frame = glm::transpose(into_frame(yaw_deg));
+    glm::dvec3 origin(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Extent extent = extent_of(triangles, from_frame[axis]);
+        std::vector<Measured> all = phases_along(triangles, from_frame[axis], extent, spacing_m);
+        const double phase_m =
+            all.empty() ? extent.low_m : most_common(std::move(all), spacing_m, kThickness_m).value;
+        const double places = std::floor((extent.low_m - phase_m) / spacing_m + kUpperPlace);
+        origin[axis] = phase_m + spacing_m * places;
+    }
+    return {static_cast<float>(yaw_deg), glm::vec3(from_frame * origin)};
+}
+
+void move_to_grid_frame(std::span<SolidTriangle> triangles, const GridFrame& frame) {
+    const glm::dmat3 turn = into_frame(double{frame.yaw_deg});
+    for (SolidTriangle& triangle : triangles) {
+        for (glm::vec3& corner : triangle.corners) {
+            const glm::dvec3 place = turn * (glm::dvec3(corner) - glm::dvec3(frame.origin));
+            corner = glm::vec3(glm::round(place * kPlacesPerMetre) / kPlacesPerMetre) + glm::vec3(0);
+        }
+        put_smallest_corner_first(triangle);
+    }
+}
+
+glm::vec3 to_grid_frame(const GridFrame& frame, const glm::vec3& world) {
+    return glm::vec3(into_frame(double{frame.yaw_deg}) * glm::dvec3(world - frame.origin));
+}
+
+glm::vec3 to_world(const GridFrame& frame, const glm::vec3& in_frame) {
+    return frame.origin + glm::vec3(glm::transpose(into_frame(double{frame.yaw_deg})) * glm::dvec3(in_frame));
+}
+
+}  // namespace weft::scene
