@@ -283,6 +283,13 @@ bool GpuScene::is_mirrored(std::string_view view) const {
     return found != views_.end() && found->second.mirrored;
 }
 
+bool GpuScene::draws_variant(std::string_view list, uint32_t variant) const {
+    if (takes_parts() || settings_.draw_lists.contains(list)) return true;
+    const PartDrawList* draws = first().list(list);
+    return draws != nullptr &&
+           std::ranges::any_of(draws->draws, [&](const PartDraw& draw) { return draw.variant == variant; });
+}
+
 uint64_t GpuScene::draw_count(std::string_view list) const {
     if (const auto own = settings_.draw_lists.find(list); own != settings_.draw_lists.end())
         return own->second.list->count();

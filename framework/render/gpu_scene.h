@@ -30,6 +30,7 @@ struct SceneSettings {
     OwnDrawLists draw_lists;
     OwnDrawSets draw_sets;
     bool moves_instances = false;
+    bool adds_parts = true;
     scene::Probes probes;
 };
 
@@ -47,6 +48,8 @@ class GpuScene final : public vk::DrawSource {
     [[nodiscard]] const PartList& parts() const { return parts_; }
     // True if the program replaces descriptor sets that the draws of parts need.
     [[nodiscard]] bool replaces_sets() const { return !settings_.draw_sets.empty(); }
+    // True if the program may add parts after create().
+    [[nodiscard]] bool takes_parts() const { return settings_.adds_parts; }
     // Begins a frame: moves the objects of all parts to their places at `time_s`. Call it before set_frame().
     void begin_frame(uint32_t slot, double time_s);
     // Writes the imports "sceneLights" and "lightChanges" for a frame slot.
@@ -77,6 +80,7 @@ class GpuScene final : public vk::DrawSource {
                                                     const LiveArea& area) const override;
     [[nodiscard]] VkDescriptorSet views_set(uint32_t frame_slot,
                                             std::span<const std::string> views) const override;
+    [[nodiscard]] bool draws_variant(std::string_view list, uint32_t variant) const override;
     [[nodiscard]] bool draws_several_views() const override { return true; }
     [[nodiscard]] bool add_frame_bytes(uint32_t frame_slot, std::string_view view,
                                        std::span<const FrameRange> ranges,

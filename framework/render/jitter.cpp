@@ -29,8 +29,9 @@ glm::vec2 jitter_px(uint64_t frame, uint32_t length) {
 }
 
 float mip_bias(uint32_t length) {
-    // `length` samples in a pixel are √length samples along each axis, so each sample stands for a pixel that is
-    // smaller by this factor. Moving pictures have only about 16 frames to average, so the bias is limited.
+    // `length` samples in a pixel are √length samples along each axis, so each sample stands for a pixel that
+    // is smaller by this factor. Moving pictures have only about 16 frames to average, so the bias is
+    // limited.
     constexpr float kLeastBias = -2.0f;
     return length < 2 ? 0.0f : std::max(-0.5f * std::log2(static_cast<float>(length)), kLeastBias);
 }

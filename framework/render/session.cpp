@@ -95,7 +95,8 @@ Result<std::unique_ptr<Session>> Session::create(vk::Device& device, const scene
     if (files != nullptr) files->insert(graph->first_files().begin(), graph->first_files().end());
     if (!loaded) return loaded.errors();
     Result<DrawnScene> drawn = DrawnScene::create(
-        device, scene, {input.draw_lists, input.draw_sets, input.moves_instances, input.probes}, owned);
+        device, scene,
+        {input.draw_lists, input.draw_sets, input.moves_instances, input.adds_parts, input.probes}, owned);
     if (!drawn) return drawn.take_errors();
     Result<PendingSwap> first = graph->start(device, drawn->gpu(), StageSettings(input));
     if (!first) return first.take_errors();
@@ -187,6 +188,13 @@ Result<ScenePart> Session::prepare_part(const scene::Scene& scene, bool moves_in
 }
 
 Result<PartId> Session::add_part(ScenePart part) {
+    if (!parts_->scene.gpu().takes_parts()) {
+        Diagnostic d;
+        d.code = "W246";
+        d.message = "the session was created for a scene to which no parts are added";
+        d.help = {"set SessionInput::adds_parts to true"};
+        return d;
+    }
     if (parts_->scene.gpu().replaces_sets()) {
         Diagnostic d;
         d.code = "W246";

@@ -57,6 +57,7 @@ void warn_of_exposure(const scene::Scene& scene, float exposure_ev, bool automat
 
 render::SessionInput session_input(const RenderOptions& options, const PassCatalog& passes) {
     render::SessionInput input;
+    input.adds_parts = false;
     input.request = options.request;
     if (input.request.path.empty())
         input.request.path = (shipped_root() / "graphs" / "deferred.json").string();

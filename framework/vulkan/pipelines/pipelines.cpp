@@ -92,6 +92,7 @@ Status add_list(Device& device, const PipelineRequest& request, const std::strin
         return pass_error(request.plan, request.pass, "V414",
                           "the program gave no draw list \"" + list + "\"");
     for (uint32_t i = 0; i < import->variants.size(); ++i) {
+        if (request.draws != nullptr && !request.draws->draws_variant(list, i)) continue;
         const ListPart part{list, &import->variants[i], &import->vertex_format};
         Result<PipelineLease> pipeline = lease_pipeline(device, request, part);
         if (!pipeline) return pipeline.take_errors();

@@ -29,13 +29,14 @@ struct PipelineRequest {
     const PassLayout& layout;
     // The imports of the program, which include the draw lists. Must not be null if the pass has draw lists.
     const ImportCatalog* imports;
+    const DrawSource* draws;  // Null if the pass has no draw lists.
     VkPipelineCache cache;
     PipelineStore& store;
     PipelineCounts& counts;
 };
 
 // Returns the pipelines in drawing order: list by list in the order of PassDecl::draw_lists, and within a
-// list in the order of its variants.
+// list in the order of its variants. Variants that DrawSource::draws_variant() excludes are left out.
 [[nodiscard]] Result<std::vector<DrawPipeline>> make_pipelines(Device& device,
                                                                const PipelineRequest& request);
 [[nodiscard]] Result<PipelineCacheHandle> make_pipeline_cache(Device& device);

@@ -204,7 +204,7 @@ Status prepare_shader_pass(Device& device, const ExecutorInput& input, PlanObjec
         Status sets = prepare_port_sets(device, objects, position, decl, program.interface);
         if (!sets) return sets;
         Result<std::vector<DrawPipeline>> pipelines =
-            make_pipelines(device, {objects.plan, decl, program, prepared.layout, input.imports,
+            make_pipelines(device, {objects.plan, decl, program, prepared.layout, input.imports, input.draws,
                                     objects.cache.get(), *input.pipelines, objects.pipeline_counts});
         if (!pipelines) return pipelines.take_errors();
         std::ranges::move(*pipelines, std::back_inserter(prepared.pipelines));
@@ -252,9 +252,9 @@ Result<std::vector<DrawPipeline>> make_new_pipelines(Device& device, const Execu
     std::vector<DrawPipeline> all;
     for (uint32_t variant = 0; variant < variant_count(pass); ++variant) {
         const PassDecl decl = pass_of_variant(pass, variant);
-        Result<std::vector<DrawPipeline>> pipelines = make_pipelines(
-            device,
-            {input.plan, decl, program, *layout, input.imports, cache, *input.pipelines, amendment.counts});
+        Result<std::vector<DrawPipeline>> pipelines =
+            make_pipelines(device, {input.plan, decl, program, *layout, input.imports, input.draws, cache,
+                                    *input.pipelines, amendment.counts});
         if (!pipelines) return pipelines.take_errors();
         std::ranges::move(*pipelines, std::back_inserter(all));
     }

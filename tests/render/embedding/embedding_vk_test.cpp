@@ -35,6 +35,7 @@ class EmbeddingVk : public SessionTest {
         input.load.reader = read_text;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.check_plan = true;
         return input;

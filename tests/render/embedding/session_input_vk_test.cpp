@@ -193,6 +193,31 @@ TEST_F(SessionInputs, APartNeedsTheSetsOfWeft) {
     EXPECT_EQ(added.errors().front().code, "W246");
 }
 
+TEST_F(SessionInputs, WithoutPartsOnlyThePipelinesOfTheSceneAreCreated) {
+    // The squares are opaque. The graph also draws masked and transparent surfaces.
+    const scene::Scene scene = squares({{"a", 0, 0, glm::mat4(1)}});
+    const auto open_with = [&](bool adds_parts) {
+        render::SessionInput input = input_for(kDeferredGraph, {"hdr"});
+        input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
+        input.adds_parts = adds_parts;
+        auto session = open(scene, input);
+        if (session) render_one(*session);
+        return session;
+    };
+    const auto all = open_with(true), fewer = open_with(false);
+    ASSERT_TRUE(all && fewer);
+    EXPECT_EQ(all->parts().frames.executor().pipelines().made,
+              fewer->parts().frames.executor().pipelines().made + 2);
+    const auto picture_of = [](render::Session& session) { return session.take_readbacks().at(0).bytes; };
+    EXPECT_EQ(picture_of(*all), picture_of(*fewer));
+    Result<render::ScenePart> part = fewer->prepare_part(squares({{"b", 0, 0, glm::mat4(1)}}));
+    ASSERT_TRUE(part);
+    const Result<render::PartId> added = fewer->add_part(std::move(*part));
+    ASSERT_FALSE(added);
+    EXPECT_EQ(added.errors().front().code, "W246");
+    EXPECT_NE(to_text(added.errors()).find("adds_parts"), std::string::npos) << to_text(added.errors());
+}
+
 TEST_F(SessionInputs, ResizingExchangesTheImageAlsoAtTheSameSize) {
     const auto session = open_without_scene(input_for(kSky, {"dome"}));
     ASSERT_TRUE(session);

@@ -71,6 +71,9 @@ struct SessionInput {
     // True: FrameInput::transforms may move the instances of the scene. Then the buffers of the instances are
     // in memory that the CPU writes, one buffer for each frame slot.
     bool moves_instances = false;
+    // False: the program adds no parts to the scene. Then no pipelines are created for kinds of materials that
+    // the scene lacks, and the session starts earlier. Error of add_part(): W246.
+    bool adds_parts = true;
     // Number of logical queues. The device must have been created with at least as many.
     uint32_t queues = 1;
     bool check_plan = false;  // True: the plan is checked before it runs. Debug builds always check it.
@@ -151,7 +154,8 @@ class Session {
                                                  bool moves_instances = false) const;
     // Draws the part from the next frame on. The part belongs to the draw lists of the scene. The call
     // allocates no memory and waits for nothing. Returns the number of the part. Error: W246
-    // SessionInput::draw_sets replaces descriptor sets that the part needs.
+    // SessionInput::draw_sets replaces descriptor sets that the part needs, or SessionInput::adds_parts is
+    // false.
     [[nodiscard]] Result<PartId> add_part(ScenePart part);
     // Stops drawing the part. Frames in flight still use its memory. The memory is freed when these frames
     // have finished. Error: W247 there is no such part.

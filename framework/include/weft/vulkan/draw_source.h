@@ -121,6 +121,11 @@ class DrawSource {
                                                     std::span<const std::string> /*views*/) const {
         return VK_NULL_HANDLE;
     }
+    // Returns false if no draw of the list ever uses the variant (an index into ImportDecl::variants). Then no
+    // pipeline is created for this variant.
+    [[nodiscard]] virtual bool draws_variant(std::string_view /*list*/, uint32_t /*variant*/) const {
+        return true;
+    }
     // Returns true if the source supports passes that draw several views (PassDecl::lowering): it provides
     // views_set(), and the constants of each view contain its number at kViewNumberOffsetBytes.
     [[nodiscard]] virtual bool draws_several_views() const { return false; }
