@@ -42,7 +42,7 @@ if(WEFT_TESTS)
     add_library(weft_precompiled_tests_${level} OBJECT ${CMAKE_CURRENT_LIST_DIR}/precompiled.cpp)
     target_link_libraries(weft_precompiled_tests_${level} PRIVATE weft_test_options_${level} GTest::gtest)
     target_precompile_headers(weft_precompiled_tests_${level} PRIVATE ${WEFT_PRECOMPILED} <filesystem> <fstream>
-      <random> <sstream> <gtest/gtest.h>)
+      <random> <sstream> <thread> <glm/glm.hpp> <vulkan/vulkan_core.h> <gtest/gtest.h>)
   endforeach()
 endif()
 

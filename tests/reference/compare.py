@@ -3,7 +3,8 @@
 
 usage: compare.py WEFT [WORD...] [--graph NAME] [--keep FOLDER] [--report]
 
-WEFT is the program `weft`. WORD: only the references whose names contain it. The table shows for each reference:
+WEFT is the program `weft`. WORD: only the references whose names contain it; without WORD, and without WEFT_EXTENDED
+in the environment, only those in QUICK. The table shows for each reference:
   sum     Σ Weft / Σ reference − 1, over all pixels and channels
   L1      Σ |Weft − reference| / Σ reference
 Both are taken of the absolute radiance; no factor is fitted. Without --report, only those references are compared that
@@ -11,6 +12,7 @@ pictures.txt marks as `held`. The exit code is 1 if one of these exceeds its lim
 """
 import argparse
 import math
+import os
 import pathlib
 import struct
 import subprocess
@@ -24,6 +26,8 @@ MOST_SUM, MOST_L1, MOST_SCENE_L1 = 0.03, 0.10, 0.15
 # Weft renders spheres with this number of samples for each pixel along each axis, because it takes one sample for each
 # pixel of its picture, and the path tracer takes the mean over a pixel.
 SAMPLES = 4
+# Parts of the names of the references that every test run compares. The others differ only in the environment.
+QUICK = ["-day", "plastic-", "metal_250-"]
 # Exit codes: of `weft` without a Vulkan device, and of a test that is skipped.
 NO_DEVICE, SKIPPED = 4, 77
 
@@ -154,13 +158,13 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--report", action="store_true")
     a = parser.parse_args()
-    failed = 0
+    words, failed = a.words or ([] if a.report or "WEFT_EXTENDED" in os.environ else QUICK), 0
     with tempfile.TemporaryDirectory() as scratch:
         folder = a.keep or pathlib.Path(scratch)
         folder.mkdir(parents=True, exist_ok=True)
         print("%-26s %8s %8s" % ("reference", "sum", "L1"))
         for reference in references():
-            if a.words and not any(word in reference["name"] for word in a.words):
+            if words and not any(word in reference["name"] for word in words):
                 continue
             if not reference["is_held"] and not a.report:
                 continue

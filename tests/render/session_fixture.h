@@ -14,6 +14,7 @@
 #include "weft/render/texels.h"
 #include "weft/scene/builtin_scenes.h"
 #include "weft/vulkan/device.h"
+#include "weft/vulkan/shared_pipelines.h"
 
 namespace weft::test {
 
@@ -72,6 +73,8 @@ class SessionTest : public ::testing::Test {
         device_ = std::move(*made);
     }
     void TearDown() override {
+        last_rendered_.reset();
+        pipelines_.reset();
         if (!device_) return;
         for (const vk::Message& m : device_->messages().messages()) ADD_FAILURE() << m.id << ": " << m.text;
     }
@@ -90,10 +93,13 @@ class SessionTest : public ::testing::Test {
         input.load.reads_disk = true;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.check_plan = true;
         input.queues = queues_;
         input.probes = probes_;
+        input.adds_parts = false;
+        input.pipelines = pipelines_.get();
         Result<std::unique_ptr<render::Session>> session =
             render::Session::create(*device_, scene, input, warnings_);
         EXPECT_TRUE(session) << to_text(session.errors());
@@ -110,11 +116,13 @@ class SessionTest : public ::testing::Test {
     }
 
     // Renders one frame and returns the observed images. On any error, the test fails and the result is
-    // empty.
+    // empty. The session stays until the next call, which takes over its pipelines: a Vulkan driver needs
+    // more time to create pipelines than for all other parts of a session.
     Rendered render(const scene::Scene& scene, const scene::Camera& camera, Extent3D size, float exposure_ev,
                     std::vector<std::string> observed, const std::string& graph = kDeferredGraph,
                     const render::ParameterValues& parameters = {}) {
-        const std::unique_ptr<render::Session> session =
+        if (!pipelines_) pipelines_ = std::make_unique<vk::SharedPipelines>();
+        std::unique_ptr<render::Session> session =
             start(scene, camera, graph, size, std::move(observed), exposure_ev);
         if (!session) return {};
         frame_of(*session).parameters = parameters;
@@ -131,6 +139,7 @@ class SessionTest : public ::testing::Test {
         result.view = session->parts().frames.view();
         result.lights = session->parts().scene.lights();
         result.pre_exposure = session->pre_exposure();
+        last_rendered_ = std::move(session);
         return result;
     }
 
@@ -139,6 +148,11 @@ class SessionTest : public ::testing::Test {
     PassCatalog passes_;
     Diagnostics warnings_;
     std::unique_ptr<vk::Device> device_;
+
+ private:
+    // The pipelines that render() shares between its sessions, and the session of its last call.
+    std::unique_ptr<vk::SharedPipelines> pipelines_;
+    std::unique_ptr<render::Session> last_rendered_;
 };
 
 }  // namespace weft::test

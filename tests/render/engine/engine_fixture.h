@@ -69,6 +69,7 @@ class EngineTest : public SessionTest {
         input.load.reader = read_text;
         input.load.reads_disk = true;
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.check_plan = true;
         input.queues = queues_;

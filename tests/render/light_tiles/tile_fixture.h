@@ -43,10 +43,12 @@ class TileTest : public SessionTest {
                     Extent3D size, const Params& params, std::vector<std::string> observed) {
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = WEFT_SOURCE_DIR "/tests/render/light_tiles/" + graph;
         input.load.reader = read_text;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.request.size = size;
         input.request.params = params;

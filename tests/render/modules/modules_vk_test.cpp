@@ -112,6 +112,7 @@ class Modules : public SessionTest {
         const Result<scene::Scene> scene = scene::make_builtin("spheres");
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = folder_ / "graph/graph.json";
         input.request.size = kSize_px;
         input.request.observed = {"a::sum", "b::sum", "a::rounds", "b::rounds"};
@@ -119,6 +120,7 @@ class Modules : public SessionTest {
         input.load.reads_disk = true;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.load.graph_path = {folder_ / "lib"};
         input.passes = &passes_;
         input.check_plan = true;

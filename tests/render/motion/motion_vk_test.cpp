@@ -1,5 +1,5 @@
-// Purpose: tests that moving objects are drawn at their place, that the velocity buffer contains the motion of
-// the object and of the camera, and that passes at rest wake only while something moves.
+// Purpose: tests that moving objects are drawn at their place, that the velocity buffer contains the motion
+// of the object and of the camera, and that passes at rest wake only while something moves.
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,9 +23,9 @@ scene::Mesh square() {
     return mesh;
 }
 
-// A square at the origin that moves by (1, 0.5, -1) per second and turns about z by 90 degrees per second, for
-// two seconds. In the third second it does not move. A second square further back never moves. Both face the
-// camera.
+// A square at the origin that moves by (1, 0.5, -1) per second and turns about z by 90 degrees per second,
+// for two seconds. In the third second it does not move. A second square further back never moves. Both face
+// the camera.
 scene::Scene moving_scene() {
     scene::Scene scene;
     scene.meshes = {square()};
@@ -35,9 +35,10 @@ scene::Scene moving_scene() {
     scene::Animation animation;
     animation.length_s = 3;
     const float h = std::sqrt(0.5f);
-    animation.samplers = {{scene::Interpolation::linear, false, {0, 2}, {glm::vec4(0), {2, 1, -2, 0}}},
-                          {scene::Interpolation::linear, true, {0, 1, 2}, {{0, 0, 0, 1}, {0, 0, h, h}, {0, 0, 1, 0}}},
-                          {scene::Interpolation::step, false, {0, 3}, {glm::vec4(1), glm::vec4(1)}}};
+    animation.samplers = {
+        {scene::Interpolation::linear, false, {0, 2}, {glm::vec4(0), {2, 1, -2, 0}}},
+        {scene::Interpolation::linear, true, {0, 1, 2}, {{0, 0, 0, 1}, {0, 0, h, h}, {0, 0, 1, 0}}},
+        {scene::Interpolation::step, false, {0, 3}, {glm::vec4(1), glm::vec4(1)}}};
     animation.channels = {{0, scene::MotionPath::translation, 0},
                           {0, scene::MotionPath::rotation, 1},
                           {0, scene::MotionPath::scale, 2}};
@@ -80,7 +81,8 @@ class MotionTest : public SessionTest {
                 const glm::vec2 uv((static_cast<float>(x) + 0.5f) / static_cast<float>(kSize.width),
                                    (static_cast<float>(y) + 0.5f) / static_cast<float>(kSize.height));
                 const glm::mat4 away = glm::translate(glm::mat4(1), {-2, -2, -4});
-                const std::optional<glm::vec3> near = hit(frame.view, uv, now), far = hit(frame.view, uv, away);
+                const std::optional<glm::vec3> near = hit(frame.view, uv, now),
+                                               far = hit(frame.view, uv, away);
                 if (on_edge(frame.view, uv, now) || on_edge(frame.view, uv, away)) continue;
                 if (!near && !far) continue;
                 const glm::mat4& old = near ? before : away;
@@ -99,7 +101,8 @@ class MotionTest : public SessionTest {
 
  private:
     // Returns the point of the square, in its own space, that a texel shows; nullopt if it shows none.
-    static std::optional<glm::vec3> hit(const shared::ViewConstants& view, glm::vec2 uv, const glm::mat4& world) {
+    static std::optional<glm::vec3> hit(const shared::ViewConstants& view, glm::vec2 uv,
+                                        const glm::mat4& world) {
         const glm::dmat4 inverse = glm::inverse(glm::dmat4(view.view_projection) * glm::dmat4(world));
         const glm::dvec2 clip = glm::dvec2(uv) * 2.0 - 1.0;
         const auto at = [&](double depth) {
@@ -147,8 +150,9 @@ TEST_F(MotionTest, ALongRunOfFramesIsRightWithoutWaitingForEach) {
     for (const vk::ReadbackData& data : all)
         if (data.pass == "observe:velocity") last.velocity = render::decode_texels(data.format, data.bytes);
     last.view = session->parts().frames.view();
-    EXPECT_GT(compare(last, scene::transforms_at(scene.motion, 1)[0], scene::transforms_at(scene.motion, 0.8)[0]),
-              50);
+    EXPECT_GT(
+        compare(last, scene::transforms_at(scene.motion, 1)[0], scene::transforms_at(scene.motion, 0.8)[0]),
+        50);
 }
 
 TEST_F(MotionTest, AnObjectThatIsMirroredForATimeKeepsItsFront) {

@@ -61,6 +61,7 @@ class ProbeBake : public SessionTest {
                                            const Picture& picture) {
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = WEFT_SOURCE_DIR "/tests/render/probes/" + picture.graph;
         input.request.size = {picture.side_px, picture.side_px, 1};
         input.request.observed = picture.observed;
@@ -68,6 +69,7 @@ class ProbeBake : public SessionTest {
         input.load.reader = read_text;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.probes = probes;
         input.moves_instances = true;

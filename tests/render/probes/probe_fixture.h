@@ -21,6 +21,7 @@ class ProbeTest : public SessionTest {
                                                        const std::map<std::string, double>& params = {}) {
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = graph;
         input.request.size = size;
         input.request.observed = std::move(observed);
@@ -29,6 +30,7 @@ class ProbeTest : public SessionTest {
         input.load.reads_disk = true;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.check_plan = true;
         input.probes = std::move(probes);

@@ -67,12 +67,14 @@ class ProbesVk : public SessionTest {
                                            bool moves_instances = false) {
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = kFacesGraph;
         input.request.size = kPicture;
         input.request.observed = {"faceDepth", "noted", "counts"};
         input.load.reader = read_text;
         input.load.reads_disk = true;
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.check_plan = true;
         input.probes = probes;

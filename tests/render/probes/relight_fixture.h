@@ -48,6 +48,7 @@ class Relight : public SessionTest {
                                            const Settings& settings) {
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = kGraph;
         input.request.size = {16, 16, 1};
         input.request.observed = {"probeSh"};
@@ -58,6 +59,7 @@ class Relight : public SessionTest {
         input.load.reads_disk = true;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.passes = &passes_;
         input.check_plan = true;
         input.probes = probes;

@@ -22,7 +22,7 @@ struct Expected {
     }
     [[nodiscard]] Words words() const {
         const size_t last = values.size() - 1;
-        return {values[last], values[last - 1],           values[last - 2],          kStart,
+        return {values[last], values[last - 1],     values[last - 2],     kStart,
                 kStart,       frames > 1 ? 1u : 0u, frames > 2 ? 1u : 0u, 0};
     }
 };

@@ -25,6 +25,7 @@ class BufferViews : public SessionTest {
         scene_ = std::move(*scene);
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
         input.request.size = kPictureSize_px;
         input.request.observed = std::move(observed);
@@ -33,6 +34,7 @@ class BufferViews : public SessionTest {
         };
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.load.reads_disk = true;
         input.passes = &passes_;
         input.check_plan = true;

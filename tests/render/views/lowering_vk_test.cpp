@@ -87,6 +87,7 @@ class Lowerings : public SessionTest {
                                           std::vector<std::string> observed = kObserved) {
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
         input.request.size = kFrameSize;
         input.request.observed = std::move(observed);
@@ -95,6 +96,7 @@ class Lowerings : public SessionTest {
         };
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.load.reads_disk = true;
         input.passes = &passes_;
         input.check_plan = true;

@@ -111,6 +111,7 @@ class Views : public SessionTest {
                                               {"mine", kOwnViews}}) {
         passes_ = registered_passes();
         render::SessionInput input;
+        input.adds_parts = false;
         input.request.path = WEFT_SOURCE_DIR "/tests/render/views/graph.json";
         input.request.size = kSize;
         input.request.observed = {"atlas", "cube", "cubePast", "seen", "seenPast", "mineColor", "minePast"};
@@ -119,6 +120,7 @@ class Views : public SessionTest {
         };
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
         input.load.shader_root = WEFT_SOURCE_DIR "/shaders";
+        input.load.shader_cache = WEFT_TEST_CACHE;
         input.load.reads_disk = true;
         input.passes = &passes_;
         input.check_plan = true;

@@ -65,10 +65,15 @@ void main() { imageStore(x, ivec2(gl_GlobalInvocationID.xy), vec4(params.zero + 
 };
 
 TEST_F(GraphTests, ShippedGraphsKeepTheirPromises) {
+    // The quick run leaves out graphs that share all their modules with one of these.
+    const std::set<std::string> quick{"bloom",        "deferred",      "fjord",
+                                      "forward_plus", "light_volumes", "reaction_diffusion"};
     std::vector<std::string> arguments{"check"};
     for (const auto& entry : std::filesystem::directory_iterator(kGraphs))
-        if (entry.path().extension() == ".json") arguments.push_back(entry.path().string());
-    ASSERT_GE(arguments.size(), 10u);
+        if (entry.path().extension() == ".json" &&
+            (extended() || quick.contains(entry.path().stem().string())))
+            arguments.push_back(entry.path().string());
+    ASSERT_GE(arguments.size(), extended() ? 10u : 1 + quick.size());
     arguments.emplace_back("--run");
     const RunResult run = run_weft(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.text();
