@@ -26,9 +26,9 @@ constexpr double kLeastYaw_deg = 1e-3;
 constexpr double kLeastShare = 1.0 / 3;
 // Corners are rounded to multiples of 1 / kPlacesPerMetre metres.
 constexpr double kPlacesPerMetre = 4096;
-// The origin is the place with the wanted phase that is nearest to the lowest corner. If two places are
-// nearly equally near, the number of the upper one is a little larger than 0.5. So a scene with a size of
-// round numbers has the same origin wherever it lies.
+// The origin is near the middle of the scene. If two places are nearly equally near, the number of the upper
+// one is a little larger than 0.5. So a scene with a size of round numbers has the same origin wherever it
+// lies.
 constexpr double kUpperPlace = 0.47;
 
 using Triangles = std::span<const SolidTriangle>;
@@ -110,12 +110,19 @@ Extent extent_of(Triangles triangles, const glm::dvec3& axis) {
     return extent;
 }
 
-// Returns the phases of the triangles that face the axis. The outer sides of a building face the edge of the
-// scene; they are left out, because few probes are needed there. The area of a lower triangle is a little
-// larger, so that of two equal surfaces the lower one decides, such as a floor before its ceiling.
-std::vector<Measured> phases_along(Triangles triangles, const glm::dvec3& axis, const Extent& extent,
-                                   double spacing_m) {
-    std::vector<Measured> found;
+// A triangle that faces an axis, or away from it.
+struct Face {
+    double at_m = 0;
+    double area_m2 = 0;
+    bool is_front = true;  // True: light from the positive direction of the axis falls on the triangle.
+};
+
+// Returns the triangles that face the axis. The outer sides of a building face the edge of the scene; they
+// are left out, because few probes are needed there. The area of a lower triangle is a little larger, so that
+// of two equal surfaces the lower one decides, such as a floor before its ceiling.
+std::vector<Face> faces_along(Triangles triangles, const glm::dvec3& axis, const Extent& extent,
+                              double spacing_m) {
+    std::vector<Face> found;
     for (const SolidTriangle& triangle : triangles) {
         const double cosine = glm::dot(axis, normal_of(triangle));
         if (std::abs(cosine) < kLeastFacing) continue;
@@ -124,9 +131,42 @@ std::vector<Measured> phases_along(Triangles triangles, const glm::dvec3& axis, 
         const double free_m = cosine > 0 ? extent.high_m - at_m : at_m - extent.low_m;
         if (triangle.has_inside && free_m < spacing_m) continue;
         const double height = (at_m - extent.low_m) / std::max(extent.high_m - extent.low_m, spacing_m);
-        found.push_back({modulo(at_m, spacing_m), area_of(triangle) * (1.01 - 0.01 * height)});
+        found.push_back(
+            {at_m, area_of(triangle) * (1.01 - 0.01 * height), cosine > 0 || !triangle.has_inside});
     }
     return found;
+}
+
+double common_phase_m(const std::vector<Face>& faces, double spacing_m) {
+    std::vector<Measured> phases;
+    for (const Face& face : faces) phases.push_back({modulo(face.at_m, spacing_m), face.area_m2});
+    return most_common(std::move(phases), spacing_m, kThickness_m).value;
+}
+
+// Returns the place of the largest front among the faces of this phase; without a front, of the largest back.
+double largest_face_m(const std::vector<Face>& faces, double phase_m, const Extent& extent,
+                      double spacing_m) {
+    std::vector<Measured> fronts, backs;
+    for (const Face& face : faces) {
+        const double apart_m = modulo(face.at_m - phase_m, spacing_m);
+        if (std::min(apart_m, spacing_m - apart_m) > kThickness_m) continue;
+        (face.is_front ? fronts : backs).push_back({face.at_m - extent.low_m, face.area_m2});
+    }
+    // The places are no circle, so the period is longer than all of them.
+    const double period_m = 2 * (extent.high_m - extent.low_m) + 1;
+    return extent.low_m +
+           most_common(std::move(fronts.empty() ? backs : fronts), period_m, kThickness_m).value;
+}
+
+// Returns the coordinate of the origin along an axis of the frame: 0 = x, 1 = y, 2 = z.
+double origin_along(Triangles triangles, int axis, const glm::dvec3& direction, double spacing_m) {
+    const Extent extent = extent_of(triangles, direction);
+    const std::vector<Face> faces = faces_along(triangles, direction, extent, spacing_m);
+    if (faces.empty()) return extent.low_m;
+    const double phase_m = common_phase_m(faces, spacing_m);
+    if (axis == 1) return largest_face_m(faces, phase_m, extent, spacing_m);
+    const double middle_m = (extent.low_m + extent.high_m) / 2;
+    return phase_m + spacing_m * std::floor((middle_m - phase_m) / spacing_m + kUpperPlace);
 }
 
 }  // namespace
@@ -135,14 +175,8 @@ GridFrame grid_frame_of(Triangles triangles, double spacing_m) {
     const double yaw_deg = common_yaw_deg(triangles);
     const glm::dmat3 from_frame = glm::transpose(into_frame(yaw_deg));
     glm::dvec3 origin(0);
-    for (int axis = 0; axis < 3; ++axis) {
-        const Extent extent = extent_of(triangles, from_frame[axis]);
-        std::vector<Measured> all = phases_along(triangles, from_frame[axis], extent, spacing_m);
-        const double phase_m =
-            all.empty() ? extent.low_m : most_common(std::move(all), spacing_m, kThickness_m).value;
-        const double places = std::floor((extent.low_m - phase_m) / spacing_m + kUpperPlace);
-        origin[axis] = phase_m + spacing_m * places;
-    }
+    for (int axis = 0; axis < 3; ++axis)
+        origin[axis] = origin_along(triangles, axis, from_frame[axis], spacing_m);
     return {static_cast<float>(yaw_deg), glm::vec3(from_frame * origin)};
 }
 

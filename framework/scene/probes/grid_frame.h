@@ -13,13 +13,17 @@ struct GridFrame {
     glm::vec3 origin{0};  // In world space.
 };
 
-// Returns the frame for a grid with this smallest spacing.
-// yaw_deg: the walls of most buildings stand at right angles. The axes x and z of the frame are parallel to
+// Returns the frame for a grid with this smallest spacing. The order of the triangles does not matter.
+//
+// The angle: the walls of most buildings stand at right angles. The axes x and z of the frame are parallel to
 // the walls that have the largest area. If the walls of no direction have a third of the area of all walls,
-// the angle is 0. origin: the place of a wall, floor or ceiling along an axis, modulo the spacing, is its
-// phase. The origin has the phase of most of their area, so that grid points half a spacing beside the origin
-// are half a spacing in front of these surfaces. Of all places with this phase, the origin is that near the
-// lowest corner. The order of the triangles does not matter.
+// the angle is 0.
+//
+// The origin: the place of a wall, floor or ceiling along an axis, modulo the spacing, is its phase. The
+// origin has the phase of most of their area, so that grid points half a spacing beside the origin are half a
+// spacing in front of these surfaces. Of all places with this phase, the origin is that near the middle of
+// the scene along x and z, so that the grid of a symmetric building is symmetric. Along y, the origin is the
+// largest floor.
 [[nodiscard]] GridFrame grid_frame_of(std::span<const SolidTriangle> triangles, double spacing_m);
 
 // Moves the triangles from world space into the frame, and rounds their corners to multiples of 1/4096 m. So
