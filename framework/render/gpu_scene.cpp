@@ -48,6 +48,7 @@ Result<std::unique_ptr<GpuScene>> GpuScene::create(vk::Device& device, const sce
     gpu->probes_ = std::move(*probes);
     gpu->lights_ = std::move(*lights);
     gpu->settings_ = settings;
+    gpu->find_drawn_variants();
     if (Status uploaded = gpu->upload_commands(device); !uploaded) return uploaded.take_errors();
     return gpu;
 }
@@ -283,11 +284,16 @@ bool GpuScene::is_mirrored(std::string_view view) const {
     return found != views_.end() && found->second.mirrored;
 }
 
+void GpuScene::find_drawn_variants() {
+    for (const char* name : kDrawLists)
+        if (const PartDrawList* list = first().list(name))
+            for (const PartDraw& draw : list->draws) drawn_variants_[name].insert(draw.variant);
+}
+
 bool GpuScene::draws_variant(std::string_view list, uint32_t variant) const {
     if (takes_parts() || settings_.draw_lists.contains(list)) return true;
-    const PartDrawList* draws = first().list(list);
-    return draws != nullptr &&
-           std::ranges::any_of(draws->draws, [&](const PartDraw& draw) { return draw.variant == variant; });
+    const auto found = drawn_variants_.find(list);
+    return found != drawn_variants_.end() && found->second.contains(variant);
 }
 
 uint64_t GpuScene::draw_count(std::string_view list) const {

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -123,6 +124,7 @@ class GpuScene final : public vk::DrawSource {
     uint32_t record_own(const vk::DrawContext& context, const DrawList& list) const;
     uint32_t record_sorted(const vk::DrawContext& context, DrawRecorder& recorder) const;
     void sort_transparent(const glm::vec3& eye);
+    void find_drawn_variants();
     [[nodiscard]] Status upload_commands(vk::Device& device);
     [[nodiscard]] const GpuPart& first() const { return parts_.first(); }
 
@@ -141,6 +143,8 @@ class GpuScene final : public vk::DrawSource {
     std::map<std::string, ViewShape, std::less<>> views_;
     uint64_t fixed_views_ = 0;  // FrameView::fixed of the fixed views in views_; 0: no view is fixed.
     bool culls_ = true;
+    // The variants of each draw list of the scene that have draws when the scene is created.
+    std::map<std::string, std::set<uint32_t>, std::less<>> drawn_variants_;
     // The buffer of draw commands of each draw list, by the name of the list.
     std::map<std::string, vk::Buffer, std::less<>> commands_;
 };

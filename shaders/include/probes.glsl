@@ -73,22 +73,19 @@ struct ProbeQuery {
     float facing_basis[9], mirrored_basis[9];
 };
 
+// Returns a way in world space along the axes of the grid.
+vec3 along_probe_grid(vec3 way) { return along_turned_grid(way, uintBitsToFloat(probeMap.items[1].w)); }
 // Returns the way from the origin of the grid to a point, along the axes of the grid, in spacings of the finest level.
 vec3 probe_grid_place(vec3 position) {
     const vec4 grid = uintBitsToFloat(probeMap.items[0]);
-    const vec3 way = (position - grid.xyz) / grid.w;
-    const float yaw_rad = uintBitsToFloat(probeMap.items[1].w);
-    if (yaw_rad == 0.0) return way;
-    const float c = cos(yaw_rad), s = sin(yaw_rad);
-    return vec3(c * way.x - s * way.z, way.y, s * way.x + c * way.z);
+    return along_probe_grid(position - grid.xyz) / grid.w;
 }
-
 float probe_grid_spacing_m() { return uintBitsToFloat(probeMap.items[0].w); }
 uint probe_stride(uint level) { return probeMap.items[2u + level / 4u][level % 4u]; }
 
 // Returns the first item of a cell, or kNoItem. `at` is the corner of the cell with the smallest coordinates.
 uint find_probe_cell(ivec3 at, uint level) {
-    const uvec4 sizes = probeMap.items[1];  // Numbers of levels, of slots in the table of cells, and of probes.
+    const uvec3 sizes = probeMap.items[1].xyz;  // Numbers of levels, of slots in the table of cells, and of probes.
     const uint begin = first_cell_item(sizes.z);
     uint slot = probe_cell_slot(at, level, sizes.y);
     for (uint tried = 0u; tried < sizes.y; ++tried) {
@@ -251,7 +248,8 @@ void add_cells_around(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float
     const uvec4 key = probeMap.items[cell];
     const uint neighbours = probeMap.items[cell + 3u].x;
     const int stride = int(probe_stride(key.w));
-    const vec3 towards = mix(t - 0.5, q.normal, greaterThan(abs(q.normal), vec3(kFacingAxis)));
+    const vec3 normal = along_probe_grid(q.normal);
+    const vec3 towards = mix(t - 0.5, normal, greaterThan(abs(normal), vec3(kFacingAxis)));
     const ivec3 side = ivec3(greaterThanEqual(towards, vec3(0.0))) * 2 - 1;
     [[dont_unroll]] for (int i = 1; i < 8; ++i) {
         const ivec3 step = (ivec3(i, i >> 1, i >> 2) & 1) * side, bit = step + 1;

@@ -11,7 +11,7 @@ layout(std430) writeonly buffer Map { uvec4 items[]; } probeMap;
 
 void write_grid(ProbeGrid grid) {
     probeMap.items[0] = uvec4(floatBitsToUint(grid.origin), floatBitsToUint(grid.spacing_m));
-    probeMap.items[1] = uvec4(grid.levels, grid.slots, grid.probes, floatBitsToUint(grid.yaw_rad));
+    probeMap.items[1] = uvec4(grid.levels, grid.slots, grid.probes, floatBitsToUint(grid.half_yaw_tangent));
     probeMap.items[2] = grid.strides[0];
     probeMap.items[3] = grid.strides[1];
 }

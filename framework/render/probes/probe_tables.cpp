@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "render/views/view_matrices.h"
 
@@ -92,7 +93,7 @@ ProbeTables probe_tables(const scene::ProbeVolume& volume) {
         }
     tables.cells = hash_cells(cells, volume, numbers);
     tables.grid.origin = volume.origin;
-    tables.grid.yaw_rad = glm::radians(volume.yaw_deg);
+    tables.grid.half_yaw_tangent = std::tan(glm::radians(volume.yaw_deg) / 2);
     tables.grid.spacing_m = volume.spacing_m;
     tables.grid.levels = static_cast<uint32_t>(
         cells.empty() ? 0 : std::min<size_t>(volume.strides.size(), shared::kMostProbeLevels));

@@ -26,9 +26,8 @@ constexpr double kLeastYaw_deg = 1e-3;
 constexpr double kLeastShare = 1.0 / 3;
 // Corners are rounded to multiples of 1 / kPlacesPerMetre metres.
 constexpr double kPlacesPerMetre = 4096;
-// The origin is near the middle of the scene. If two places are nearly equally near, the number of the upper
-// one is a little larger than 0.5. So a scene with a size of round numbers has the same origin wherever it
-// lies.
+// Places are rounded to the nearest one; up to 0.53, the lower one counts as the nearest. So rounding does
+// not decide where the middle of a scene is exactly between two places.
 constexpr double kUpperPlace = 0.47;
 
 using Triangles = std::span<const SolidTriangle>;
@@ -62,23 +61,29 @@ Measured most_common(std::vector<Measured> all, double period, double width) {
     // The values form a circle, so the list is repeated: element i + n is element i after one more turn.
     const size_t n = all.size();
     const auto value = [&](size_t i) { return all[i % n].value + (i < n ? 0 : period); };
-    std::vector<double> sums{0};  // Sums of the area, from the first element on.
+    std::vector<double> sums;  // Sums of the area, from the first element on.
+    sums.reserve(2 * n + 1);
+    sums.push_back(0);
     for (size_t i = 0; i < 2 * n; ++i) sums.push_back(sums.back() + all[i % n].area_m2);
-    Measured best;
+    double best_m2 = 0;
+    size_t best_first = 0;
     for (size_t first = 0, end = 0; first < n; ++first) {
         while (end < first + n && value(end) <= value(first) + width) ++end;
         const double area_m2 = sums[end] - sums[first];
-        if (area_m2 <= best.area_m2) continue;
-        size_t middle = first;
-        while (sums[middle + 1] - sums[first] < area_m2 / 2) ++middle;
-        best = {modulo(value(middle), period), area_m2};
+        if (area_m2 <= best_m2) continue;
+        best_m2 = area_m2;
+        best_first = first;
     }
-    return best;
+    if (best_m2 <= 0) return {};
+    size_t middle = best_first;
+    while (sums[middle + 1] - sums[best_first] < best_m2 / 2) ++middle;
+    return {modulo(value(middle), period), best_m2};
 }
 
 // Walls at right angles have the same angle modulo 90°.
 double common_yaw_deg(Triangles triangles) {
     std::vector<Measured> walls;
+    walls.reserve(triangles.size());
     double area_m2 = 0;
     for (const SolidTriangle& triangle : triangles) {
         const glm::dvec3 normal = normal_of(triangle);
@@ -123,6 +128,7 @@ struct Face {
 std::vector<Face> faces_along(Triangles triangles, const glm::dvec3& axis, const Extent& extent,
                               double spacing_m) {
     std::vector<Face> found;
+    found.reserve(triangles.size());
     for (const SolidTriangle& triangle : triangles) {
         const double cosine = glm::dot(axis, normal_of(triangle));
         if (std::abs(cosine) < kLeastFacing) continue;
@@ -139,6 +145,7 @@ std::vector<Face> faces_along(Triangles triangles, const glm::dvec3& axis, const
 
 double common_phase_m(const std::vector<Face>& faces, double spacing_m) {
     std::vector<Measured> phases;
+    phases.reserve(faces.size());
     for (const Face& face : faces) phases.push_back({modulo(face.at_m, spacing_m), face.area_m2});
     return most_common(std::move(phases), spacing_m, kThickness_m).value;
 }
@@ -162,8 +169,8 @@ double largest_face_m(const std::vector<Face>& faces, double phase_m, const Exte
 double origin_along(Triangles triangles, int axis, const glm::dvec3& direction, double spacing_m) {
     const Extent extent = extent_of(triangles, direction);
     const std::vector<Face> faces = faces_along(triangles, direction, extent, spacing_m);
-    if (faces.empty()) return extent.low_m;
-    const double phase_m = common_phase_m(faces, spacing_m);
+    if (axis == 1 && faces.empty()) return extent.low_m;
+    const double phase_m = faces.empty() ? extent.low_m : common_phase_m(faces, spacing_m);
     if (axis == 1) return largest_face_m(faces, phase_m, extent, spacing_m);
     const double middle_m = (extent.low_m + extent.high_m) / 2;
     return phase_m + spacing_m * std::floor((middle_m - phase_m) / spacing_m + kUpperPlace);

@@ -1,5 +1,6 @@
-// Purpose: the frame in which probes are placed. It moves and turns with the scene: if all objects move
-// together, each probe moves by the same way, and the light stays the same.
+// Purpose: the frame in which probes are placed. It moves with the scene, and turns with its walls: if all
+// objects move together, each probe moves by the same way, and the light stays the same. The walls tell the
+// angle only modulo 90°, so the probes turn with the scene by at most 45°.
 #pragma once
 
 #include <span>

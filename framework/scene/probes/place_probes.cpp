@@ -45,8 +45,7 @@ Result<Probes> place_probes(const Scene& scene, const PlacementParams& params, c
     if (params.camera) in_frame.camera = to_grid_frame(frame, *params.camera);
     Probes probes;
     std::optional<ProbeVolume> volume = fit_volume(tree, in_frame, options.threads);
-    // Around a camera, the grid does not move with the scene: it lies at multiples of the spacing in the
-    // world.
+    // Around a camera, the origin of the grid does not move with the scene.
     const glm::vec3 fixed = to_grid_frame(frame, glm::vec3(0.5f * params.min_spacing_m));
     probes.volume = volume ? std::move(*volume) : surround_camera(tree, fixed, in_frame, options.threads);
     probes.reflections = scene.probes.reflections;

@@ -16,8 +16,9 @@
 
 namespace weft::scene {
 
-// The most memory for each triangle while a tree is built, in bytes.
-inline constexpr uint64_t kTreeBytesPerTriangle = sizeof(SolidTriangle) + 32;
+// The most memory for each triangle while a tree is built, or while its frame is searched (grid_frame_of()),
+// in bytes.
+inline constexpr uint64_t kTreeBytesPerTriangle = sizeof(SolidTriangle) + 56;
 
 struct Ray {
     glm::dvec3 origin{0};

@@ -42,6 +42,13 @@ struct ListPart {
     const VertexFormat* vertices = nullptr;
 };
 
+// Expects that the draw list has all vertex inputs of the shader.
+Status expect_inputs(const PipelineRequest& request, const ListPart& part) {
+    const GraphicsState state(request.plan.graph, request.pass, request.program.interface, part.vertices);
+    if (state.missing_inputs().empty()) return Unit{};
+    return missing_inputs(request, part.list, state.missing_inputs());
+}
+
 Result<PipelineHandle> make_graphics(Device& device, const PipelineRequest& request, const ListPart& part) {
     const GraphicsState state(request.plan.graph, request.pass, request.program.interface, part.vertices);
     if (!state.missing_inputs().empty()) return missing_inputs(request, part.list, state.missing_inputs());
@@ -92,8 +99,11 @@ Status add_list(Device& device, const PipelineRequest& request, const std::strin
         return pass_error(request.plan, request.pass, "V414",
                           "the program gave no draw list \"" + list + "\"");
     for (uint32_t i = 0; i < import->variants.size(); ++i) {
-        if (request.draws != nullptr && !request.draws->draws_variant(list, i)) continue;
         const ListPart part{list, &import->variants[i], &import->vertex_format};
+        if (request.draws != nullptr && !request.draws->draws_variant(list, i)) {
+            if (Status complete = expect_inputs(request, part); !complete) return complete;
+            continue;
+        }
         Result<PipelineLease> pipeline = lease_pipeline(device, request, part);
         if (!pipeline) return pipeline.take_errors();
         out.push_back({list, i, std::move(*pipeline)});

@@ -23,7 +23,7 @@ struct ProbePoint {
 // One slot of the hash table `probeCells`. To find a cell, begin with the slot probe_cell_slot() and go on to the next
 // slots, after the last one to the first one, until a slot has the same `at` and `level`, or is empty.
 struct ProbeCell {
-    ivec3 at;          // The corner with the smallest coordinates: grid point `at` is at origin + at · spacing_m.
+    ivec3 at;          // The corner with the smallest coordinates: see ProbeGrid.
     uint level;        // The side of the cell is the stride of this level times spacing_m.
     // Numbers of the probes at the corners. In the index of a corner, bit 0 means +x, bit 1 +y, bit 2 +z.
     uint corners[8];
@@ -33,17 +33,28 @@ struct ProbeCell {
     uint reserved[3];
 };
 
-// The only element of the buffer `probeGrid`.
+// The only element of the buffer `probeGrid`. Grid point `at` is at origin + R · at · spacing_m, where R is the rotation
+// by the angle of the grid. along_turned_grid() applies the inverse of R.
 struct ProbeGrid {
     vec3 origin;      // Place of the grid point (0, 0, 0).
     float spacing_m;  // Distance between two neighbouring points of the finest grid.
     uint levels;      // Number of levels; 0: there are no cells. Level 0 is the finest.
     uint slots;       // Number of slots in `probeCells`, a power of two. At least half of them are empty.
     uint probes;
-    float yaw_rad;  // The angle by which the grid is turned around +y, counter-clockwise as seen from above.
+    // The tangent of half of the angle by which the grid is turned around +y, counter-clockwise as seen from above.
+    float half_yaw_tangent;
     // The stride of level i, in units of spacing_m, is strides[i / 4][i % 4].
     uvec4 strides[kMostProbeLevels / 4u];
 };
+
+#ifndef __cplusplus
+// Returns a way in world space along the axes of a grid with this ProbeGrid::half_yaw_tangent.
+vec3 along_turned_grid(vec3 way, float half_yaw_tangent) {
+    const float square = half_yaw_tangent * half_yaw_tangent;
+    const float c = (1.0 - square) / (1.0 + square), s = 2.0 * half_yaw_tangent / (1.0 + square);
+    return vec3(c * way.x - s * way.z, way.y, s * way.x + c * way.z);
+}
+#endif
 
 // Returns the slot at which the search for a cell begins.
 #ifdef __cplusplus

@@ -32,8 +32,7 @@ vec3 level_tint(float spacing_m, ProbeGrid grid) {
 }
 
 bool is_moved(vec3 position, ProbeGrid grid) {
-    const float c = cos(grid.yaw_rad), s = sin(grid.yaw_rad);
-    const vec3 at = mat3(c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c) * (position - grid.origin) / grid.spacing_m;
+    const vec3 at = along_turned_grid(position - grid.origin, grid.half_yaw_tangent) / grid.spacing_m;
     return any(greaterThan(abs(at - round(at)), vec3(1e-3)));
 }
 

@@ -49,6 +49,7 @@ struct ProbeReference::Sums {
 
 ProbeReference::ProbeReference(const scene::ProbeVolume& volume, ProbeContent content)
     : volume_(volume), content_(std::move(content)), cells_(scene::cells_of(volume)) {
+    to_grid_ = glm::dmat3(glm::transpose(scene::yaw_rotation(volume.yaw_deg)));
     for (size_t i = 0; i < cells_.size(); ++i) {
         const scene::ProbeCell& cell = cells_[i];
         places_[{cell.level, cell.at.x, cell.at.y, cell.at.z}] = i;
@@ -82,8 +83,7 @@ double ProbeReference::fade(const scene::ProbeCell& cell, const glm::dvec3& t) c
 }
 
 ProbeReference::Place ProbeReference::find_place(const glm::dvec3& position, uint32_t level) const {
-    const glm::dmat3 to_grid(glm::transpose(scene::yaw_rotation(volume_.yaw_deg)));
-    const glm::dvec3 grid = to_grid * (position - glm::dvec3(volume_.origin)) / spacing_m(level);
+    const glm::dvec3 grid = to_grid_ * (position - glm::dvec3(volume_.origin)) / spacing_m(level);
     const glm::dvec3 corner = glm::floor(grid), t = grid - corner;
     const bool coarsest = level + 1 == volume_.strides.size();
     Place place{cell_at(glm::ivec3(corner), level), t, 1};
@@ -193,7 +193,8 @@ LookedUp ProbeReference::look_up(const PointQuery& query) const {
         outside = coarsest ? outside * (1 - place.share) : 0;
     }
     for (int i = 1; i < 8 && rest - beyond > 1e-3; ++i) {
-        const glm::ivec3 step = glm::ivec3(i & 1, i >> 1 & 1, i >> 2) * side_of(query.normal, first.t);
+        const glm::ivec3 step =
+            glm::ivec3(i & 1, i >> 1 & 1, i >> 2) * side_of(to_grid_ * query.normal, first.t);
         const glm::ivec3 corner = first.cell->at / static_cast<int>(volume_.strides[first.cell->level]);
         const scene::ProbeCell* around = cell_at(corner + step, first.cell->level);
         if (around == nullptr) continue;

@@ -49,6 +49,7 @@ class ProbeReference {
     }
 
     scene::ProbeVolume volume_;
+    glm::dmat3 to_grid_{1};  // From world space to the axes of the grid.
     ProbeContent content_;
     std::vector<scene::ProbeCell> cells_;
     std::map<std::tuple<uint32_t, int, int, int>, size_t> places_;

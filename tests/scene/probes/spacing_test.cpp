@@ -28,9 +28,9 @@ double excess_of(const TriangleTree& tree, const ProbeGrid& grid, const GridCell
 
 // Returns the number of probes with which all rooms have the spacing that they need. Minor probes, which can
 // share their light, do not count: so there is no way with fewer probes on this grid.
-size_t probes_that_rooms_need(const TriangleTree& tree) {
+size_t probes_that_rooms_need(const TriangleTree& tree, const glm::vec3& origin) {
     constexpr size_t kAny = 1'000'000;
-    ProbeGrid grid(tree, glm::vec3(kFinest_m / 2), kFinest_m, kObjectStride, 0);
+    ProbeGrid grid(tree, origin, kFinest_m, kObjectStride, 0);
     grid.clear(8);
     std::vector<GridCell> open = grid.cells_near_surfaces(kObjectStride, kAny).value(), done;
     while (!open.empty()) {
@@ -59,8 +59,9 @@ Spacing room_spacing_of(const Scene& scene, const std::string& name) {
     const TriangleTree tree(collect_triangles(scene, {}), {});
     const Result<Probes> probes = place_probes(scene);
     EXPECT_TRUE(probes);
-    Spacing found{probes_that_rooms_need(tree)};
     const ProbeVolume& volume = probes->volume;
+    EXPECT_EQ(volume.yaw_deg, 0);
+    Spacing found{probes_that_rooms_need(tree, volume.origin)};
     const ProbeGrid grid(tree, volume.origin, volume.spacing_m, kGroundStride, 0);
     for (const ProbeCell& cell : cells_of(volume)) {
         const int stride = static_cast<int>(volume.strides[cell.level]);

@@ -121,8 +121,9 @@ class DrawSource {
                                                     std::span<const std::string> /*views*/) const {
         return VK_NULL_HANDLE;
     }
-    // Returns false if no draw of the list ever uses the variant (an index into ImportDecl::variants). Then no
-    // pipeline is created for this variant.
+    // Returns false if no draw of the list ever uses the variant (an index into ImportDecl::variants). Then
+    // no pipeline is created for this variant. Executors call this function when they are created, also while
+    // another thread renders.
     [[nodiscard]] virtual bool draws_variant(std::string_view /*list*/, uint32_t /*variant*/) const {
         return true;
     }
