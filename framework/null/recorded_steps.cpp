@@ -37,12 +37,11 @@ std::vector<RecordedStep> recorded_steps(const FramePlan& plan, const Batch& bat
             return turn_of(unit_at(step.position), frame, resting, rounds);
         };
         std::stable_sort(begin, end, [&](const auto& a, const auto& b) { return turn(a) < turn(b); });
-        for (auto step = begin; step != end; ++step) {
-            step->runs = turn(*step) != UINT32_MAX;
-            step->shared_before = step->shared_after = false;
-        }
-        steps.insert(end, last);
-        steps.insert(std::ranges::find_if(steps, is_member), first);
+        for (auto step = begin; step != end; ++step)
+            *step = {step->position, false, turn(*step) != UINT32_MAX, false};
+        const auto running = std::find_if(begin, end, [](const RecordedStep& step) { return !step.runs; });
+        const auto place = steps.insert(steps.erase(running, end), last);
+        steps.insert(place - (running - begin), first);
     }
     return steps;
 }

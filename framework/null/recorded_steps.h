@@ -1,6 +1,6 @@
 // Purpose: lists the steps of a batch in the order in which a frame records them, with the rounds of groups
-// in a given order. A round is one copy of all passes of a group. This code does not use the executor's own
-// list (graph/rest/frame_steps.h).
+// in a given order. A round is one copy of all passes of a group; a round that does not run has no step. This
+// code does not use the executor's own list (graph/rest/frame_steps.h).
 #pragma once
 
 #include <cstdint>

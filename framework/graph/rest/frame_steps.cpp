@@ -27,12 +27,6 @@ std::vector<FrameStep> frame_steps(const FramePlan& plan, const Batch& batch,
             if (group->has_unit(round))
                 for (const Position position : places[round - group->first_unit])
                     steps.push_back({position, false, true, false});
-        // The positions of rounds that do not run record nothing. These positions are in the list so that a
-        // time is measured for each pass.
-        for (uint32_t round = 0; round < group->rounds; ++round)
-            if (runs[group->first_unit + round] == 0)
-                for (const Position position : places[round])
-                    steps.push_back({position, false, false, false});
         steps.push_back({last, false, false, true});
     }
     return steps;

@@ -20,7 +20,6 @@ struct FrameStep {
 
     // Returns true for the step that only records shared barriers before or after the rounds of a group.
     [[nodiscard]] bool is_border() const { return shared_before != shared_after; }
-    [[nodiscard]] bool is_empty() const { return !shared_before && !runs && !shared_after; }
     // Returns true if the barrier is recorded. `is_before` says whether the barrier is in the list before or
     // after the pass.
     [[nodiscard]] bool records(const BarrierDecl& barrier, bool is_before) const {
@@ -28,8 +27,8 @@ struct FrameStep {
     }
 };
 
-// `runs`: the index is a unit; 1: the unit runs. `rounds`: UnitChoice::rounds. For each position of the
-// batch, the result has one step for which is_border() is false.
+// `runs`: the index is a unit; 1: the unit runs. `rounds`: UnitChoice::rounds. A round that does not run has
+// no step, because graphs with light probes have thousands of passes of which only a few run.
 [[nodiscard]] std::vector<FrameStep> frame_steps(const FramePlan& plan, const Batch& batch,
                                                  const std::vector<uint8_t>& runs,
                                                  const std::vector<uint32_t>& rounds);

@@ -220,8 +220,6 @@ TurnLists ReplayExecutor::prepare_uploads(const FrameInput& frame, uint32_t slot
 void ReplayExecutor::record_step(const RecordContext& context, const FrameStep& recorded) {
     const FramePlan& plan = objects_->plan;
     const Position position = recorded.position;
-    // If a round of a group does not run, only the time stamps of its passes are recorded.
-    if (recorded.is_empty()) return objects_->timer.record_pass_end(context.commands, context.slot, position);
     const PassStep& step = plan.barriers.steps[position];
     const std::string& name = plan.graph.passes[step.pass].name;
     device_.messages().set_current_pass(name);

@@ -52,7 +52,8 @@ void PassTimer::write(VkCommandBuffer commands, uint32_t slot, uint32_t query, b
     fn.vkCmdPipelineBarrier2(commands, &nothing);
 }
 
-void PassTimer::reset(uint32_t slot) const {
+void PassTimer::reset(uint32_t slot) {
+    std::ranges::fill(before_[slot], kNoId);
     // The host resets the queries, because a transfer queue cannot.
     if (pools_[slot])
         device_->fn().vkResetQueryPool(device_->handle(), pools_[slot].get(), 0,
@@ -87,7 +88,11 @@ std::vector<double> PassTimer::read_ms(uint32_t slot) const {
     std::vector<double> times(pass_timed_.size(), -1);
     const std::vector<Stamp> all = stamps(slot);
     for (size_t i = 0; i < times.size() && !all.empty(); ++i) {
-        if (pass_timed_[i] == 0 || before_[slot][i] == kNoId) continue;
+        if (pass_timed_[i] == 0) continue;
+        if (before_[slot][i] == kNoId) {
+            times[i] = 0;
+            continue;
+        }
         const Stamp& start = all[before_[slot][i]];
         const Stamp& end = all[end_query(i)];
         if (start.available == 0 || end.available == 0) continue;
@@ -99,7 +104,7 @@ std::vector<double> PassTimer::read_ms(uint32_t slot) const {
 uint32_t PassTimer::first_unfinished(uint32_t slot) const {
     const std::vector<Stamp> all = stamps(slot);
     for (uint32_t i = 0; i < pass_timed_.size() && !all.empty(); ++i)
-        if (pass_timed_[i] != 0 && all[end_query(i)].available == 0) return i;
+        if (before_[slot][i] != kNoId && all[end_query(i)].available == 0) return i;
     return static_cast<uint32_t>(pass_timed_.size());
 }
 

@@ -19,13 +19,14 @@ class PassTimer {
     [[nodiscard]] static Result<PassTimer> create(Device& device, const FramePlan& plan, bool enabled);
 
     // Resets the queries of a frame slot. Call this after the slot's last frame has finished.
-    void reset(uint32_t slot) const;
+    void reset(uint32_t slot);
     // The passes of a batch may be recorded in any order. The time of a pass counts from the end of the pass
     // that was recorded before it, or else from the start of the batch.
     void record_batch_start(VkCommandBuffer commands, uint32_t slot, uint32_t batch);
     void record_pass_end(VkCommandBuffer commands, uint32_t slot, Position position);
-    // Returns the time of each pass in ms, indexed by the position of the pass in the execution order. Call
-    // this after the slot's frame has finished.
+    // Returns the time of each pass in ms, indexed by the position of the pass in the execution order. The
+    // time of a pass whose end was not recorded in the frame is 0. Call this after the slot's frame has
+    // finished.
     [[nodiscard]] std::vector<double> read_ms(uint32_t slot) const;
     // Finds the pass in which a frame hangs: the position, in the execution order, of the first pass whose
     // end the GPU has not reached. Returns the number of passes if this is unknown.
@@ -50,7 +51,8 @@ class PassTimer {
     std::vector<uint8_t> inside_scope_;
     // For each pass, in execution order, 1 if the pass is timed.
     std::vector<uint8_t> pass_timed_;
-    // For each frame slot, then for each pass: the index of the query from which the time of the pass counts.
+    // For each frame slot, then for each pass: the index of the query from which the time of the pass counts,
+    // or kNoId if the end of the pass was not recorded in the frame.
     std::array<std::vector<uint32_t>, kFramesInFlight> before_;
     uint32_t last_query_ = kNoId;  // The query that was recorded last.
     std::array<QueryPoolHandle, kFramesInFlight> pools_;

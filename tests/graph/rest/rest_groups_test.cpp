@@ -205,14 +205,14 @@ TEST_F(RestGroups, TheStepsOfAFrameFollowTheRounds) {
         }
     };
     record({1, 0, 1}, {2, 0});
-    std::vector<std::string> rounds{"(", "g::make#2", "g::store#2", "g::make#0", "g::store#0", "", "", ")"};
+    std::vector<std::string> rounds{"(", "g::make#2", "g::store#2", "g::make#0", "g::store#0", ")"};
     const auto first = std::ranges::find(steps, "(");
     ASSERT_GE(steps.end() - first, static_cast<ptrdiff_t>(rounds.size()));
     EXPECT_EQ(std::vector(first, first + static_cast<ptrdiff_t>(rounds.size())), rounds);
     EXPECT_EQ(steps.back(), "(show)");
     EXPECT_EQ(steps.size(), rounds.size() + 2);
     record({0, 0, 0}, {});
-    EXPECT_EQ(std::ranges::count(steps, ""), 6) << "each pass still has a step";
+    EXPECT_EQ(std::ranges::count(steps, ""), 0) << "a round that does not run has no step";
     EXPECT_EQ(std::ranges::count(steps, "("), 1) << "the shared barriers are recorded all the same";
     EXPECT_EQ(std::ranges::count(steps, ")"), 1);
 }

@@ -13,7 +13,7 @@ namespace weft::vk {
 
 struct PassTiming {
     std::string pass;
-    double gpu_ms = 0;  // Time on the GPU in milliseconds; negative if it was not measured.
+    double gpu_ms = 0;  // Time on the GPU in ms; 0 if nothing was recorded; negative if it was not measured.
     // True if the pass did not run in this frame, because it has `rest` and its inputs have not changed, or
     // because other rounds of its group had their turn.
     bool rested = false;
