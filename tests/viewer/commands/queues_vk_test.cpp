@@ -42,13 +42,16 @@ TEST(Queues, OnePictureForAnyNumber) {
     EXPECT_GE(plans.size(), 3u) << "plans for one, two and three queues differ";
 }
 
-// Renders the shipped graphs with the queue hints that they already have.
+// Renders the shipped graphs with the queue hints that they already have. The quick run leaves out graphs
+// that share all their modules with one of these.
 TEST(Queues, EveryShippedGraphGivesOnePicture) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const std::set<std::string> quick{"bloom", "forward_plus", "light_volumes", "reaction_diffusion", "weft"};
     const ScratchFolder folder;
     size_t graphs = 0;
     for (const auto& entry : std::filesystem::directory_iterator(WEFT_SOURCE_DIR "/graphs")) {
         if (entry.path().extension() != ".json" || entry.path().stem() == "weft.schema") continue;
+        if (!extended() && !quick.contains(entry.path().stem().string())) continue;
         SCOPED_TRACE(entry.path().filename().string());
         ++graphs;
         std::set<std::string> pictures;
@@ -65,7 +68,7 @@ TEST(Queues, EveryShippedGraphGivesOnePicture) {
         }
         EXPECT_EQ(pictures.size(), 1u);
     }
-    EXPECT_GE(graphs, 2u);
+    EXPECT_GE(graphs, quick.size());
 }
 
 TEST(Queues, AreOneToFour) {
