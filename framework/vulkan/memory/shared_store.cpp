@@ -25,20 +25,6 @@ std::string key_of(const ResourceDecl& d) {
 
 }  // namespace
 
-SharedLease& SharedLease::operator=(SharedLease&& other) noexcept {
-    if (this == &other) return *this;
-    reset();
-    store_ = std::exchange(other.store_, nullptr);
-    key_ = std::move(other.key_);
-    object_ = std::exchange(other.object_, nullptr);
-    return *this;
-}
-
-void SharedLease::reset() {
-    object_ = nullptr;
-    if (store_ != nullptr) std::exchange(store_, nullptr)->give_back(key_);
-}
-
 Result<SharedLease> SharedStore::get(const ResourceDecl& decl, const Make& make) {
     std::string key = key_of(decl);
     // The lock is held while the object is made. So two plans that are created at the same time never make
@@ -52,7 +38,7 @@ Result<SharedLease> SharedStore::get(const ResourceDecl& decl, const Make& make)
         found->second.object = std::move(*object);
     }
     ++found->second.leases;
-    return SharedLease{*this, std::move(key), found->second.object};
+    return SharedLease{*this, std::move(key), &found->second.object};
 }
 
 void SharedStore::give_back(const std::string& key) {

@@ -9,10 +9,10 @@
 #include <map>
 #include <mutex>
 #include <string>
-#include <utility>
 
 #include "vulkan/device/device_memory.h"
 #include "vulkan/device/handle.h"
+#include "vulkan/device/lease.h"
 #include "weft/declaration.h"
 #include "weft/result.h"
 
@@ -26,31 +26,7 @@ struct SharedObject {
 };
 
 class SharedStore;
-
-// The right to use one object of a store. A lease can be moved but not copied. The store must outlive it.
-class SharedLease {
- public:
-    SharedLease() = default;
-    ~SharedLease() { reset(); }
-    SharedLease(SharedLease&& other) noexcept
-        : store_(std::exchange(other.store_, nullptr)),
-          key_(std::move(other.key_)),
-          object_(std::exchange(other.object_, nullptr)) {}
-    SharedLease& operator=(SharedLease&& other) noexcept;
-
-    // Returns null for an empty lease.
-    [[nodiscard]] const SharedObject* get() const { return object_; }
-    void reset();
-
- private:
-    friend class SharedStore;
-    SharedLease(SharedStore& store, std::string key, const SharedObject& object)
-        : store_(&store), key_(std::move(key)), object_(&object) {}
-
-    SharedStore* store_ = nullptr;
-    std::string key_;
-    const SharedObject* object_ = nullptr;
-};
+using SharedLease = Lease<SharedStore, const SharedObject*>;
 
 class SharedStore {
  public:
@@ -64,7 +40,7 @@ class SharedStore {
     [[nodiscard]] Result<SharedLease> get(const ResourceDecl& decl, const Make& make);
 
  private:
-    friend class SharedLease;
+    friend SharedLease;
     struct Entry {
         SharedObject object;
         uint32_t leases = 0;

@@ -94,38 +94,42 @@ Result<DeviceMemory> allocate_heap(Device& device, const FramePlan& plan, size_t
     return DeviceMemory(device, block);
 }
 
-// Creates an image and binds it to memory.
-Result<ImageHandle> make_image(Device& device, const ResourceDecl& decl, const Sharing& sharing,
-                               const MemoryBlock& memory, uint64_t offset_bytes) {
-    VkImageCreateInfo info = image_create_info(decl);
-    share(info, sharing);
-    VkImage object = VK_NULL_HANDLE;
-    VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "creating image \"" + decl.name + "\"", result);
-    ImageHandle image(device, object);
-    device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindImageMemory(device.handle(), object, memory.memory,
-                                           memory.offset_bytes + offset_bytes);
-    if (result != VK_SUCCESS)
-        return failed_call("V411", "binding memory of image \"" + decl.name + "\"", result);
-    return image;
-}
+// What create_bound() needs to know about images or buffers.
+struct ImageTraits {
+    using Object = VkImage;
+    using Owner = ImageHandle;
+    static constexpr const char* kWord = "image";
+    static constexpr VkObjectType kType = VK_OBJECT_TYPE_IMAGE;
+    static constexpr auto kInfo = image_create_info;
+    static constexpr auto kCreate = &DeviceFunctions::vkCreateImage;
+    static constexpr auto kBind = &DeviceFunctions::vkBindImageMemory;
+};
+struct BufferTraits {
+    using Object = VkBuffer;
+    using Owner = BufferHandle;
+    static constexpr const char* kWord = "buffer";
+    static constexpr VkObjectType kType = VK_OBJECT_TYPE_BUFFER;
+    static constexpr auto kInfo = buffer_create_info;
+    static constexpr auto kCreate = &DeviceFunctions::vkCreateBuffer;
+    static constexpr auto kBind = &DeviceFunctions::vkBindBufferMemory;
+};
 
-// Creates a buffer and binds it to memory.
-Result<BufferHandle> make_buffer(Device& device, const ResourceDecl& decl, const Sharing& sharing,
-                                 const MemoryBlock& memory, uint64_t offset_bytes) {
-    VkBufferCreateInfo info = buffer_create_info(decl);
+// Creates an image or a buffer and binds it to memory.
+template <class Kind>
+Result<typename Kind::Owner> create_bound(Device& device, const ResourceDecl& decl, const Sharing& sharing,
+                                          const MemoryBlock& memory, uint64_t offset_bytes) {
+    const std::string what = std::string(Kind::kWord) + " \"" + decl.name + "\"";
+    auto info = Kind::kInfo(decl);
     share(info, sharing);
-    VkBuffer object = VK_NULL_HANDLE;
-    VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "creating buffer \"" + decl.name + "\"", result);
-    BufferHandle buffer(device, object);
-    device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindBufferMemory(device.handle(), object, memory.memory,
-                                            memory.offset_bytes + offset_bytes);
-    if (result != VK_SUCCESS)
-        return failed_call("V411", "binding memory of buffer \"" + decl.name + "\"", result);
-    return buffer;
+    typename Kind::Object object = VK_NULL_HANDLE;
+    VkResult result = (device.fn().*Kind::kCreate)(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "creating " + what, result);
+    typename Kind::Owner owner(device, object);
+    device.name(Kind::kType, reinterpret_cast<uint64_t>(object), decl.name);
+    result = (device.fn().*Kind::kBind)(device.handle(), object, memory.memory,
+                                        memory.offset_bytes + offset_bytes);
+    if (result != VK_SUCCESS) return failed_call("V411", "binding memory of " + what, result);
+    return owner;
 }
 
 // Creates an image or a buffer with memory of its own. All queue families may use it, because the plans that
@@ -142,12 +146,13 @@ Result<SharedObject> make_shared_object(Device& device, const FramePlan& plan, c
     object.memory = std::move(*memory);
     const Sharing sharing = concurrent_sharing(device);
     if (decl.kind == ResourceKind::buffer) {
-        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, object.memory.block(), 0);
+        Result<BufferHandle> buffer =
+            create_bound<BufferTraits>(device, decl, sharing, object.memory.block(), 0);
         if (!buffer) return buffer.take_errors();
         object.buffer = std::move(*buffer);
         return object;
     }
-    Result<ImageHandle> image = make_image(device, decl, sharing, object.memory.block(), 0);
+    Result<ImageHandle> image = create_bound<ImageTraits>(device, decl, sharing, object.memory.block(), 0);
     if (!image) return image.take_errors();
     object.image = std::move(*image);
     return object;
@@ -193,12 +198,14 @@ Status TransientHeap::place(Device& device, const ResourceDecl& decl, const Plac
                             const Sharing& sharing) {
     const MemoryBlock& memory = memory_[placement.heap].block();
     if (decl.kind == ResourceKind::buffer) {
-        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, memory, placement.offset_bytes);
+        Result<BufferHandle> buffer =
+            create_bound<BufferTraits>(device, decl, sharing, memory, placement.offset_bytes);
         if (!buffer) return buffer.take_errors();
         buffers_[placement.resource] = std::move(*buffer);
         return Unit{};
     }
-    Result<ImageHandle> image = make_image(device, decl, sharing, memory, placement.offset_bytes);
+    Result<ImageHandle> image =
+        create_bound<ImageTraits>(device, decl, sharing, memory, placement.offset_bytes);
     if (!image) return image.take_errors();
     images_[placement.resource] = std::move(*image);
     return Unit{};

@@ -9,20 +9,6 @@ namespace weft::vk {
 SharedPipelines::SharedPipelines() : store_(std::make_unique<PipelineStore>()) {}
 SharedPipelines::~SharedPipelines() = default;
 
-PipelineLease& PipelineLease::operator=(PipelineLease&& other) noexcept {
-    if (this == &other) return *this;
-    reset();
-    store_ = std::exchange(other.store_, nullptr);
-    hash_ = std::move(other.hash_);
-    pipeline_ = std::exchange(other.pipeline_, VK_NULL_HANDLE);
-    return *this;
-}
-
-void PipelineLease::reset() {
-    pipeline_ = VK_NULL_HANDLE;
-    if (store_ != nullptr) std::exchange(store_, nullptr)->give_back(hash_);
-}
-
 PipelineLease PipelineStore::lease(const std::string& hash, Entry& entry) {
     ++entry.leases;
     return {*this, hash, entry.pipeline.get()};

@@ -9,38 +9,15 @@
 #include <map>
 #include <mutex>
 #include <string>
-#include <utility>
 
 #include "vulkan/device/handle.h"
+#include "vulkan/device/lease.h"
 #include "weft/result.h"
 
 namespace weft::vk {
 
 class PipelineStore;
-
-// The right to use one pipeline of a store. A lease can be moved but not copied. The store must outlive it.
-class PipelineLease {
- public:
-    PipelineLease() = default;
-    ~PipelineLease() { reset(); }
-    PipelineLease(PipelineLease&& other) noexcept
-        : store_(std::exchange(other.store_, nullptr)),
-          hash_(std::move(other.hash_)),
-          pipeline_(std::exchange(other.pipeline_, VK_NULL_HANDLE)) {}
-    PipelineLease& operator=(PipelineLease&& other) noexcept;
-
-    [[nodiscard]] VkPipeline get() const { return pipeline_; }
-    void reset();
-
- private:
-    friend class PipelineStore;
-    PipelineLease(PipelineStore& store, std::string hash, VkPipeline pipeline)
-        : store_(&store), hash_(std::move(hash)), pipeline_(pipeline) {}
-
-    PipelineStore* store_ = nullptr;
-    std::string hash_;
-    VkPipeline pipeline_ = VK_NULL_HANDLE;
-};
+using PipelineLease = Lease<PipelineStore, VkPipeline>;
 
 class PipelineStore {
  public:
@@ -54,7 +31,7 @@ class PipelineStore {
     [[nodiscard]] Result<PipelineLease> get(const std::string& hash, const Make& make, uint32_t& made);
 
  private:
-    friend class PipelineLease;
+    friend PipelineLease;
     struct Entry {
         PipelineHandle pipeline;
         uint32_t leases = 0;
