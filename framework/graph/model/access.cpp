@@ -1,6 +1,7 @@
 #include "weft/access.h"
 
 #include <array>
+#include <initializer_list>
 #include <string_view>
 
 #include "graph/model/access_table.h"
@@ -25,6 +26,22 @@ AccessState image_state(Access a, StageMask shaders, bool is_depth) {
     return {in_shaders ? shaders : row.stages, row.mask,
             samples_depth ? Layout::depth_read_only : row.layout};
 }
+
+// A set of accesses.
+struct AccessSet {
+    uint32_t bits = 0;
+
+    constexpr AccessSet(std::initializer_list<Access> members) {
+        for (const Access a : members) bits |= 1u << static_cast<uint32_t>(a);
+    }
+    [[nodiscard]] constexpr bool contains(Access a) const {
+        return (bits >> static_cast<uint32_t>(a) & 1) != 0;
+    }
+};
+constexpr AccessSet kOnlyWrites{Access::storage_write, Access::color_write, Access::depth_write,
+                                Access::copy_write,    Access::blit_write,  Access::clear_write};
+constexpr AccessSet kReadWrites{Access::storage_read_write, Access::color_read_write,
+                                Access::depth_read_write};
 
 constexpr std::array<std::string_view, stage::kCount> kStageNames{"draw_indirect",
                                                                   "vertex_input",
@@ -72,35 +89,11 @@ AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask asp
 }
 
 bool reads(Access a) {
-    switch (a) {
-        case Access::none:
-        case Access::storage_write:
-        case Access::color_write:
-        case Access::depth_write:
-        case Access::copy_write:
-        case Access::blit_write:
-        case Access::clear_write:
-            return false;
-        default:
-            return true;
-    }
+    return a != Access::none && !kOnlyWrites.contains(a);
 }
 
 bool writes(Access a) {
-    switch (a) {
-        case Access::storage_write:
-        case Access::storage_read_write:
-        case Access::color_write:
-        case Access::color_read_write:
-        case Access::depth_write:
-        case Access::depth_read_write:
-        case Access::copy_write:
-        case Access::blit_write:
-        case Access::clear_write:
-            return true;
-        default:
-            return false;
-    }
+    return kOnlyWrites.contains(a) || kReadWrites.contains(a);
 }
 
 std::string stages_text(StageMask mask) {
