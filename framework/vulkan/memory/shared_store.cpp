@@ -1,7 +1,5 @@
 #include "vulkan/memory/shared_store.h"
 
-#include <cassert>
-
 namespace weft::vk {
 namespace {
 
@@ -35,21 +33,9 @@ Result<SharedLease> SharedStore::get(const ResourceDecl& decl, const Make& make)
         Result<SharedObject> object = make();
         if (!object) return object.take_errors();
         found = entries_.try_emplace(key).first;
-        found->second.object = std::move(*object);
+        found->second.owner = std::move(*object);
     }
-    ++found->second.leases;
-    return SharedLease{*this, std::move(key), &found->second.object};
-}
-
-void SharedStore::give_back(const std::string& key) {
-    // Declared before the lock, so that the object is destroyed after the lock is released.
-    SharedObject last;
-    const std::lock_guard lock(mutex_);
-    const auto found = entries_.find(key);
-    assert(found != entries_.end() && found->second.leases > 0);
-    if (--found->second.leases > 0) return;
-    last = std::move(found->second.object);
-    entries_.erase(found);
+    return lease(std::move(key), found->second, &found->second.owner);
 }
 
 }  // namespace weft::vk

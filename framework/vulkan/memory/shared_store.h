@@ -4,11 +4,7 @@
 // use one store at a time. Thread-safe. Errors: those of the function that makes the object.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <map>
-#include <mutex>
-#include <string>
 
 #include "vulkan/device/device_memory.h"
 #include "vulkan/device/handle.h"
@@ -25,30 +21,15 @@ struct SharedObject {
     BufferHandle buffer;
 };
 
-class SharedStore;
-using SharedLease = Lease<SharedStore, const SharedObject*>;
+using SharedObjects = LeaseStore<SharedObject, const SharedObject*>;
+using SharedLease = Lease<SharedObjects, const SharedObject*>;
 
-class SharedStore {
+class SharedStore : public SharedObjects {
  public:
-    SharedStore() = default;
-    SharedStore(const SharedStore&) = delete;
-    SharedStore& operator=(const SharedStore&) = delete;
-
     using Make = std::function<Result<SharedObject>()>;
     // Returns a lease on the object of the resource. If the store does not have the object, the function
     // creates it with `make`.
     [[nodiscard]] Result<SharedLease> get(const ResourceDecl& decl, const Make& make);
-
- private:
-    friend SharedLease;
-    struct Entry {
-        SharedObject object;
-        uint32_t leases = 0;
-    };
-    void give_back(const std::string& key);
-
-    std::mutex mutex_;
-    std::map<std::string, Entry> entries_;  // An entry stays at its address until it is erased.
 };
 
 }  // namespace weft::vk

@@ -10,34 +10,49 @@
 namespace weft::vk {
 namespace {
 
-MemoryNeed to_need(const VkMemoryRequirements& requirements) {
-    return {requirements.size, requirements.alignment, requirements.memoryTypeBits};
-}
+// The functions of Vulkan for images and for buffers.
+struct ImageTraits {
+    using Object = VkImage;
+    using Owner = ImageHandle;
+    using Query = VkDeviceImageMemoryRequirements;
+    static constexpr const char* kWord = "image";
+    static constexpr VkObjectType kType = VK_OBJECT_TYPE_IMAGE;
+    static constexpr auto kInfo = image_create_info;
+    static constexpr VkStructureType kQueryType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS;
+    static constexpr auto kNeeds = &DeviceFunctions::vkGetDeviceImageMemoryRequirements;
+    static constexpr auto kCreate = &DeviceFunctions::vkCreateImage;
+    static constexpr auto kBind = &DeviceFunctions::vkBindImageMemory;
+};
+struct BufferTraits {
+    using Object = VkBuffer;
+    using Owner = BufferHandle;
+    using Query = VkDeviceBufferMemoryRequirements;
+    static constexpr const char* kWord = "buffer";
+    static constexpr VkObjectType kType = VK_OBJECT_TYPE_BUFFER;
+    static constexpr auto kInfo = buffer_create_info;
+    static constexpr VkStructureType kQueryType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS;
+    static constexpr auto kNeeds = &DeviceFunctions::vkGetDeviceBufferMemoryRequirements;
+    static constexpr auto kCreate = &DeviceFunctions::vkCreateBuffer;
+    static constexpr auto kBind = &DeviceFunctions::vkBindBufferMemory;
+};
 
-MemoryNeed image_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
-    VkImageCreateInfo info = image_create_info(decl);
+template <class Kind>
+MemoryNeed need_of(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
+    auto info = Kind::kInfo(decl);
     share(info, sharing);
-    VkDeviceImageMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS};
+    typename Kind::Query query{};
+    query.sType = Kind::kQueryType;
     query.pCreateInfo = &info;
     VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
-    device.fn().vkGetDeviceImageMemoryRequirements(device.handle(), &query, &answer);
-    return to_need(answer.memoryRequirements);
-}
-
-MemoryNeed buffer_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
-    VkBufferCreateInfo info = buffer_create_info(decl);
-    share(info, sharing);
-    VkDeviceBufferMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS};
-    query.pCreateInfo = &info;
-    VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
-    device.fn().vkGetDeviceBufferMemoryRequirements(device.handle(), &query, &answer);
-    return to_need(answer.memoryRequirements);
+    (device.fn().*Kind::kNeeds)(device.handle(), &query, &answer);
+    const VkMemoryRequirements& needs = answer.memoryRequirements;
+    return {needs.size, needs.alignment, needs.memoryTypeBits};
 }
 
 // Returns memory requirements that suit both sharing modes of a resource, exclusive and concurrent. The plan
 // decides later which resources several queue families share.
 MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
-    const auto need = decl.kind == ResourceKind::image ? image_need : buffer_need;
+    const auto need = decl.kind == ResourceKind::image ? need_of<ImageTraits> : need_of<BufferTraits>;
     MemoryNeed exclusive = need(device, decl, Sharing{});
     if (device.sharing_families().empty()) return exclusive;
     const MemoryNeed concurrent = need(device, decl, concurrent_sharing(device));
@@ -93,26 +108,6 @@ Result<DeviceMemory> allocate_heap(Device& device, const FramePlan& plan, size_t
     if (result != VK_SUCCESS) return failed_call("V411", what, result);
     return DeviceMemory(device, block);
 }
-
-// What create_bound() needs to know about images or buffers.
-struct ImageTraits {
-    using Object = VkImage;
-    using Owner = ImageHandle;
-    static constexpr const char* kWord = "image";
-    static constexpr VkObjectType kType = VK_OBJECT_TYPE_IMAGE;
-    static constexpr auto kInfo = image_create_info;
-    static constexpr auto kCreate = &DeviceFunctions::vkCreateImage;
-    static constexpr auto kBind = &DeviceFunctions::vkBindImageMemory;
-};
-struct BufferTraits {
-    using Object = VkBuffer;
-    using Owner = BufferHandle;
-    static constexpr const char* kWord = "buffer";
-    static constexpr VkObjectType kType = VK_OBJECT_TYPE_BUFFER;
-    static constexpr auto kInfo = buffer_create_info;
-    static constexpr auto kCreate = &DeviceFunctions::vkCreateBuffer;
-    static constexpr auto kBind = &DeviceFunctions::vkBindBufferMemory;
-};
 
 // Creates an image or a buffer and binds it to memory.
 template <class Kind>

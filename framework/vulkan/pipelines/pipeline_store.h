@@ -6,8 +6,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
-#include <mutex>
 #include <string>
 
 #include "vulkan/device/handle.h"
@@ -16,31 +14,15 @@
 
 namespace weft::vk {
 
-class PipelineStore;
-using PipelineLease = Lease<PipelineStore, VkPipeline>;
+using PipelineEntries = LeaseStore<PipelineHandle, VkPipeline>;
+using PipelineLease = Lease<PipelineEntries, VkPipeline>;
 
-class PipelineStore {
+class PipelineStore : public PipelineEntries {
  public:
-    PipelineStore() = default;
-    PipelineStore(const PipelineStore&) = delete;
-    PipelineStore& operator=(const PipelineStore&) = delete;
-
     using Make = std::function<Result<PipelineHandle>()>;
     // Returns a lease on the pipeline with this hash. If the store does not have the pipeline, the function
     // creates it with `make` and adds 1 to `made`.
     [[nodiscard]] Result<PipelineLease> get(const std::string& hash, const Make& make, uint32_t& made);
-
- private:
-    friend PipelineLease;
-    struct Entry {
-        PipelineHandle pipeline;
-        uint32_t leases = 0;
-    };
-    [[nodiscard]] PipelineLease lease(const std::string& hash, Entry& entry);
-    void give_back(const std::string& hash);
-
-    std::mutex mutex_;
-    std::map<std::string, Entry> entries_;
 };
 
 }  // namespace weft::vk
