@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "graph/diagnostics/make_error.h"
 #include "render/frame_data.h"
 #include "render/jitter.h"
 #include "vulkan/device/to_vk.h"
@@ -149,23 +150,18 @@ std::optional<ExportedResource> FrameLoop::exported(std::string_view name) const
 
 Result<vk::ReadbackData> FrameLoop::read_output() {
     if (!has_output()) {
-        Diagnostic d;
-        d.code = "W184";
-        d.message = "the graph has no output, so there is no picture";
-        d.help = {"import an output, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
-                  "or write a resource of the graph instead: --resource NAME"};
-        return d;
+        return make_error(
+            "W184", "the graph has no output, so there is no picture",
+            {"import an output, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
+             "or write a resource of the graph instead: --resource NAME"});
     }
     if (const Layout layout = plan().graph.resources[plan().graph.output].import->exit.layout;
         layout != Layout::transfer_src) {
-        Diagnostic d;
-        d.code = "V426";
-        d.message =
-            "the output has the layout " + layout_text(layout) + " after the frame, so Weft cannot read it";
-        d.help = {
-            "give the output the final layout transfer_src (OutputFormat::final_layout), or read the image "
-            "with commands of your own"};
-        return d;
+        return make_error(
+            "V426",
+            "the output has the layout " + layout_text(layout) + " after the frame, so Weft cannot read it",
+            {"give the output the final layout transfer_src (OutputFormat::final_layout), or read the image "
+             "with commands of your own"});
     }
     return stage_.executor->read_image(stage_.output);
 }

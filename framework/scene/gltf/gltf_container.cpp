@@ -6,10 +6,8 @@
 namespace weft::scene::gltf {
 namespace {
 
-// The text "JSON" as a little-endian number: the type of the JSON chunk.
-constexpr uint32_t kJsonChunk = 0x4e4f534a;
-// The text "BIN\0" as a little-endian number: the type of the binary chunk.
-constexpr uint32_t kBinChunk = 0x004e4942;
+// The types of chunks: the texts "JSON" and "BIN\0" as little-endian numbers.
+enum ChunkType : uint32_t { kJsonChunk = 0x4e4f534a, kBinChunk = 0x004e4942 };
 constexpr size_t kHeaderBytes = 12;
 constexpr size_t kChunkHeaderBytes = 8;
 
