@@ -8,7 +8,7 @@ namespace weft {
 
 // Returns names[value], or "?" if the table has no such entry.
 template <class E, size_t N>
-[[nodiscard]] const char* name_of_value(E value, const std::array<const char*, N>& names) {
+[[nodiscard]] constexpr const char* name_of_value(E value, const std::array<const char*, N>& names) {
     const auto index = static_cast<size_t>(value);
     return index < N ? names[index] : "?";
 }

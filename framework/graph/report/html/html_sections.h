@@ -44,6 +44,24 @@ void write_heading(const PlanPage& page, Markup& out);
 // Draws the vertical lines between the columns of passes, from `top_px` to `bottom_px`.
 void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Markup& out);
 
+// The base of drawings with pass columns: labels at the left, and the drawing itself.
+class ColumnDrawing {
+ public:
+    ColumnDrawing(const PlanPage& page, Markup& out)
+        : page_(page), plan_(*page.plan), out_(out), top_px_(heading_height_px(page)) {}
+
+ protected:
+    // Opens the list of labels beside the drawing. `style` is its class.
+    void open_labels(const std::string& style);
+    // Opens the drawing, and draws its heading and the lines between the columns.
+    void open_columns(const std::string& label, int32_t height_px);
+
+    const PlanPage& page_;
+    const FramePlan& plan_;
+    Markup& out_;
+    int32_t top_px_;  // The height of the heading.
+};
+
 // Each of these functions returns a label of a barrier, edge or wait. The label appears when the pointer is
 // over this item. The parameter is an index into PlanPage::barriers, PlanPage::edges or PlanPage::waits.
 [[nodiscard]] std::string barrier_label(const PlanPage& page, size_t barrier);

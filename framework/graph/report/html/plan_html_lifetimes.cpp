@@ -43,14 +43,9 @@ std::vector<Row> make_rows(const PlanPage& page) {
     return rows;
 }
 
-class LifetimeDrawing {
+class LifetimeDrawing : ColumnDrawing {
  public:
-    LifetimeDrawing(const PlanPage& page, Markup& out)
-        : page_(page),
-          plan_(*page.plan),
-          out_(out),
-          rows_(make_rows(page)),
-          top_px_(heading_height_px(page)) {}
+    LifetimeDrawing(const PlanPage& page, Markup& out) : ColumnDrawing(page, out), rows_(make_rows(page)) {}
 
     [[nodiscard]] bool shows_unread() const {
         return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.unread; });
@@ -60,9 +55,7 @@ class LifetimeDrawing {
         const int32_t height_px = top_px_ + static_cast<int32_t>(rows_.size()) * kRow_px + 6;
         out_.open("div", {{"class", "chart"}});
         write_labels();
-        open_drawing(out_, "Lifetimes of resources", page_.columns.width_px, height_px);
-        write_heading(page_, out_);
-        write_guides(page_, top_px_, height_px, out_);
+        open_columns("Lifetimes of resources", height_px);
         for (size_t row = 0; row < rows_.size(); ++row)
             draw_row(rows_[row], top_px_ + static_cast<int32_t>(row) * kRow_px);
         close_drawing(out_);
@@ -71,8 +64,7 @@ class LifetimeDrawing {
 
  private:
     void write_labels() {
-        out_.open("ol",
-                  {{"class", "labels rows"}, {"style", "padding-top:" + std::to_string(top_px_) + "px"}});
+        open_labels("labels rows");
         for (const Row& row : rows_) {
             const ResourceDecl& resource = plan_.graph.resources[row.resource];
             const uint64_t bytes = placed_bytes(plan_, row.resource);
@@ -154,11 +146,7 @@ class LifetimeDrawing {
         out_.close();
     }
 
-    const PlanPage& page_;
-    const FramePlan& plan_;
-    Markup& out_;
     std::vector<Row> rows_;
-    int32_t top_px_;
 };
 
 }  // namespace

@@ -30,22 +30,16 @@ std::vector<uint32_t> used_queues(const FramePlan& plan) {
     return used;
 }
 
-class TimelineDrawing {
+class TimelineDrawing : ColumnDrawing {
  public:
     TimelineDrawing(const PlanPage& page, Markup& out)
-        : page_(page),
-          plan_(*page.plan),
-          out_(out),
-          queues_(used_queues(*page.plan)),
-          top_px_(heading_height_px(page)) {}
+        : ColumnDrawing(page, out), queues_(used_queues(*page.plan)) {}
 
     void draw() {
         const int32_t height_px = top_px_ + lane_top_px(queues_.size()) - kLaneGap_px + 4;
         out_.open("div", {{"class", "chart"}});
         write_labels();
-        open_drawing(out_, "Timeline of the queues", page_.columns.width_px, height_px);
-        write_heading(page_, out_);
-        write_guides(page_, top_px_, height_px, out_);
+        open_columns("Timeline of the queues", height_px);
         for (size_t batch = 0; batch < plan_.submissions.batches.size(); ++batch) draw_batch(batch);
         for (Position p(0); p < plan_.schedule.order.size(); ++p) draw_scope(p);
         for (Position p(0); p < plan_.schedule.order.size(); ++p) draw_pass(p);
@@ -58,8 +52,7 @@ class TimelineDrawing {
 
  private:
     void write_labels() {
-        out_.open("ol",
-                  {{"class", "labels lanes"}, {"style", "padding-top:" + std::to_string(top_px_) + "px"}});
+        open_labels("labels lanes");
         for (const uint32_t q : queues_) {
             const int32_t height_px = q == queues_[0] ? kLaneHeight_px : kLaneHeight_px + kLaneGap_px;
             out_.open("li", {{"style", "height:" + std::to_string(height_px) + "px;padding-top:" +
@@ -225,11 +218,7 @@ class TimelineDrawing {
         out_.line();
     }
 
-    const PlanPage& page_;
-    const FramePlan& plan_;
-    Markup& out_;
     std::vector<uint32_t> queues_;  // The queues that have a row in the drawing; at least one.
-    int32_t top_px_;
 };
 
 void write_idle_queues(const FramePlan& plan, Markup& out) {
