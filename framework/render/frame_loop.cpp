@@ -16,6 +16,20 @@
 #include "weft/vulkan/native.h"
 
 namespace weft::render {
+namespace {
+
+// Returns all members that describe the image itself.
+ExportedResource exported_image(const vk::Image& image, const ResourceDecl& decl) {
+    const vk::NativeImage native = vk::native(image);
+    return {.image = native.image,
+            .view = native.view,
+            .format = native.format,
+            .extent = native.extent,
+            .mips = decl.mips,
+            .layers = decl.layers};
+}
+
+}  // namespace
 
 FrameLoop::FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length) : stage_(std::move(stage)) {
     set_graph(size, jitter_length);
@@ -130,21 +144,14 @@ std::optional<ExportedResource> FrameLoop::exported(std::string_view name) const
     if (found == stage_.exports.end() && kept_buffer == VK_NULL_HANDLE) return std::nullopt;
     const AccessState& state = kept ? *decl.between : decl.import->exit;
     ExportedResource out;
+    if (decl.kind == ResourceKind::image) out = exported_image(found->second.image, decl);
     out.layout = vk::to_vk(state.layout);
     out.stages = vk::stages_to_vk(state.stages);
     out.access = vk::access_to_vk(state.access);
     if (decl.kind == ResourceKind::buffer) {
         out.buffer = kept ? kept_buffer : found->second.buffer.handle();
         out.size_bytes = decl.size_bytes;
-        return out;
     }
-    const vk::NativeImage image = vk::native(found->second.image);
-    out.image = image.image;
-    out.view = image.view;
-    out.format = image.format;
-    out.extent = image.extent;
-    out.mips = decl.mips;
-    out.layers = decl.layers;
     return out;
 }
 

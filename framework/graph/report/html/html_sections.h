@@ -3,6 +3,7 @@
 // and a label that appears when the pointer is over it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,12 @@ void open_panel(Markup& out, const char* id, const char* title, const std::strin
 // together.
 void open_drawing(Markup& out, const std::string& label, int32_t width_px, int32_t height_px);
 void close_drawing(Markup& out);
+struct BoxPx {
+    int32_t left = 0, top = 0, width = 0, height = 0;
+};
+// Draws a rectangle. `style` is its class, and `round_px` the radius of its corners.
+void draw_box(Markup& out, const std::string& style, const BoxPx& box,
+              std::optional<int32_t> round_px = std::nullopt);
 void write_legend(Markup& out, const std::vector<std::pair<const char*, const char*>>& styles_and_texts);
 // Returns the height of the heading: the names of the live passes, at the top of each drawing with pass
 // columns.

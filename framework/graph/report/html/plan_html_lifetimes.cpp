@@ -95,20 +95,13 @@ class LifetimeDrawing : ColumnDrawing {
             std::string("life") + (frame ? " long" : "") + (row.unread ? " unread" : "");
         open_item(out_, style, resource_keys(page_, row.resource),
                   resource.name + ": " + text + (row.unread ? ", no reader: no running pass reads it" : ""));
-        out_.empty("rect", {{"class", "hit"},
-                            {"x", left_px},
-                            {"y", y_px + 2},
-                            {"width", right_px - left_px},
-                            {"height", kRow_px - 4}});
+        draw_box(out_, "hit", {left_px, y_px + 2, right_px - left_px, kRow_px - 4});
         // If no pass reads the resource, its bar is nearly as high as the row and looks like a border. A
         // normal, thinner bar would be hidden behind the cell if only one pass uses the resource.
         const int32_t bar_px = row.unread ? kRow_px - 4 : 8, over_px = row.unread && !frame ? 3 : 0;
-        out_.empty("rect", {{"class", "bar"},
-                            {"x", left_px - over_px},
-                            {"y", y_px + (kRow_px - bar_px) / 2},
-                            {"width", right_px - left_px + 2 * over_px},
-                            {"height", bar_px},
-                            {"rx", 4}});
+        draw_box(out_, "bar",
+                 {left_px - over_px, y_px + (kRow_px - bar_px) / 2, right_px - left_px + 2 * over_px, bar_px},
+                 4);
         out_.close();
         for (const PassId pass : page_.users[row.resource])
             if (plan_.live.live_passes[pass]) draw_cell(row.resource, pass, y_px);
@@ -132,12 +125,7 @@ class LifetimeDrawing : ColumnDrawing {
         const char* style = reading && writing ? "cell both" : writing ? "cell write" : "cell read";
         open_item(out_, style, resource_key(resource) + " " + pass_key(pass), label);
         const int32_t top_px = y_px + (kRow_px - kCell_px) / 2;
-        out_.empty("rect", {{"class", "mark"},
-                            {"x", column.box_left_px},
-                            {"y", top_px},
-                            {"width", column.box_width_px},
-                            {"height", kCell_px},
-                            {"rx", 3}});
+        draw_box(out_, "mark", {column.box_left_px, top_px, column.box_width_px, kCell_px}, 3);
         out_.leaf("text",
                   {{"class", "mid"}, {"x", column.box_left_px + column.box_width_px / 2}, {"y", top_px + 13}},
                   reading && writing ? "RW"

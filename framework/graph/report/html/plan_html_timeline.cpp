@@ -95,12 +95,7 @@ class TimelineDrawing : ColumnDrawing {
         const int32_t left_px = batch_left_px(batch), width_px = batch_right_px(batch) - left_px;
         open_item(out_, "batch q" + std::to_string(batch.queue), batch_keys(page_, index),
                   "submission " + std::to_string(index) + " of queue " + std::to_string(batch.queue));
-        out_.empty("rect", {{"class", "box"},
-                            {"x", left_px},
-                            {"y", lane_px(batch.queue)},
-                            {"width", width_px},
-                            {"height", kLaneHeight_px},
-                            {"rx", 8}});
+        draw_box(out_, "box", {left_px, lane_px(batch.queue), width_px, kLaneHeight_px}, 8);
         const std::string number = std::to_string(index), name = "submission " + number;
         const int32_t room_px = width_px - 12;
         const bool fits = small_text_in(name, room_px) == name;
@@ -118,12 +113,7 @@ class TimelineDrawing : ColumnDrawing {
         draw_marks(barriers_at(page_, BarrierPlace::before_pass, position), column.left_px, y_px);
         open_item(out_, "pass q" + std::to_string(queue), pass_keys(page_, pass),
                   std::to_string(position) + " " + plan_.graph.passes[pass].name);
-        out_.empty("rect", {{"class", "box"},
-                            {"x", column.box_left_px},
-                            {"y", y_px},
-                            {"width", column.box_width_px},
-                            {"height", kRowHeight_px},
-                            {"rx", 4}});
+        draw_box(out_, "box", {column.box_left_px, y_px, column.box_width_px, kRowHeight_px}, 4);
         const int32_t middle_px = column.box_left_px + column.box_width_px / 2;
         if (!page_.columns.rotated_labels)
             out_.leaf("text", {{"class", "name mid"}, {"x", middle_px}, {"y", y_px + kRowHeight_px / 2 - 2}},
@@ -149,11 +139,9 @@ class TimelineDrawing : ColumnDrawing {
         const PageColumn& from = page_.columns.passes[plan_.schedule.position[before]];
         const uint32_t queue = plan_.schedule.queue[position];
         const int32_t left_px = from.box_left_px + from.box_width_px;
-        out_.empty("rect", {{"class", "scope q" + std::to_string(queue)},
-                            {"x", left_px},
-                            {"y", lane_px(queue) + kLaneTop_px + kRowHeight_px / 2 - 4},
-                            {"width", page_.columns.passes[position].box_left_px - left_px},
-                            {"height", 8}});
+        draw_box(out_, "scope q" + std::to_string(queue),
+                 {left_px, lane_px(queue) + kLaneTop_px + kRowHeight_px / 2 - 4,
+                  page_.columns.passes[position].box_left_px - left_px, 8});
     }
 
     void draw_marks(const std::vector<size_t>& barriers, int32_t left_px, int32_t top_px) {
@@ -163,17 +151,8 @@ class TimelineDrawing : ColumnDrawing {
             const int32_t y_px = top_px + static_cast<int32_t>(i % kMarkRows) * kMarkStepY_px + 1;
             open_item(out_, std::string("barrier ") + barrier_style(barrier.reason),
                       barrier_keys(page_, barriers[i]), barrier_label(page_, barriers[i]));
-            out_.empty("rect", {{"class", "hit"},
-                                {"x", x_px - 1},
-                                {"y", y_px - 1},
-                                {"width", kMarkStepX_px},
-                                {"height", kMarkStepY_px}});
-            out_.empty("rect", {{"class", "mark"},
-                                {"x", x_px},
-                                {"y", y_px},
-                                {"width", kMark_px},
-                                {"height", kMark_px},
-                                {"rx", 2}});
+            draw_box(out_, "hit", {x_px - 1, y_px - 1, kMarkStepX_px, kMarkStepY_px});
+            draw_box(out_, "mark", {x_px, y_px, kMark_px, kMark_px}, 2);
             out_.close();
         }
     }
