@@ -8,6 +8,7 @@
 
 #include "file/file_draft.h"
 #include "file/file_target.h"
+#include "graph/diagnostics/make_error.h"
 
 namespace weft {
 namespace {
@@ -143,12 +144,9 @@ Status write_stdout(std::string_view data) {
     if (data.empty()) return Unit{};
     const int error = write_descriptor(STDOUT_FILENO, data);
     if (error == 0) return Unit{};
-    Diagnostic d;
-    d.code = "X512";
-    d.message = "standard output cannot be written: " + reason(error);
-    d.help = {error == EPIPE ? "keep the program that reads the output running"
-                             : "make room on the disk, or redirect the output to another file"};
-    return d;
+    return make_error("X512", "standard output cannot be written: " + reason(error),
+                      {error == EPIPE ? "keep the program that reads the output running"
+                                      : "make room on the disk, or redirect the output to another file"});
 }
 
 bool is_stream(const std::string& path) {

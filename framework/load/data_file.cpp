@@ -82,4 +82,12 @@ DataFile read_data_file(const std::string& path, const LoadSettings& settings) {
     return read(path, UINT64_MAX, settings);
 }
 
+Diagnostic unusable_file(const SourceMap& sources, SourceLoc loc, const std::string& name,
+                         const std::string& resource, const std::string& fault, const std::string& help) {
+    Diagnostic d = sources.error(loc, "W145",
+                                 "the file \"" + name + "\" of \"" + resource + "\" is not usable: " + fault);
+    d.help.push_back(help);
+    return d;
+}
+
 }  // namespace weft

@@ -29,4 +29,9 @@ struct DataFile {
 // Reads a file that find_data_file() found, as a whole.
 [[nodiscard]] DataFile read_data_file(const std::string& path, const LoadSettings& settings);
 
+// Returns the error W145 for the file `name` of the resource `resource`, which stands at `loc` in the graph.
+[[nodiscard]] Diagnostic unusable_file(const SourceMap& sources, SourceLoc loc, const std::string& name,
+                                       const std::string& resource, const std::string& fault,
+                                       const std::string& help);
+
 }  // namespace weft

@@ -32,11 +32,7 @@ class Measure {
  private:
     void fail(const ResourceDesc& resource, const FileDesc& desc, const std::string& fault,
               const std::string& help) {
-        Diagnostic d = graph_.sources.error(
-            desc.loc, "W145",
-            "the file \"" + desc.name + "\" of \"" + resource.name + "\" is not usable: " + fault);
-        d.help.push_back(help);
-        faults_.push_back(std::move(d));
+        faults_.push_back(unusable_file(graph_.sources, desc.loc, desc.name, resource.name, fault, help));
     }
 
     void measure(const ResourceDesc& resource, FileDesc& desc) {

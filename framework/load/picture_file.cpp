@@ -27,24 +27,24 @@ std::span<const uint8_t> octets(std::string_view bytes) {
     return {reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()};
 }
 
-PictureTexels from_rgba8(const scene::DecodedImage& image) {
-    PictureTexels out{image.size.width_px, image.size.height_px, {}, 255, image.error};
+// `image` has four channels per texel; their largest value is `most`.
+template <class Decoded>
+PictureTexels from_channels(const Decoded& image, float most) {
+    PictureTexels out{image.size.width_px, image.size.height_px, {}, most, image.error};
     out.values.reserve(image.rgba.size() / 4);
     for (size_t i = 0; i < image.rgba.size(); i += 4)
         out.values.push_back(
-            glm::vec4(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2], image.rgba[i + 3]) / 255.0f);
+            glm::vec4(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2], image.rgba[i + 3]) / most);
     return out;
+}
+
+PictureTexels from_rgba8(const scene::DecodedImage& image) {
+    return from_channels(image, 255);
 }
 
 PictureTexels from_png(std::string_view bytes) {
     if (!scene::is_png_16(octets(bytes))) return from_rgba8(scene::decode_png(octets(bytes)));
-    const scene::DecodedPng16 image = scene::decode_png_16(octets(bytes));
-    PictureTexels out{image.size.width_px, image.size.height_px, {}, 65535, image.error};
-    out.values.reserve(image.rgba.size() / 4);
-    for (size_t i = 0; i < image.rgba.size(); i += 4)
-        out.values.push_back(
-            glm::vec4(image.rgba[i], image.rgba[i + 1], image.rgba[i + 2], image.rgba[i + 3]) / 65535.0f);
-    return out;
+    return from_channels(scene::decode_png_16(octets(bytes)), 65535);
 }
 
 PictureTexels from_radiance(std::string_view bytes) {

@@ -14,11 +14,7 @@ namespace {
 
 Diagnostic unusable(const ResolvedGraph& graph, const ResourceDecl& resource, const std::string& fault,
                     const std::string& help) {
-    Diagnostic d = graph.sources.error(
-        resource.loc, "W145",
-        "the file \"" + resource.file + "\" of \"" + resource.name + "\" is not usable: " + fault);
-    d.help.push_back(help);
-    return d;
+    return unusable_file(graph.sources, resource.loc, resource.file, resource.name, fault, help);
 }
 
 std::vector<std::byte> bytes_of_text(std::string_view text) {

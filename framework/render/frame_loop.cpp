@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "graph/diagnostics/make_error.h"
 #include "render/frame_data.h"
 #include "render/jitter.h"
 #include "vulkan/device/to_vk.h"
@@ -15,6 +16,20 @@
 #include "weft/vulkan/native.h"
 
 namespace weft::render {
+namespace {
+
+// Returns all members that describe the image itself.
+ExportedResource exported_image(const vk::Image& image, const ResourceDecl& decl) {
+    const vk::NativeImage native = vk::native(image);
+    return {.image = native.image,
+            .view = native.view,
+            .format = native.format,
+            .extent = native.extent,
+            .mips = decl.mips,
+            .layers = decl.layers};
+}
+
+}  // namespace
 
 FrameLoop::FrameLoop(RenderStage stage, Extent3D size, uint32_t jitter_length) : stage_(std::move(stage)) {
     set_graph(size, jitter_length);
@@ -129,43 +144,31 @@ std::optional<ExportedResource> FrameLoop::exported(std::string_view name) const
     if (found == stage_.exports.end() && kept_buffer == VK_NULL_HANDLE) return std::nullopt;
     const AccessState& state = kept ? *decl.between : decl.import->exit;
     ExportedResource out;
+    if (decl.kind == ResourceKind::image) out = exported_image(found->second.image, decl);
     out.layout = vk::to_vk(state.layout);
     out.stages = vk::stages_to_vk(state.stages);
     out.access = vk::access_to_vk(state.access);
     if (decl.kind == ResourceKind::buffer) {
         out.buffer = kept ? kept_buffer : found->second.buffer.handle();
         out.size_bytes = decl.size_bytes;
-        return out;
     }
-    const vk::NativeImage image = vk::native(found->second.image);
-    out.image = image.image;
-    out.view = image.view;
-    out.format = image.format;
-    out.extent = image.extent;
-    out.mips = decl.mips;
-    out.layers = decl.layers;
     return out;
 }
 
 Result<vk::ReadbackData> FrameLoop::read_output() {
     if (!has_output()) {
-        Diagnostic d;
-        d.code = "W184";
-        d.message = "the graph has no output, so there is no picture";
-        d.help = {"import an output, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
-                  "or write a resource of the graph instead: --resource NAME"};
-        return d;
+        return make_error(
+            "W184", "the graph has no output, so there is no picture",
+            {"import an output, \"imports\": { \"backbuffer\": \"output\" }, and let a pass write it",
+             "or write a resource of the graph instead: --resource NAME"});
     }
     if (const Layout layout = plan().graph.resources[plan().graph.output].import->exit.layout;
         layout != Layout::transfer_src) {
-        Diagnostic d;
-        d.code = "V426";
-        d.message =
-            "the output has the layout " + layout_text(layout) + " after the frame, so Weft cannot read it";
-        d.help = {
-            "give the output the final layout transfer_src (OutputFormat::final_layout), or read the image "
-            "with commands of your own"};
-        return d;
+        return make_error(
+            "V426",
+            "the output has the layout " + layout_text(layout) + " after the frame, so Weft cannot read it",
+            {"give the output the final layout transfer_src (OutputFormat::final_layout), or read the image "
+             "with commands of your own"});
     }
     return stage_.executor->read_image(stage_.output);
 }

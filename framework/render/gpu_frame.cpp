@@ -12,21 +12,21 @@
 namespace weft::render {
 namespace {
 
-// The memory of a frame slot contains the frame constants, then the sun's constants, then those of the
-// further suns. The memory of the views is separate. Each part starts at a multiple of 256 bytes, the largest
+// Each part of a buffer of constants starts at a multiple of 256 bytes, the largest
 // minUniformBufferOffsetAlignment that Vulkan allows.
 constexpr uint64_t kAlignmentBytes = 256;
-constexpr uint64_t kSunOffsetBytes = 256;
-constexpr uint64_t kFurtherSunsOffsetBytes = 768;
-constexpr uint64_t kSlotBytes = 1536;
+// The memory of a frame slot. The memory of the views is separate.
+struct FrameSlot {
+    alignas(kAlignmentBytes) shared::FrameConstants frame;
+    alignas(kAlignmentBytes) shared::SunConstants sun;
+    alignas(kAlignmentBytes) shared::FurtherSuns further_suns;
+};
+constexpr uint64_t kSunOffsetBytes = offsetof(FrameSlot, sun);
+constexpr uint64_t kFurtherSunsOffsetBytes = offsetof(FrameSlot, further_suns);
 constexpr uint64_t kViewBytes = sizeof(shared::ViewConstants);
 // A graph can have a buffer with the constants of several views, one after another. So the size of
 // ViewConstants itself must be a multiple of 256 bytes, too.
-static_assert(kSunOffsetBytes % kAlignmentBytes == 0 && kSlotBytes % kAlignmentBytes == 0 &&
-              kViewBytes % kAlignmentBytes == 0);
-static_assert(sizeof(shared::FrameConstants) <= kSunOffsetBytes);
-static_assert(kSunOffsetBytes + sizeof(shared::SunConstants) <= kFurtherSunsOffsetBytes);
-static_assert(kFurtherSunsOffsetBytes + sizeof(shared::FurtherSuns) <= kSlotBytes);
+static_assert(kViewBytes % kAlignmentBytes == 0);
 static_assert(kViewBytes == vk::kViewStrideBytes);
 static_assert(offsetof(shared::ViewConstants, number) == vk::kViewNumberOffsetBytes);
 
@@ -52,7 +52,7 @@ Result<GpuFrame> GpuFrame::create(vk::Device& device, const scene::Scene& scene)
     frame.device_ = &device;
     Result<DescriptorSets> layout = DescriptorSets::create(device, layout_bindings(0), 0, "frame constants");
     if (!layout) return layout.take_errors();
-    Result<vk::Buffer> constants = make_constants(device, kSlotBytes * vk::kFramesInFlight);
+    Result<vk::Buffer> constants = make_constants(device, sizeof(FrameSlot) * vk::kFramesInFlight);
     if (!constants) return constants.take_errors();
     Result<GpuEnvironment> surroundings = GpuEnvironment::create(device, scene.environment);
     if (!surroundings) return surroundings.take_errors();
@@ -95,7 +95,7 @@ Result<std::unique_ptr<vk::ViewSets>> GpuFrame::make_view_sets(std::span<const v
 }
 
 void GpuFrame::write_set(VkDescriptorSet to, uint32_t slot, const VkDescriptorBufferInfo& views) const {
-    const uint64_t slot_bytes = slot * kSlotBytes;
+    const uint64_t slot_bytes = slot * sizeof(FrameSlot);
     const VkDescriptorImageInfo image = environment_.descriptor(), light = environment_.light_descriptor(),
                                 pictures = light_functions_.pictures();
     const VkDescriptorBufferInfo shapes = light_functions_.functions();
@@ -131,7 +131,7 @@ VkDescriptorSet GpuFrame::set(uint32_t slot, std::span<const std::string> views)
 void GpuFrame::add_bytes(uint32_t slot, std::string_view view, std::span<const FrameRange> ranges,
                          std::vector<std::byte>& bytes) const {
     const std::span<const std::byte> memory =
-        std::as_const(constants_).mapped().subspan(slot * kSlotBytes, kSlotBytes);
+        std::as_const(constants_).mapped().subspan(slot * sizeof(FrameSlot), sizeof(FrameSlot));
     const uint32_t index = index_of(view);
     const std::span<const std::byte> of_view =
         std::as_const(blocks_[index / kBlockViews].constants)
@@ -152,7 +152,7 @@ Status GpuFrame::write(uint32_t slot, const shared::FrameConstants& frame, const
                        std::span<const ViewNames> united_views) {
     while (blocks_.size() * kBlockViews < views.size())
         if (Status added = add_block(); !added) return added;
-    std::byte* memory = constants_.mapped().data() + slot * kSlotBytes;
+    std::byte* memory = constants_.mapped().data() + slot * sizeof(FrameSlot);
     std::memcpy(memory, &frame, sizeof frame);
     std::memcpy(memory + kSunOffsetBytes, &sun, sizeof sun);
     std::memcpy(memory + kFurtherSunsOffsetBytes, &further_suns, sizeof further_suns);

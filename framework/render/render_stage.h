@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "render/files/device_object.h"
 #include "render/files/file_store.h"
 #include "weft/plan.h"
 #include "weft/render/own_imports.h"
@@ -27,13 +28,9 @@ inline constexpr bool kAlwaysCheck = true;
 
 // The object of a resource that the program uses between frames. One of the members is set. If the resource
 // keeps its content, the executor owns the memory. Then each copy of the image in memory has an entry in
-// ExportObjects, under the name of the copy. ExportObject::image is only a view of this copy. Buffers that
+// ExportObjects, under the name of the copy. DeviceObject::image is only a view of this copy. Buffers that
 // keep their content have no entry.
-struct ExportObject {
-    vk::Image image;
-    vk::Buffer buffer;
-};
-using ExportObjects = std::map<std::string, ExportObject, std::less<>>;
+using ExportObjects = std::map<std::string, DeviceObject, std::less<>>;
 
 struct RenderStage {
     vk::Image output;

@@ -1,4 +1,5 @@
 #include "weft/render/session.h"
+#include "graph/diagnostics/make_error.h"
 
 #include <algorithm>
 #include <iterator>
@@ -38,11 +39,8 @@ ImportCatalog owned_imports(const vk::Device& device, const scene::Scene& scene,
 }
 
 Diagnostic no_passes() {
-    Diagnostic d;
-    d.code = "W254";
-    d.message = "SessionInput::passes is null, so the session knows no pass types in C++";
-    d.help = {"let it point to the result of weft::registered_passes() (weft/registry.h)"};
-    return d;
+    return make_error("W254", "SessionInput::passes is null, so the session knows no pass types in C++",
+                      {"let it point to the result of weft::registered_passes() (weft/registry.h)"});
 }
 
 void append(Diagnostics& to, Diagnostics from) {
@@ -153,11 +151,9 @@ Status Session::rebind(const std::string& import, const ImportObject& object, co
     Selection next = selection();
     const auto found = next.imports.find(import);
     if (found == next.imports.end()) {
-        Diagnostic d;
-        d.code = "W245";
-        d.message = "Session::rebind() names \"" + import + "\", which is no import of the program";
-        d.help = {"use a name in SessionInput::imports"};
-        return d;
+        return make_error("W245",
+                          "Session::rebind() names \"" + import + "\", which is no import of the program",
+                          {"use a name in SessionInput::imports"});
     }
     found->second = object;
     next.request.import_sizes[import] = size;
@@ -189,18 +185,13 @@ Result<ScenePart> Session::prepare_part(const scene::Scene& scene, bool moves_in
 
 Result<PartId> Session::add_part(ScenePart part) {
     if (!parts_->scene.gpu().takes_parts()) {
-        Diagnostic d;
-        d.code = "W246";
-        d.message = "the session was created for a scene to which no parts are added";
-        d.help = {"set SessionInput::adds_parts to true"};
-        return d;
+        return make_error("W246", "the session was created for a scene to which no parts are added",
+                          {"set SessionInput::adds_parts to true"});
     }
     if (parts_->scene.gpu().replaces_sets()) {
-        Diagnostic d;
-        d.code = "W246";
-        d.message = "SessionInput::draw_sets replaces descriptor sets that the draws of the added part need";
-        d.help = {"draw the meshes in a draw list of the program, or create the session without draw_sets"};
-        return d;
+        return make_error(
+            "W246", "SessionInput::draw_sets replaces descriptor sets that the draws of the added part need",
+            {"draw the meshes in a draw list of the program, or create the session without draw_sets"});
     }
     const std::unique_ptr<PendingPart> pending = part.take();
     return parts_->scene.gpu().parts().add(std::move(pending->part), std::move(pending->uploads));
@@ -208,11 +199,8 @@ Result<PartId> Session::add_part(ScenePart part) {
 
 Status Session::remove_part(PartId part) {
     if (parts_->scene.gpu().parts().remove(part, parts_->frames.next_free_frame())) return Unit{};
-    Diagnostic d;
-    d.code = "W247";
-    d.message = "the session has no added part with the number " + std::to_string(part);
-    d.help = {"use a number that Session::add_part() has returned, and remove each part only once"};
-    return d;
+    return make_error("W247", "the session has no added part with the number " + std::to_string(part),
+                      {"use a number that Session::add_part() has returned, and remove each part only once"});
 }
 
 uint32_t Session::probe_count() const {

@@ -46,22 +46,6 @@ Diagnostics find_missing_features(const vk::Device& device, const FramePlan& pla
     return missing;
 }
 
-Result<ExportObject> make_export(vk::Device& device, const ResourceDecl& decl) {
-    ExportObject object;
-    if (decl.kind == ResourceKind::buffer) {
-        Result<vk::Buffer> buffer =
-            vk::Buffer::create(device, decl.size_bytes, vk::buffer_create_info(decl).usage,
-                               vk::Buffer::Memory::device, decl.name);
-        if (!buffer) return buffer.take_errors();
-        object.buffer = std::move(*buffer);
-    } else {
-        Result<vk::Image> image = vk::Image::create(device, decl);
-        if (!image) return image.take_errors();
-        object.image = std::move(*image);
-    }
-    return object;
-}
-
 // Makes the views of exported images that keep their content.
 Status view_kept_exports(vk::Device& device, RenderStage& stage) {
     const std::vector<ResourceDecl>& resources = stage.executor->plan().graph.resources;
@@ -215,9 +199,11 @@ Status StageMaker::bind_imports(const FramePlan& plan, const Selection& selectio
         const bool has_own_object =
             selection.request.exports.contains(decl.name) && decl.lifetime == ResourceLifetime::imported;
         if (!has_own_object || !plan.live.live_resources[id]) continue;
-        Result<ExportObject> made = make_export(device_, decl);
+        const VkBufferUsageFlags usage =
+            decl.kind == ResourceKind::buffer ? vk::buffer_create_info(decl).usage : 0;
+        Result<DeviceObject> made = create_object(device_, decl, usage);
         if (!made) return made.take_errors();
-        const ExportObject& object = stage.exports.emplace(decl.name, std::move(*made)).first->second;
+        const DeviceObject& object = stage.exports.emplace(decl.name, std::move(*made)).first->second;
         if (decl.kind == ResourceKind::buffer)
             bindings.buffers.emplace(decl.name, object.buffer.handle());
         else

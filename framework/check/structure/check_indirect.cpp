@@ -3,11 +3,7 @@
 namespace weft::check {
 namespace {
 
-// Sizes that Vulkan defines, in bytes.
 constexpr uint64_t kWordBytes = 4;
-constexpr uint64_t kDispatchBytes = 12;
-constexpr uint64_t kDrawBytes = 16;
-constexpr uint64_t kIndexedDrawBytes = 20;
 
 class IndirectCheck {
  public:
@@ -15,6 +11,8 @@ class IndirectCheck {
         : plan_(plan), pass_(pass), faults_(faults) {}
 
     void run() const {
+        // Sizes that Vulkan defines, in bytes.
+        constexpr uint64_t kDispatchBytes = 12, kDrawBytes = 16, kIndexedDrawBytes = 20;
         if (pass_.indirect_use != kNoId) check(pass_.indirect_use, kDispatchBytes);
         if (pass_.draw_count_use != kNoId) check(pass_.draw_count_use, kWordBytes);
         if (pass_.draw_commands_use == kNoId) return;

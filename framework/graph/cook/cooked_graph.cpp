@@ -6,6 +6,7 @@
 #include <xxhash.h>
 
 #include "graph/cook/byte_fields.h"
+#include "graph/diagnostics/make_error.h"
 
 namespace weft {
 namespace {
@@ -34,11 +35,7 @@ uint64_t layout_hash() {
 }
 
 Diagnostic cooked_error(const std::string& name, const std::string& message, const std::string& help) {
-    Diagnostic d;
-    d.code = "V427";
-    d.message = "\"" + name + "\" " + message;
-    d.help = {help};
-    return d;
+    return make_error("V427", "\"" + name + "\" " + message, {help});
 }
 
 }  // namespace

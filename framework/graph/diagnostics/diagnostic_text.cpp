@@ -43,19 +43,9 @@ void add_excerpt(const Diagnostic& d, std::vector<TextPiece>& pieces) {
 }  // namespace
 
 std::string printable(std::string_view text) {
-    std::string shown;
-    shown.reserve(text.size());
-    while (!text.empty()) {
-        const Utf8 next = first_code_point(text);
-        const bool good = next.length > 0 && !steers_a_terminal(next.code_point);
-        if (good) {
-            shown += text.substr(0, next.length);
-        } else {
-            shown += '?';
-        }
-        text.remove_prefix(std::max<size_t>(1, next.length));
-    }
-    return shown;
+    return rewrite(text, [](const Utf8& next, std::string_view bytes) {
+        return next.length > 0 && !steers_a_terminal(next.code_point) ? bytes : "?";
+    });
 }
 
 std::vector<TextPiece> text_pieces(const Diagnostic& d) {

@@ -2,8 +2,10 @@
 // UTF-8.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace weft {
@@ -18,5 +20,20 @@ struct Utf8 {
 // Decodes the UTF-8 sequence at the start of `text`, which must not be empty. Overlong sequences and
 // surrogates are invalid.
 [[nodiscard]] Utf8 first_code_point(std::string_view text);
+
+// Joins the texts that write(code point, its bytes) returns for all code points of `text`. For each byte that
+// is not valid UTF-8, Utf8::length is 0.
+template <class Write>
+[[nodiscard]] std::string rewrite(std::string_view text, const Write& write) {
+    std::string out;
+    out.reserve(text.size());
+    while (!text.empty()) {
+        const Utf8 next = first_code_point(text);
+        const size_t length = std::max<size_t>(1, next.length);
+        out += write(next, text.substr(0, length));
+        text.remove_prefix(length);
+    }
+    return out;
+}
 
 }  // namespace weft

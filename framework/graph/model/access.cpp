@@ -1,8 +1,10 @@
 #include "weft/access.h"
 
 #include <array>
-#include <cassert>
+#include <initializer_list>
 #include <string_view>
+
+#include "graph/model/access_table.h"
 
 namespace weft {
 namespace {
@@ -15,59 +17,31 @@ StageMask shader_stage_mask(ShaderStageMask stages) {
     return mask;
 }
 
-constexpr StageMask kDepthStages = stage::kEarlyFragmentTests | stage::kLateFragmentTests;
-constexpr AccessMask kDepthAccess = access::kDepthStencilRead | access::kDepthStencilWrite;
-
 // Returns the pipeline stages, accesses and layout for an access to an image. For buffers, access_state()
 // sets the layout to undefined afterwards.
 AccessState image_state(Access a, StageMask shaders, bool is_depth) {
-    const Layout sampled = is_depth ? Layout::depth_read_only : Layout::shader_read_only;
-    switch (a) {
-        case Access::none:
-            return {};
-        case Access::indirect_read:
-            return {stage::kDrawIndirect, access::kIndirectRead, Layout::undefined};
-        case Access::index_read:
-            return {stage::kVertexInput, access::kIndexRead, Layout::undefined};
-        case Access::vertex_read:
-            return {stage::kVertexInput, access::kVertexRead, Layout::undefined};
-        case Access::uniform_read:
-            return {shaders, access::kUniformRead, Layout::undefined};
-        case Access::sampled_read:
-            return {shaders, access::kSampledRead, sampled};
-        case Access::storage_read:
-            return {shaders, access::kStorageRead, Layout::general};
-        case Access::storage_write:
-            return {shaders, access::kStorageWrite, Layout::general};
-        case Access::storage_read_write:
-            return {shaders, access::kStorageRead | access::kStorageWrite, Layout::general};
-        case Access::color_write:
-            return {stage::kColorOutput, access::kColorWrite, Layout::color_attachment};
-        case Access::color_read_write:
-            return {stage::kColorOutput, access::kColorRead | access::kColorWrite, Layout::color_attachment};
-        case Access::depth_write:
-        case Access::depth_read_write:
-            return {kDepthStages, kDepthAccess, Layout::depth_attachment};
-        case Access::depth_read:
-            return {kDepthStages, access::kDepthStencilRead, Layout::depth_read_only};
-        case Access::copy_read:
-            return {stage::kCopy, access::kTransferRead, Layout::transfer_src};
-        case Access::copy_write:
-            return {stage::kCopy, access::kTransferWrite, Layout::transfer_dst};
-        case Access::blit_read:
-            return {stage::kBlit, access::kTransferRead, Layout::transfer_src};
-        case Access::blit_write:
-            return {stage::kBlit, access::kTransferWrite, Layout::transfer_dst};
-        case Access::clear_write:
-            return {stage::kClear, access::kTransferWrite, Layout::transfer_dst};
-        case Access::host_read:
-            return {stage::kHost, access::kHostRead, Layout::general};
-        case Access::present:
-            return {stage::kNone, access::kNone, Layout::present};
-    }
-    assert(false);
-    return {};
+    const AccessRow& row = access_row(a);
+    const bool in_shaders = row.stages == stage::kNone && row.mask != access::kNone;
+    const bool samples_depth = a == Access::sampled_read && is_depth;
+    return {in_shaders ? shaders : row.stages, row.mask,
+            samples_depth ? Layout::depth_read_only : row.layout};
 }
+
+// A set of accesses.
+struct AccessSet {
+    uint32_t bits = 0;
+
+    constexpr AccessSet(std::initializer_list<Access> members) {
+        for (const Access a : members) bits |= 1u << static_cast<uint32_t>(a);
+    }
+    [[nodiscard]] constexpr bool contains(Access a) const {
+        return (bits >> static_cast<uint32_t>(a) & 1) != 0;
+    }
+};
+constexpr AccessSet kOnlyWrites{Access::storage_write, Access::color_write, Access::depth_write,
+                                Access::copy_write,    Access::blit_write,  Access::clear_write};
+constexpr AccessSet kReadWrites{Access::storage_read_write, Access::color_read_write,
+                                Access::depth_read_write};
 
 constexpr std::array<std::string_view, stage::kCount> kStageNames{"draw_indirect",
                                                                   "vertex_input",
@@ -115,35 +89,11 @@ AccessState access_state(Access a, ShaderStageMask shader_stages, AspectMask asp
 }
 
 bool reads(Access a) {
-    switch (a) {
-        case Access::none:
-        case Access::storage_write:
-        case Access::color_write:
-        case Access::depth_write:
-        case Access::copy_write:
-        case Access::blit_write:
-        case Access::clear_write:
-            return false;
-        default:
-            return true;
-    }
+    return a != Access::none && !kOnlyWrites.contains(a);
 }
 
 bool writes(Access a) {
-    switch (a) {
-        case Access::storage_write:
-        case Access::storage_read_write:
-        case Access::color_write:
-        case Access::color_read_write:
-        case Access::depth_write:
-        case Access::depth_read_write:
-        case Access::copy_write:
-        case Access::blit_write:
-        case Access::clear_write:
-            return true;
-        default:
-            return false;
-    }
+    return kOnlyWrites.contains(a) || kReadWrites.contains(a);
 }
 
 std::string stages_text(StageMask mask) {

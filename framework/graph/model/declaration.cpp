@@ -1,8 +1,11 @@
 #include "weft/declaration.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
+#include "graph/diagnostics/name_of_value.h"
+#include "graph/model/access_table.h"
 #include "weft/imports.h"
 #include "weft/pass.h"
 
@@ -76,38 +79,7 @@ std::string range_text(const ResourceDecl& resource, const SubresourceRange& ran
 }
 
 UsageMask usage_of(Access a) {
-    switch (a) {
-        case Access::sampled_read:
-            return usage::kSampled;
-        case Access::storage_read:
-        case Access::storage_write:
-        case Access::storage_read_write:
-            return usage::kStorage;
-        case Access::uniform_read:
-            return usage::kUniform;
-        case Access::color_write:
-        case Access::color_read_write:
-            return usage::kColorAttachment;
-        case Access::depth_write:
-        case Access::depth_read_write:
-        case Access::depth_read:
-            return usage::kDepthAttachment;
-        case Access::copy_read:
-        case Access::blit_read:
-            return usage::kTransferSrc;
-        case Access::copy_write:
-        case Access::blit_write:
-        case Access::clear_write:
-            return usage::kTransferDst;
-        case Access::indirect_read:
-            return usage::kIndirect;
-        case Access::index_read:
-            return usage::kIndex;
-        case Access::vertex_read:
-            return usage::kVertex;
-        default:
-            return 0;
-    }
+    return access_row(a).usage;
 }
 
 SubresourceRange ResourceDecl::whole() const {
@@ -169,24 +141,8 @@ bool runs_in_frame(const PassDecl& pass, uint64_t frame) {
 }
 
 const char* import_kind_name(ImportKind kind) {
-    switch (kind) {
-        case ImportKind::draw_list:
-            return "drawlist";
-        case ImportKind::buffer:
-            return "buffer";
-        case ImportKind::image:
-            return "image";
-        case ImportKind::cube:
-            return "cube";
-        case ImportKind::output:
-            return "output";
-        case ImportKind::views:
-            return "views";
-        case ImportKind::textures:
-            return "textures";
-    }
-    assert(false);
-    return "";
+    return name_of_value(kind,
+                         std::array{"drawlist", "buffer", "image", "cube", "output", "views", "textures"});
 }
 
 AccessState texture_table_state() {

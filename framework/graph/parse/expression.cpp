@@ -270,6 +270,10 @@ Expr number_expression(double number, SourceLoc loc) {
     return {{{ExprOp::number, number, {}, loc}}, std::string(spelling.data(), end), loc};
 }
 
+Expr name_expression(const std::string& name, SourceLoc loc) {
+    return {{{ExprOp::name, 0, name, loc}}, name, loc};
+}
+
 Expr size_expression(const Expr& width, const Expr& height, SourceLoc loc) {
     Expr size{width.postfix, "[" + width.text + ", " + height.text + "]", loc};
     size.postfix.insert(size.postfix.end(), height.postfix.begin(), height.postfix.end());

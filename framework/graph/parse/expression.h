@@ -53,6 +53,7 @@ class ExprNames {
 [[nodiscard]] Result<Expr> parse_expression_at(const LocatedText& text, size_t& position,
                                                const SourceMap& sources);
 [[nodiscard]] Expr number_expression(double number, SourceLoc loc);
+[[nodiscard]] Expr name_expression(const std::string& name, SourceLoc loc);
 // Returns the expression [width, height], whose value is a size of two numbers.
 [[nodiscard]] Expr size_expression(const Expr& width, const Expr& height, SourceLoc loc);
 

@@ -62,8 +62,7 @@ struct LiveSizeDraft {
 };
 
 constexpr std::array kLiveSizeKeys{
-    KeyRule<LiveSizeDraft>{
-        "size", [](ParseContext& c, const JsonNode& n, LiveSizeDraft& d) { read_size(c, n, d.size); }},
+    KeyRule<LiveSizeDraft>{"size", read_member<read_size, &LiveSizeDraft::size>},
     KeyRule<LiveSizeDraft>{"scale", [](ParseContext& c, const JsonNode& n, LiveSizeDraft& d) {
                                d.scale.loc = n.loc;
                                std::string param;

@@ -57,11 +57,8 @@ struct BlendDraft {
 };
 
 void read_equation(ParseContext& context, const JsonNode& node, std::optional<Equation>& out) {
-    if (!expect(context, node, JsonKind::array)) return;
-    if (node.items.size() != 3)
-        return context.error(node.loc, "W109",
-                             "found " + std::to_string(node.items.size()) + " values, wanted three",
-                             "write [source factor, operation, destination factor]");
+    if (!expect_items(context, node, 3, "three", "write [source factor, operation, destination factor]"))
+        return;
     Equation equation;
     read_choice(context, node.items[0], kFactors, equation.src);
     read_choice(context, node.items[1], kOps, equation.op);
@@ -70,10 +67,8 @@ void read_equation(ParseContext& context, const JsonNode& node, std::optional<Eq
 }
 
 constexpr std::array kBlendKeys{
-    KeyRule<BlendDraft>{
-        "color", [](ParseContext& c, const JsonNode& n, BlendDraft& d) { read_equation(c, n, d.color); }},
-    KeyRule<BlendDraft>{
-        "alpha", [](ParseContext& c, const JsonNode& n, BlendDraft& d) { read_equation(c, n, d.alpha); }},
+    KeyRule<BlendDraft>{"color", read_member<read_equation, &BlendDraft::color>},
+    KeyRule<BlendDraft>{"alpha", read_member<read_equation, &BlendDraft::alpha>},
 };
 
 // Returns true if an object is one blend for all outputs, such as {"color": ["one", "add", "one"]}: it has an

@@ -196,15 +196,19 @@ bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int6
     return true;
 }
 
-bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out) {
+bool expect_items(ParseContext& context, const JsonNode& node, size_t count, const std::string& wanted,
+                  std::string help) {
     if (!expect(context, node, JsonKind::array)) return false;
-    if (node.items.size() != out.size()) {
-        context.error(
-            node.loc, "W109",
-            "found " + std::to_string(node.items.size()) + " values, wanted " + std::to_string(out.size()),
-            "write " + std::to_string(out.size()) + " numbers");
-        return false;
-    }
+    if (node.items.size() == count) return true;
+    context.error(node.loc, "W109",
+                  "found " + std::to_string(node.items.size()) + " values, wanted " + wanted,
+                  std::move(help));
+    return false;
+}
+
+bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out) {
+    const std::string count = std::to_string(out.size());
+    if (!expect_items(context, node, out.size(), count, "write " + count + " numbers")) return false;
     bool good = true;
     for (size_t i = 0; i < out.size(); ++i) {
         const PointerScope scope(context, std::to_string(i));
@@ -253,10 +257,7 @@ void read_color(ParseContext& context, const JsonNode& node, std::optional<Color
         return;
     }
     if (node.kind != JsonKind::array) return wrong_type(context, node, "a number or four numbers");
-    if (node.items.size() != color.channels.size())
-        return context.error(node.loc, "W109",
-                             "found " + std::to_string(node.items.size()) + " values, wanted 4",
-                             "write 4 numbers");
+    if (!expect_items(context, node, color.channels.size(), "4", "write 4 numbers")) return;
     bool good = true;
     for (size_t i = 0; i < color.channels.size(); ++i) {
         const PointerScope scope(context, std::to_string(i));
@@ -267,11 +268,7 @@ void read_color(ParseContext& context, const JsonNode& node, std::optional<Color
 
 bool read_size(ParseContext& context, const JsonNode& node, Expr& out) {
     if (node.kind != JsonKind::array) return read_expression(context, node, out);
-    if (node.items.size() != 2) {
-        context.error(node.loc, "W109", "found " + std::to_string(node.items.size()) + " values, wanted two",
-                      "write a size as [width, height]");
-        return false;
-    }
+    if (!expect_items(context, node, 2, "two", "write a size as [width, height]")) return false;
     Expr width, height;
     const bool has_width = read_expression(context, node.items[0], width);
     if (!read_expression(context, node.items[1], height) || !has_width) return false;

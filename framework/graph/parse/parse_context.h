@@ -138,6 +138,10 @@ bool read_bool(ParseContext& context, const JsonNode& node, bool& out);
 bool read_number(ParseContext& context, const JsonNode& node, double& out);
 bool read_float(ParseContext& context, const JsonNode& node, float& out);
 bool read_integer(ParseContext& context, const JsonNode& node, int64_t min, int64_t max, int64_t& out);
+// Checks that a value is an array with `count` items. `wanted` is the count in the message; `help` tells what
+// to write.
+bool expect_items(ParseContext& context, const JsonNode& node, size_t count, const std::string& wanted,
+                  std::string help);
 // Reads an array of exactly out.size() numbers.
 bool read_numbers(ParseContext& context, const JsonNode& node, std::span<double> out);
 // Reads an expression: a number, or a string that contains an expression.
@@ -229,15 +233,21 @@ void list_choices(std::vector<GrammarTable>& lists, std::string place,
     lists.push_back({std::move(place), false, choice_names(std::span<const Choice<E>>(choices))});
 }
 
-// Reads an object that maps names to values: checks each name, then calls read(member).
-template <class F>
-void read_named(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
+// Reads an object that maps names to values: calls read(member) if check(context, what, name, place) is true.
+template <class Check, class F>
+void read_members(ParseContext& context, const JsonNode& node, std::string_view what, Check check, F read) {
     if (!expect(context, node, JsonKind::object)) return;
     for (const JsonMember& member : node.members) {
         if (context.is_full()) break;
         const PointerScope scope(context, member.key);
-        if (check_identifier(context, what, member.key, member.key_loc)) read(member);
+        if (check(context, what, member.key, member.key_loc)) read(member);
     }
+}
+
+// Reads an object that maps identifiers to values.
+template <class F>
+void read_named(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
+    read_members(context, node, what, check_identifier, read);
 }
 
 // Checks the name of a part of the graph. It may begin with the name of a module: "glass::cull".
@@ -246,12 +256,19 @@ bool check_part_name(ParseContext& context, std::string_view what, const std::st
 // Reads a section of the graph: like read_named(), but the names are names of parts.
 template <class F>
 void read_parts(ParseContext& context, const JsonNode& node, std::string_view what, F read) {
-    if (!expect(context, node, JsonKind::object)) return;
-    for (const JsonMember& member : node.members) {
-        if (context.is_full()) break;
-        const PointerScope scope(context, member.key);
-        if (check_part_name(context, what, member.key, member.key_loc)) read(member);
-    }
+    read_members(context, node, what, check_part_name, read);
+}
+
+// Readers for rows of a table: read the member `Member` of the object, and store the place of the value in
+// the member `Loc`.
+template <auto Read, auto Member, class T>
+void read_member(ParseContext& context, const JsonNode& node, T& out) {
+    Read(context, node, out.*Member);
+}
+template <auto Read, auto Member, auto Loc, class T>
+void read_located(ParseContext& context, const JsonNode& node, T& out) {
+    out.*Loc = node.loc;
+    Read(context, node, out.*Member);
 }
 
 // Parsers for the sections of a graph and of a pass. Each parses one JSON value and stores the result in

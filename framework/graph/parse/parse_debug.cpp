@@ -26,11 +26,7 @@ void read_view_shader(ParseContext& context, const JsonNode& node, DebugViewDesc
 }
 
 void read_view_range(ParseContext& context, const JsonNode& node, DebugViewDesc& view) {
-    if (!expect(context, node, JsonKind::array)) return;
-    if (node.items.size() != 2)
-        return context.error(node.loc, "W109",
-                             "found " + std::to_string(node.items.size()) + " values, wanted two",
-                             "write [value shown as black, value shown as white]");
+    if (!expect_items(context, node, 2, "two", "write [value shown as black, value shown as white]")) return;
     std::array<Expr, 2> range;
     bool good = true;
     for (size_t i = 0; i < range.size(); ++i) {

@@ -15,10 +15,6 @@ namespace {
 // parse_groups() reads them later.
 void skip_section(ParseContext&, const JsonNode&, GroupDesc&) {}
 
-void read_rounds(ParseContext& context, const JsonNode& node, GroupDesc& group) {
-    read_repeat(context, node, group.repeat);
-}
-
 void read_rounds_per_frame(ParseContext& context, const JsonNode& node, GroupDesc& group) {
     group.per_frame_loc = node.loc;
     // As in the "perFrame" of a pass, false means no limit: all rounds may run in each frame. The number 0
@@ -32,26 +28,15 @@ void read_turns(ParseContext& context, const JsonNode& node, GroupDesc& group) {
     if (read_string(context, node, group.turns)) group.turns = context.import_name(group.turns, node.loc);
 }
 
-void read_warm_up(ParseContext& context, const JsonNode& node, GroupDesc& group) {
-    group.warm_up_loc = node.loc;
-    read_expression(context, node, group.warm_up);
-}
-
-void read_group_rest(ParseContext& context, const JsonNode& node, GroupDesc& group) {
-    group.rest_loc = node.loc;
-    read_bool(context, node, group.rests);
-}
-
-void read_settle(ParseContext& context, const JsonNode& node, GroupDesc& group) {
-    group.settle_loc = node.loc;
-    read_expression(context, node, group.settle);
-}
-
 constexpr std::array kGroupKeys{
-    KeyRule<GroupDesc>{"repeat", read_rounds},     KeyRule<GroupDesc>{"perFrame", read_rounds_per_frame},
-    KeyRule<GroupDesc>{"turns", read_turns},       KeyRule<GroupDesc>{"warmUp", read_warm_up},
-    KeyRule<GroupDesc>{"rest", read_group_rest},   KeyRule<GroupDesc>{"settle", read_settle},
-    KeyRule<GroupDesc>{"resources", skip_section}, KeyRule<GroupDesc>{"passes", skip_section},
+    KeyRule<GroupDesc>{"repeat", read_member<read_repeat, &GroupDesc::repeat>},
+    KeyRule<GroupDesc>{"perFrame", read_rounds_per_frame},
+    KeyRule<GroupDesc>{"turns", read_turns},
+    KeyRule<GroupDesc>{"warmUp", read_located<read_expression, &GroupDesc::warm_up, &GroupDesc::warm_up_loc>},
+    KeyRule<GroupDesc>{"rest", read_located<read_bool, &GroupDesc::rests, &GroupDesc::rest_loc>},
+    KeyRule<GroupDesc>{"settle", read_located<read_expression, &GroupDesc::settle, &GroupDesc::settle_loc>},
+    KeyRule<GroupDesc>{"resources", skip_section},
+    KeyRule<GroupDesc>{"passes", skip_section},
 };
 constexpr std::array<std::string_view, 4> kKeysOfRounds{"perFrame", "turns", "warmUp", "settle"};
 constexpr std::array<std::string_view, 2> kKeysOfGroups{"perFrame", "rest"};

@@ -42,10 +42,8 @@ constexpr std::array kParamKeys{
     KeyRule<ParamDesc>{"range", read_param_range},
     KeyRule<ParamDesc>{"enum", read_allowed},
     KeyRule<ParamDesc>{"step", read_step},
-    KeyRule<ParamDesc>{"unit",
-                       [](ParseContext& c, const JsonNode& n, ParamDesc& p) { read_string(c, n, p.unit); }},
-    KeyRule<ParamDesc>{"ui",
-                       [](ParseContext& c, const JsonNode& n, ParamDesc& p) { read_string(c, n, p.ui); }},
+    KeyRule<ParamDesc>{"unit", read_member<read_string, &ParamDesc::unit>},
+    KeyRule<ParamDesc>{"ui", read_member<read_string, &ParamDesc::ui>},
 };
 
 void check_default(ParseContext& context, const JsonNode& node, const ParamDesc& param) {

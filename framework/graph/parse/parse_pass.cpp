@@ -9,16 +9,18 @@ namespace {
 // A set of pass types, one bit per type. For example, each row of kPassKeys has the set of the pass types
 // that accept the key.
 using TypeMask = uint32_t;
-constexpr TypeMask kCompute = 1;
-constexpr TypeMask kFullscreen = 2;
-constexpr TypeMask kRaster = 4;
-constexpr TypeMask kClear = 8;
-constexpr TypeMask kCopy = 16;
-constexpr TypeMask kReadback = 32;
-// All pass types that a program implements in C++ share this bit, because the parser does not know their
-// names.
-constexpr TypeMask kCustom = 64;
-constexpr TypeMask kBlit = 128;
+enum TypeBit : TypeMask {
+    kCompute = 1 << 0,
+    kFullscreen = 1 << 1,
+    kRaster = 1 << 2,
+    kClear = 1 << 3,
+    kCopy = 1 << 4,
+    kReadback = 1 << 5,
+    // All pass types that a program implements in C++ share this bit, because the parser does not know their
+    // names.
+    kCustom = 1 << 6,
+    kBlit = 1 << 7,
+};
 constexpr TypeMask kTransfer = kCopy | kBlit;
 constexpr TypeMask kAll = 255;
 constexpr TypeMask kDrawing = kFullscreen | kRaster;
@@ -34,17 +36,8 @@ constexpr std::array kQueues{Choice<QueueKind>{"graphics", QueueKind::graphics},
                              Choice<QueueKind>{"async", QueueKind::compute},
                              Choice<QueueKind>{"transfer", QueueKind::transfer}};
 
-void read_type(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_string(context, node, pass.type);
-}
-
 void read_queue(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_choice(context, node, kQueues, pass.queue);
-}
-
-void read_shader(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    pass.shader_loc = node.loc;
-    read_string(context, node, pass.shader);
 }
 
 void read_draws(ParseContext& context, const JsonNode& node, PassDesc& pass) {
@@ -82,32 +75,6 @@ void read_groups(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_counts(context, node, pass.groups);
 }
 
-void read_threads(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_counts(context, node, pass.threads);
-}
-
-void read_pass_clear(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_color(context, node, pass.clear);
-}
-
-void read_covers(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_bool(context, node, pass.covers);
-}
-
-void read_partial(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_bool(context, node, pass.partial);
-}
-
-void read_per_frame(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    pass.per_frame_loc = node.loc;
-    read_switch(context, node, pass.per_frame);
-}
-
-void read_rest(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    pass.rest_loc = node.loc;
-    read_bool(context, node, pass.rests);
-}
-
 // Reads the parameter that turns the pass on and off. With "name", the pass runs while the parameter is not
 // 0. With "!name", the pass runs while the parameter is 0.
 void read_live_switch(ParseContext& context, const JsonNode& node, PassDesc& pass) {
@@ -126,19 +93,10 @@ void read_after(ParseContext& context, const JsonNode& node, PassDesc& pass) {
         pass.after[i] = context.pass_name(pass.after[i], pass.after_locs[i]);
 }
 
-constexpr std::array kCostKeys{KeyRule<PassDesc>{
-    "flops", [](ParseContext& c, const JsonNode& n, PassDesc& p) { read_expression(c, n, p.flops); }}};
+constexpr std::array kCostKeys{KeyRule<PassDesc>{"flops", read_member<read_expression, &PassDesc::flops>}};
 
 void read_cost(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     read_object(context, node, "a cost", kCostKeys, pass);
-}
-
-void read_frustum(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_bool(context, node, pass.frustum);
-}
-
-void read_if(ParseContext& context, const JsonNode& node, PassDesc& pass) {
-    read_switch(context, node, pass.condition);
 }
 
 struct PassKey {
@@ -149,32 +107,34 @@ struct PassKey {
 // The keys of a pass and the pass types that accept them. The keys are read in the order of this table, not
 // of the file. For example, "out" comes before "state", because the state refers to outputs.
 constexpr std::array kPassKeys{
-    PassKey{"type", kAll, read_type},
+    PassKey{"type", kAll, read_member<read_string, &PassDesc::type>},
     PassKey{"queue", kAll, read_queue},
-    PassKey{"shader", kShaded, read_shader},
+    PassKey{"shader", kShaded, read_located<read_string, &PassDesc::shader, &PassDesc::shader_loc>},
     PassKey{"in", kShaded | kTransfer | kReadback | kCustom, parse_inputs},
     PassKey{"out", kAll & ~kReadback, parse_outputs},
     PassKey{"depth", kDrawing, parse_depth},
     PassKey{"resolve", kDrawing, parse_resolves},
     PassKey{"draws", kRaster, read_draws},
     PassKey{"view", kShaded, parse_view},
-    PassKey{"frustum", kRaster, read_frustum},
+    PassKey{"frustum", kRaster, read_member<read_bool, &PassDesc::frustum>},
     PassKey{"params", kShaded | kCustom, parse_pass_params},
     PassKey{"constants", kShaded, parse_constants},
-    PassKey{"if", kAll, read_if},
+    PassKey{"if", kAll, read_member<read_switch, &PassDesc::condition>},
     PassKey{"repeat", kAll, parse_repeat},
     PassKey{"views", kDrawing, parse_pass_views},
     PassKey{"into", kDrawing, parse_into},
     PassKey{"lowering", kDrawing, parse_lowering},
-    PassKey{"perFrame", kAll & ~kReadback, read_per_frame},
-    PassKey{"rest", kShaded | kTransfer | kClear, read_rest},
+    PassKey{"perFrame", kAll & ~kReadback,
+            read_located<read_switch, &PassDesc::per_frame, &PassDesc::per_frame_loc>},
+    PassKey{"rest", kShaded | kTransfer | kClear,
+            read_located<read_bool, &PassDesc::rests, &PassDesc::rest_loc>},
     PassKey{"switch", kAll & ~kReadback, read_live_switch},
     PassKey{"groups", kCompute, read_groups},
-    PassKey{"threads", kCompute, read_threads},
+    PassKey{"threads", kCompute, read_member<read_counts, &PassDesc::threads>},
     PassKey{"state", kDrawing, parse_state},
-    PassKey{"clear", kDrawing | kClear, read_pass_clear},
-    PassKey{"covers", kDrawing, read_covers},
-    PassKey{"partial", kShaded | kTransfer | kCustom, read_partial},
+    PassKey{"clear", kDrawing | kClear, read_member<read_color, &PassDesc::clear>},
+    PassKey{"covers", kDrawing, read_member<read_bool, &PassDesc::covers>},
+    PassKey{"partial", kShaded | kTransfer | kCustom, read_member<read_bool, &PassDesc::partial>},
     PassKey{"after", kAll, read_after},
     PassKey{"cost", kShaded | kCustom, read_cost},
 };

@@ -62,22 +62,13 @@ struct DrawsDraft {
     SourceLoc list_loc;
 };
 constexpr std::array kDrawsKeys{
-    KeyRule<DrawsDraft>{"list",
-                        [](ParseContext& c, const JsonNode& n, DrawsDraft& d) {
-                            d.list_loc = n.loc;
-                            read_string(c, n, d.list);
-                        }},
-    KeyRule<DrawsDraft>{
-        "indirect", [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.commands); }},
-    KeyRule<DrawsDraft>{"count",
-                        [](ParseContext& c, const JsonNode& n, DrawsDraft& d) { read_ref(c, n, d.count); }}};
+    KeyRule<DrawsDraft>{"list", read_located<read_string, &DrawsDraft::list, &DrawsDraft::list_loc>},
+    KeyRule<DrawsDraft>{"indirect", read_member<read_ref, &DrawsDraft::commands>},
+    KeyRule<DrawsDraft>{"count", read_member<read_ref, &DrawsDraft::count>}};
 
 constexpr std::array kVerticesKeys{
-    KeyRule<PassDesc>{"vertices", [](ParseContext& c, const JsonNode& n,
-                                     PassDesc& p) { read_expression(c, n, p.vertices); }},
-    KeyRule<PassDesc>{"instances", [](ParseContext& c, const JsonNode& n, PassDesc& p) {
-                          read_expression(c, n, p.instances);
-                      }}};
+    KeyRule<PassDesc>{"vertices", read_member<read_expression, &PassDesc::vertices>},
+    KeyRule<PassDesc>{"instances", read_member<read_expression, &PassDesc::instances>}};
 
 template <size_t N>
 PortDraft read_port(ParseContext& context, const JsonNode& node, std::string name, SourceLoc loc,

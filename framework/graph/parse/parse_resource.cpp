@@ -128,8 +128,7 @@ void read_textures(ParseContext& context, const JsonNode& node, ResourceDesc& re
 
 constexpr std::array kResourceKeys{
     KeyRule<ResourceDesc>{"format", read_formats},
-    KeyRule<ResourceDesc>{
-        "size", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_size(c, n, r.size); }},
+    KeyRule<ResourceDesc>{"size", read_member<read_size, &ResourceDesc::size>},
     KeyRule<ResourceDesc>{"mips", read_mips},
     KeyRule<ResourceDesc>{"layers", read_layers},
     KeyRule<ResourceDesc>{"depth", read_layers},
@@ -137,16 +136,12 @@ constexpr std::array kResourceKeys{
     KeyRule<ResourceDesc>{"cube", read_cube},
     KeyRule<ResourceDesc>{"samples", read_samples},
     KeyRule<ResourceDesc>{"buffer", read_element},
-    KeyRule<ResourceDesc>{
-        "count", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_expression(c, n, r.count); }},
-    KeyRule<ResourceDesc>{
-        "clear", [](ParseContext& c, const JsonNode& n, ResourceDesc& r) { read_color(c, n, r.clear); }},
-    KeyRule<ResourceDesc>{"preExposed", [](ParseContext& c, const JsonNode& n,
-                                           ResourceDesc& r) { read_bool(c, n, r.pre_exposed); }},
+    KeyRule<ResourceDesc>{"count", read_member<read_expression, &ResourceDesc::count>},
+    KeyRule<ResourceDesc>{"clear", read_member<read_color, &ResourceDesc::clear>},
+    KeyRule<ResourceDesc>{"preExposed", read_member<read_bool, &ResourceDesc::pre_exposed>},
     KeyRule<ResourceDesc>{"history", read_history},
     KeyRule<ResourceDesc>{"keep", read_keep},
-    KeyRule<ResourceDesc>{"firstFrame", [](ParseContext& c, const JsonNode& n,
-                                           ResourceDesc& r) { read_color(c, n, r.first_frame); }},
+    KeyRule<ResourceDesc>{"firstFrame", read_member<read_color, &ResourceDesc::first_frame>},
     KeyRule<ResourceDesc>{"onResize", [](ParseContext& c, const JsonNode& n,
                                          ResourceDesc& r) { read_choice(c, n, kOnResizes, r.on_resize); }},
     KeyRule<ResourceDesc>{"file", read_file_name},

@@ -175,11 +175,7 @@ void read_stencil(ParseContext& context, const JsonNode& node, PassDesc& pass) {
 
 template <std::optional<RectPx> RasterState::*Rect>
 void read_rect(ParseContext& context, const JsonNode& node, const NumberRule& place, PassDesc& pass) {
-    if (!expect(context, node, JsonKind::array)) return;
-    if (node.items.size() != 4)
-        return context.error(node.loc, "W109",
-                             "found " + std::to_string(node.items.size()) + " values, wanted 4",
-                             "write [x, y, width, height]");
+    if (!expect_items(context, node, 4, "4", "write [x, y, width, height]")) return;
     pass.state.*Rect = RectPx{};
     constexpr std::array<StateSetter, 4> kSet{
         [](RasterState& s, double v) { (s.*Rect)->x = static_cast<int32_t>(v); },

@@ -121,11 +121,7 @@ void read_positive_count(ParseContext& context, const JsonNode& node, uint32_t& 
 }
 
 void read_test_size(ParseContext& context, const JsonNode& node, TestDraft& draft) {
-    if (!expect(context, node, JsonKind::array)) return;
-    if (node.items.size() != 2)
-        return context.error(node.loc, "W109",
-                             "found " + std::to_string(node.items.size()) + " values, wanted two",
-                             "write a size as [width, height]");
+    if (!expect_items(context, node, 2, "two", "write a size as [width, height]")) return;
     std::array<int64_t, 2> size{};
     for (size_t i = 0; i < size.size(); ++i)
         if (!read_integer(context, node.items[i], 1, kMostSide_px, size[i])) return;

@@ -33,12 +33,7 @@ void read_view_buffer(ParseContext& context, const JsonNode& node, ViewListDesc&
 template <size_t N>
 void read_expressions(ParseContext& context, const JsonNode& node, const char* form,
                       std::optional<std::array<Expr, N>>& out) {
-    if (!expect(context, node, JsonKind::array)) return;
-    if (node.items.size() != N)
-        return context.error(
-            node.loc, "W109",
-            "found " + std::to_string(node.items.size()) + " values, wanted " + std::to_string(N),
-            std::string("write ") + form);
+    if (!expect_items(context, node, N, std::to_string(N), std::string("write ") + form)) return;
     out.emplace();
     for (size_t i = 0; i < N; ++i) {
         const PointerScope scope(context, std::to_string(i));
@@ -51,9 +46,7 @@ constexpr std::array kCubeKeys{
                           [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
                               read_expressions(c, n, "[x, y, z], the centre of the cube in metres", list.at);
                           }},
-    KeyRule<ViewListDesc>{"near", [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
-                              read_expression(c, n, list.near_m);
-                          }}};
+    KeyRule<ViewListDesc>{"near", read_member<read_expression, &ViewListDesc::near_m>}};
 
 void read_view_cube(ParseContext& context, const JsonNode& node, ViewListDesc& list) {
     if (!read_object(context, node, "a cube of views", kCubeKeys, list)) return;
@@ -63,10 +56,8 @@ void read_view_cube(ParseContext& context, const JsonNode& node, ViewListDesc& l
 
 constexpr std::array kViewListKeys{
     KeyRule<ViewListDesc>{"of", read_of},
-    KeyRule<ViewListDesc>{"first", [](ParseContext& c, const JsonNode& n,
-                                      ViewListDesc& list) { read_expression(c, n, list.first); }},
-    KeyRule<ViewListDesc>{"count", [](ParseContext& c, const JsonNode& n,
-                                      ViewListDesc& list) { read_expression(c, n, list.count); }},
+    KeyRule<ViewListDesc>{"first", read_member<read_expression, &ViewListDesc::first>},
+    KeyRule<ViewListDesc>{"count", read_member<read_expression, &ViewListDesc::count>},
     KeyRule<ViewListDesc>{"plane",
                           [](ParseContext& c, const JsonNode& n, ViewListDesc& list) {
                               read_expressions(c, n, "[a, b, c, d] for the plane a x + b y + c z + d = 0",
@@ -116,12 +107,12 @@ constexpr std::array kLowerings{Choice<LoweringDesc>{"multiview", LoweringDesc::
                                 Choice<LoweringDesc>{"layerOutput", LoweringDesc::layer_output},
                                 Choice<LoweringDesc>{"passes", LoweringDesc::passes}};
 
-Expr name_expression(const std::string& name, SourceLoc loc) {
-    Expr expression;
-    expression.postfix.push_back({ExprOp::name, 0, name, loc});
-    expression.text = name;
-    expression.loc = loc;
-    return expression;
+// Checks that the pass draws several views, so that `key` has a meaning.
+bool expect_views(ParseContext& context, const JsonNode& node, const PassDesc& pass, const std::string& key) {
+    if (pass.view_target != ViewTarget::one) return true;
+    context.error(node.loc, "W109", "the pass draws only one view, but has \"" + key + "\"",
+                  "remove \"" + key + "\", or draw all views of a list with \"views\"");
+    return false;
 }
 
 }  // namespace
@@ -191,20 +182,15 @@ void parse_pass_views(ParseContext& context, const JsonNode& node, PassDesc& pas
 
 void parse_into(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     ViewTarget target = ViewTarget::one;
-    if (!read_choice(context, node, kTargets, target)) return;
-    if (pass.view_target == ViewTarget::one)
-        return context.error(node.loc, "W109", "the pass draws only one view, but has \"into\"",
-                             "remove \"into\", or draw all views of a list with \"views\"");
+    if (!read_choice(context, node, kTargets, target) || !expect_views(context, node, pass, "into")) return;
     pass.view_target = target;
     if (target == ViewTarget::rects) pass.partial = true;
 }
 
 void parse_lowering(ParseContext& context, const JsonNode& node, PassDesc& pass) {
     LoweringDesc lowering = LoweringDesc::automatic;
-    if (!read_choice(context, node, kLowerings, lowering)) return;
-    if (pass.view_target == ViewTarget::one)
-        return context.error(node.loc, "W109", "the pass draws only one view, but has \"lowering\"",
-                             "remove \"lowering\", or draw all views of a list with \"views\"");
+    if (!read_choice(context, node, kLowerings, lowering) || !expect_views(context, node, pass, "lowering"))
+        return;
     pass.lowering = lowering;
     pass.lowering_loc = node.loc;
 }

@@ -204,16 +204,14 @@ class BarrierAnswer {
 
 Result<std::string> explain_barrier(const FramePlan& plan, const std::string& first,
                                     const std::string& second) {
-    Result<PassId> a = named_pass(plan, first), b = named_pass(plan, second);
-    Diagnostics errors;
-    for (Result<PassId>* pass : {&a, &b})
-        if (!*pass) errors.insert(errors.end(), pass->errors().begin(), pass->errors().end());
-    if (!errors.empty()) return errors;
-    for (const PassId pass : {*a, *b})
+    Result<std::pair<PassId, PassId>> found = both(named_pass(plan, first), named_pass(plan, second));
+    if (!found) return found.take_errors();
+    const auto [a, b] = *found;
+    for (const PassId pass : {a, b})
         if (!plan.live.live_passes[pass])
             return "There is no barrier: " + describe_pass(plan, pass) +
                    " is culled: " + plan.live.details[pass] + ".\n";
-    return BarrierAnswer(plan, *a, *b).text();
+    return BarrierAnswer(plan, a, b).text();
 }
 
 }  // namespace weft

@@ -112,16 +112,14 @@ std::string describe_culled_pass(const FramePlan& plan, PassId pass) {
     return text;
 }
 
+std::string describe_live_or_culled(const FramePlan& plan, PassId pass) {
+    return plan.live.live_passes[pass] ? describe_live_pass(plan, pass) : describe_culled_pass(plan, pass);
+}
+
 }  // namespace
 
 Result<std::string> explain_culled(const FramePlan& plan, const std::string& name) {
-    Result<std::vector<PassId>> passes = named_passes(plan, name);
-    if (!passes) return passes.take_errors();
-    std::string text;
-    for (const PassId pass : *passes)
-        text +=
-            plan.live.live_passes[pass] ? describe_live_pass(plan, pass) : describe_culled_pass(plan, pass);
-    return text;
+    return describe_passes(plan, name, describe_live_or_culled);
 }
 
 }  // namespace weft

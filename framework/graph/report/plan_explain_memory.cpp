@@ -143,24 +143,23 @@ std::string describe_users(const FramePlan& plan, ResourceId id) {
 
 Result<std::string> explain_alias(const FramePlan& plan, const std::string& first,
                                   const std::string& second) {
-    Result<ResourceId> a = named_resource(plan, first), b = named_resource(plan, second);
-    Diagnostics errors;
-    for (Result<ResourceId>* resource : {&a, &b})
-        if (!*resource) errors.insert(errors.end(), resource->errors().begin(), resource->errors().end());
-    if (!errors.empty()) return errors;
-    if (const std::string alone = describe_unshared(plan, *a) + (*a == *b ? "" : describe_unshared(plan, *b));
+    Result<std::pair<ResourceId, ResourceId>> found =
+        both(named_resource(plan, first), named_resource(plan, second));
+    if (!found) return found.take_errors();
+    const auto [a, b] = *found;
+    if (const std::string alone = describe_unshared(plan, a) + (a == b ? "" : describe_unshared(plan, b));
         !alone.empty())
         return "They share no memory.\n  " + alone;
-    const Placement &p = *placement_of(plan, *a), &q = *placement_of(plan, *b);
-    const std::string where = "  " + describe_resource(plan, *a) + " has " + describe_bytes(p) +
-                              " and is alive " + describe_lifetime(plan, *a) + ".\n  " +
-                              describe_resource(plan, *b) + " has " + describe_bytes(q) + " and is alive " +
-                              describe_lifetime(plan, *b) + ".\n";
-    if (*a == *b) return "Both names mean the same resource.\n" + where;
+    const Placement &p = *placement_of(plan, a), &q = *placement_of(plan, b);
+    const std::string where = "  " + describe_resource(plan, a) + " has " + describe_bytes(p) +
+                              " and is alive " + describe_lifetime(plan, a) + ".\n  " +
+                              describe_resource(plan, b) + " has " + describe_bytes(q) + " and is alive " +
+                              describe_lifetime(plan, b) + ".\n";
+    if (a == b) return "Both names mean the same resource.\n" + where;
     if (overlap_in_memory(p, q))
-        return "They share memory.\n" + where + describe_alias_transitions(plan, *a, *b);
+        return "They share memory.\n" + where + describe_alias_transitions(plan, a, b);
     return "They share no memory.\n" + where +
-           (p.heap != q.heap ? describe_heap(plan, p, q) : describe_overlap(plan, *a, *b));
+           (p.heap != q.heap ? describe_heap(plan, p, q) : describe_overlap(plan, a, b));
 }
 
 Result<std::string> explain_resource(const FramePlan& plan, const std::string& name) {

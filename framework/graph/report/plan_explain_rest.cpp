@@ -122,11 +122,7 @@ std::string describe_rest(const FramePlan& plan, PassId id) {
 }  // namespace
 
 Result<std::string> explain_rest(const FramePlan& plan, const std::string& name) {
-    Result<std::vector<PassId>> passes = named_passes(plan, name);
-    if (!passes) return passes.take_errors();
-    std::string text;
-    for (const PassId pass : *passes) text += describe_rest(plan, pass);
-    return text;
+    return describe_passes(plan, name, describe_rest);
 }
 
 }  // namespace weft

@@ -49,11 +49,7 @@ std::string describe_switch(const FramePlan& plan, PassId id) {
 }  // namespace
 
 Result<std::string> explain_switch(const FramePlan& plan, const std::string& name) {
-    Result<std::vector<PassId>> passes = named_passes(plan, name);
-    if (!passes) return passes.take_errors();
-    std::string text;
-    for (const PassId pass : *passes) text += describe_switch(plan, pass);
-    return text;
+    return describe_passes(plan, name, describe_switch);
 }
 
 }  // namespace weft

@@ -83,11 +83,7 @@ std::string describe_waits(const FramePlan& plan, PassId pass) {
 }  // namespace
 
 Result<std::string> explain_wait(const FramePlan& plan, const std::string& name) {
-    Result<std::vector<PassId>> passes = named_passes(plan, name);
-    if (!passes) return passes.take_errors();
-    std::string text;
-    for (const PassId pass : *passes) text += describe_waits(plan, pass);
-    return text;
+    return describe_passes(plan, name, describe_waits);
 }
 
 }  // namespace weft

@@ -51,6 +51,15 @@ Result<Index> find_named(const FramePlan& plan, const std::vector<T>& items, Ind
     return d;
 }
 
+// Returns `one` if it is an id, or the ids of all iterations with this name, or the error of `one`.
+template <class Index, class T>
+Result<std::vector<Index>> one_or_rounds(Result<Index> one, const std::vector<T>& items,
+                                         const std::string& name) {
+    if (one) return std::vector<Index>{*one};
+    if (std::vector<Index> rounds = rounds_of<Index>(items, name); !rounds.empty()) return rounds;
+    return one.take_errors();
+}
+
 }  // namespace
 
 std::string describe_pass(const FramePlan& plan, PassId pass) {
@@ -95,19 +104,20 @@ Result<ResourceId> named_resource(const FramePlan& plan, const std::string& name
 }
 
 Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name) {
-    Result<PassId> one = named_pass(plan, name);
-    if (one) return std::vector<PassId>{*one};
-    if (std::vector<PassId> rounds = rounds_of<PassId>(plan.graph.passes, name); !rounds.empty())
-        return rounds;
-    return one.take_errors();
+    return one_or_rounds(named_pass(plan, name), plan.graph.passes, name);
 }
 
 Result<std::vector<ResourceId>> named_resources(const FramePlan& plan, const std::string& name) {
-    Result<ResourceId> one = named_resource(plan, name);
-    if (one) return std::vector<ResourceId>{*one};
-    if (std::vector<ResourceId> rounds = rounds_of<ResourceId>(plan.graph.resources, name); !rounds.empty())
-        return rounds;
-    return one.take_errors();
+    return one_or_rounds(named_resource(plan, name), plan.graph.resources, name);
+}
+
+Result<std::string> describe_passes(const FramePlan& plan, const std::string& name,
+                                    std::string (*describe)(const FramePlan&, PassId)) {
+    Result<std::vector<PassId>> passes = named_passes(plan, name);
+    if (!passes) return passes.take_errors();
+    std::string text;
+    for (const PassId pass : *passes) text += describe(plan, pass);
+    return text;
 }
 
 }  // namespace weft

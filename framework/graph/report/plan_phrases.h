@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "weft/plan.h"
@@ -34,5 +35,17 @@ namespace weft {
 // gives "down#1", "down#2" and so on.
 [[nodiscard]] Result<std::vector<PassId>> named_passes(const FramePlan& plan, const std::string& name);
 [[nodiscard]] Result<std::vector<ResourceId>> named_resources(const FramePlan& plan, const std::string& name);
+// Returns the texts of `describe` for all passes that named_passes() finds, one after the other.
+[[nodiscard]] Result<std::string> describe_passes(const FramePlan& plan, const std::string& name,
+                                                  std::string (*describe)(const FramePlan&, PassId));
+
+// Returns the ids of two names, or the errors of both.
+template <class Id>
+[[nodiscard]] Result<std::pair<Id, Id>> both(const Result<Id>& first, const Result<Id>& second) {
+    if (first && second) return std::pair{*first, *second};
+    Diagnostics errors = first.errors();
+    errors.insert(errors.end(), second.errors().begin(), second.errors().end());
+    return errors;
+}
 
 }  // namespace weft

@@ -132,17 +132,16 @@ void take_over(const SyncTable& sync, std::span<const AliasTransition> owners, Q
 }
 
 BarrierDecl barrier_of(ResourceId resource, const TrackedBarrier& tracked) {
-    BarrierDecl barrier;
-    barrier.resource = resource;
-    barrier.range = tracked.range;
-    barrier.src = tracked.src;
-    barrier.dst = tracked.dst;
-    barrier.src_family = tracked.src_family;
-    barrier.dst_family = tracked.dst_family;
-    barrier.reason = tracked.reason;
-    barrier.from = tracked.from;
-    barrier.from_previous_frame = tracked.from_previous_frame;
-    return barrier;
+    return {.resource = resource,
+            .range = tracked.range,
+            .src = tracked.src,
+            .dst = tracked.dst,
+            .src_family = tracked.src_family,
+            .dst_family = tracked.dst_family,
+            .reason = tracked.reason,
+            .from = tracked.from,
+            .from_previous_frame = tracked.from_previous_frame,
+            .aliased_from = {}};
 }
 
 // Returns a plan with one step for each pass. The lists of barriers in the steps are empty, but have enough

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "graph/diagnostics/name_of_value.h"
 #include "graph/syntax/reference_name.h"
 
 namespace weft {
@@ -36,17 +37,8 @@ void note_port(const JsonDoc& merged, const JsonNode& port, PortKinds& kinds) {
 
 // Returns the words for a kind in messages.
 std::string kind_text(NameKind kind) {
-    switch (kind) {
-        case NameKind::value:
-            return "a parameter, a constant or a size";
-        case NameKind::resource:
-            return "a resource or an import";
-        case NameKind::view:
-            return "a list of views";
-        case NameKind::pass:
-            break;
-    }
-    return "a pass";
+    return name_of_value(kind, std::array{"a parameter, a constant or a size", "a resource or an import",
+                                          "a list of views", "a pass"});
 }
 
 }  // namespace

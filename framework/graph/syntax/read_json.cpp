@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <numeric>
 
+#include "graph/diagnostics/name_of_value.h"
 #include "graph/diagnostics/quantity_text.h"
 #include "graph/syntax/json_scan.h"
 #include "weft/syntax/json_doc.h"
@@ -262,21 +264,7 @@ const JsonNode* JsonNode::find(std::string_view key) const {
 }
 
 const char* json_kind_name(JsonKind kind) {
-    switch (kind) {
-        case JsonKind::null:
-            return "null";
-        case JsonKind::boolean:
-            return "true or false";
-        case JsonKind::number:
-            return "number";
-        case JsonKind::string:
-            return "string";
-        case JsonKind::array:
-            return "array";
-        case JsonKind::object:
-            return "object";
-    }
-    return "";
+    return name_of_value(kind, std::array{"null", "true or false", "number", "string", "array", "object"});
 }
 
 Result<JsonNode> read_json_file(SourceMap& sources, const std::string& path, std::string text,

@@ -140,21 +140,12 @@ Result<FileObject*> FileStore::find_or_make(const ResolvedGraph& graph, const Re
 }
 
 Result<FileObject*> FileStore::make(const ResourceDecl& decl, ResourceContent content) {
-    FileObject object;
+    Result<DeviceObject> made = create_object(device_, decl, vk::buffer_usage_to_vk(decl.usage));
+    if (!made) return made.take_errors();
+    FileObject object{std::move(*made)};
     object.decl = decl;
     object.hash = content.hash;
     object.content = std::move(content);
-    if (decl.kind == ResourceKind::buffer) {
-        Result<vk::Buffer> buffer =
-            vk::Buffer::create(device_, decl.size_bytes, vk::buffer_usage_to_vk(decl.usage),
-                               vk::Buffer::Memory::device, decl.name);
-        if (!buffer) return buffer.take_errors();
-        object.buffer = std::move(*buffer);
-    } else {
-        Result<vk::Image> image = vk::Image::create(device_, decl);
-        if (!image) return image.take_errors();
-        object.image = std::move(*image);
-    }
     const std::lock_guard lock(mutex_);
     objects_.push_back(std::move(object));
     objects_.back().uses = 1;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "load/file_stamps.h"
+#include "render/files/device_object.h"
 #include "weft/load/resource_content.h"
 #include "weft/vulkan/executor.h"
 #include "weft/vulkan/memory.h"
@@ -21,11 +22,9 @@ namespace weft::render {
 class FileStore;
 
 // A buffer or an image of the store.
-struct FileObject {
+struct FileObject : DeviceObject {
     ResourceDecl decl;
     uint64_t hash = 0;
-    vk::Image image;
-    vk::Buffer buffer;
     ResourceContent content;  // Empty after the upload.
     bool uploaded = false;
     uint32_t uses = 0;  // Number of FileUses.

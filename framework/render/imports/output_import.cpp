@@ -1,4 +1,5 @@
 #include "render/imports/output_import.h"
+#include "graph/diagnostics/make_error.h"
 
 #include <algorithm>
 #include <array>
@@ -64,15 +65,12 @@ constexpr std::array kFinalLayouts{FinalLayout{Layout::transfer_src, usage::kTra
 Status check_final_layout(const OutputFormat& output, UsageMask supported) {
     const auto row = std::ranges::find(kFinalLayouts, output.final_layout, &FinalLayout::layout);
     if (row != kFinalLayouts.end() && (row->usage & ~supported) == 0) return Unit{};
-    Diagnostic d;
-    d.code = "V424";
-    d.message = "the output cannot have the final layout " + layout_text(output.final_layout);
-    d.help = {
-        row != kFinalLayouts.end()
-            ? "create the image with the usage that this layout needs, and state it in OutputFormat::usage"
-            : "use one of the layouts transfer_src, shader_read_only, color_attachment and present, and a "
-              "barrier of your own for all others"};
-    return d;
+    return make_error(
+        "V424", "the output cannot have the final layout " + layout_text(output.final_layout),
+        {row != kFinalLayouts.end()
+             ? "create the image with the usage that this layout needs, and state it in OutputFormat::usage"
+             : "use one of the layouts transfer_src, shader_read_only, color_attachment and present, and a "
+               "barrier of your own for all others"});
 }
 
 }  // namespace
@@ -84,14 +82,12 @@ Status check_output(const OutputFormat& output, const DeviceProfile& profile) {
     const UsageMask supported = supported_usage(output, profile);
     if (color && (supported & (usage::kColorAttachment | usage::kStorage | usage::kTransferDst)) != 0)
         return check_final_layout(output, supported);
-    Diagnostic d;
-    d.code = "V424";
-    d.message = "no pass can write an output of the format \"" + std::string(info.name) + "\"" +
-                (output.usage != 0 ? " with the given usage" : "") + " on this device";
-    d.help = {
-        "use a colour format such as rgba8, rgba8_srgb, bgra8, bgra8_srgb, rgb10a2 or rgba16f, and create "
-        "the image with the usage VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT"};
-    return d;
+    return make_error(
+        "V424",
+        "no pass can write an output of the format \"" + std::string(info.name) + "\"" +
+            (output.usage != 0 ? " with the given usage" : "") + " on this device",
+        {"use a colour format such as rgba8, rgba8_srgb, bgra8, bgra8_srgb, rgb10a2 or rgba16f, and create "
+         "the image with the usage VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT"});
 }
 
 void set_output(ImportCatalog& catalog, const GraphRequest& request, const DeviceProfile& profile) {

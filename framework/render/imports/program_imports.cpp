@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/diagnostics/make_error.h"
 #include "render/imports/vertex_format_faults.h"
 #include "weft/render/import_catalog.h"
 
@@ -11,19 +12,11 @@ namespace {
 // Sets 2 (material) and 3 (draw) belong to the draws. Sets 0 and 1 belong to Weft.
 constexpr uint32_t kFirstDrawSet = 2, kLastDrawSet = 3;
 
-Diagnostic fault(const char* code, const std::string& message, const std::string& help) {
-    Diagnostic d;
-    d.code = code;
-    d.message = message;
-    d.help = {help};
-    return d;
-}
-
 Diagnostic taken(const std::string& name, const char* member) {
-    return fault("W245",
-                 std::string("SessionInput::") + member + " contains \"" + name +
-                     "\", but there is already another import of this name",
-                 "choose another name, and use it in \"imports\" of the graph");
+    return make_error("W245",
+                      std::string("SessionInput::") + member + " contains \"" + name +
+                          "\", but there is already another import of this name",
+                      {"choose another name, and use it in \"imports\" of the graph"});
 }
 
 }  // namespace
@@ -45,17 +38,17 @@ Diagnostics program_import_faults(const vk::Device& device, const SessionInput& 
         for (Diagnostic& wrong : vertex_format_faults(device, name, own.vertex_format))
             faults.push_back(std::move(wrong));
         if (own.list == nullptr)
-            faults.push_back(fault("W245", "the draw list \"" + name + "\" has no DrawList",
-                                   "set OwnDrawList::list to an object that outlives the session"));
+            faults.push_back(make_error("W245", "the draw list \"" + name + "\" has no DrawList",
+                                        {"set OwnDrawList::list to an object that outlives the session"}));
     }
     for (const auto& [set, unused] : input.draw_sets)
         if (set < kFirstDrawSet || set > kLastDrawSet || !scene.instances.empty())
             faults.push_back(
-                fault("W246",
-                      "SessionInput::draw_sets replaces set " + std::to_string(set) +
-                          (scene.instances.empty() ? ", which belongs to Weft"
-                                                   : ", but the scene has instances, which need it"),
-                      "replace only the sets 2 and 3, and only for a scene without instances"));
+                make_error("W246",
+                           "SessionInput::draw_sets replaces set " + std::to_string(set) +
+                               (scene.instances.empty() ? ", which belongs to Weft"
+                                                        : ", but the scene has instances, which need it"),
+                           {"replace only the sets 2 and 3, and only for a scene without instances"}));
     return faults;
 }
 

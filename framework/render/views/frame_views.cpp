@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "graph/diagnostics/make_error.h"
 #include "graph/parse/debug_view.h"
 
 namespace weft::render {
@@ -30,12 +31,10 @@ glm::uvec2 size_of(const PassDecl& pass) {
 }
 
 Diagnostic too_few(const std::string& list, size_t given, size_t wanted) {
-    Diagnostic d;
-    d.code = "W193";
-    d.message = "the program gave " + std::to_string(given) + " views for the list \"" + list +
-                "\" in this frame, but the graph uses " + std::to_string(wanted);
-    d.help = {"set FrameInput::views to all views of the list in every frame"};
-    return d;
+    return make_error("W193",
+                      "the program gave " + std::to_string(given) + " views for the list \"" + list +
+                          "\" in this frame, but the graph uses " + std::to_string(wanted),
+                      {"set FrameInput::views to all views of the list in every frame"});
 }
 
 }  // namespace

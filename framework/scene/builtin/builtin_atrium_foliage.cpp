@@ -172,10 +172,9 @@ Surface lily_pad() {
 }
 
 Surface bark(const NoiseBank& bank) {
-    constexpr uint32_t kSize = 256;
-    return make_surface(kSize, 0.5f, [&](uint32_t x, uint32_t y) {
+    return make_surface(kSmallTextureSize, 0.5f, [&](uint32_t x, uint32_t y) {
         // x and y are swapped, because the noise is stretched along x and the grain shall run up the trunk.
-        const NoiseAt n = noise_at(bank, y, x, kSize);
+        const NoiseAt n = noise_at(bank, y, x, kSmallTextureSize);
         const float ridge = n.grain(2);
         Texel texel;
         texel.color_srgb = mix3(rgb(0x4a3826), rgb(0x8d7a60), ridge) * (0.8f + 0.4f * n.medium(1));
@@ -186,9 +185,8 @@ Surface bark(const NoiseBank& bank) {
 }
 
 Surface orange_peel(const NoiseBank& bank) {
-    constexpr uint32_t kSize = 256;
-    return make_surface(kSize, 0.25f, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, x, y, kSize);
+    return make_surface(kSmallTextureSize, 0.25f, [&](uint32_t x, uint32_t y) {
+        const NoiseAt n = noise_at(bank, x, y, kSmallTextureSize);
         Texel texel;
         texel.color_srgb = mix3(rgb(0xd9701a), rgb(0xf0982c), n.medium(1)) * (0.92f + 0.16f * n.fine());
         texel.height_m = 0.0012f * n.fine(1);

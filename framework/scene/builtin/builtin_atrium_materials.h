@@ -10,6 +10,7 @@
 namespace weft::scene::atrium {
 
 inline constexpr uint32_t kTextureSize = 512;
+inline constexpr uint32_t kSmallTextureSize = 256;
 
 // Reads the shared noise, which has 512 × 512 values, for one texel of a texture. `offset` selects another
 // part of the same noise. For a smaller texture, noise_at() skips values evenly, so the noise still repeats

@@ -7,7 +7,6 @@
 namespace weft::scene::atrium {
 namespace {
 
-constexpr uint32_t kSmallTextureSize = 256;
 // Luminance of the brightest point of a lantern's panes and of the glass of a bulb. The lamp inside would
 // give higher values. These lower values keep the colour of the glass in pictures of the night.
 constexpr float kPane_cd_per_m2 = 45, kBulb_cd_per_m2 = 60;

@@ -150,9 +150,8 @@ Surface plaster(const NoiseBank& bank, glm::vec3 color_srgb, glm::vec3 faded_srg
 }
 
 Surface soil(const NoiseBank& bank) {
-    constexpr uint32_t kSize = 256;
-    return make_surface(kSize, 0.5f, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, x, y, kSize);
+    return make_surface(kSmallTextureSize, 0.5f, [&](uint32_t x, uint32_t y) {
+        const NoiseAt n = noise_at(bank, x, y, kSmallTextureSize);
         Texel texel;
         texel.color_srgb = mix3(rgb(0x2e2118), rgb(0x5b432e), smooth_step(0.3f, 0.7f, n.fine()));
         texel.color_srgb *= 0.8f + 0.4f * n.medium();

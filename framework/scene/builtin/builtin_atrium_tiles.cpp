@@ -30,10 +30,9 @@ Surface checker_floor(const NoiseBank& bank) {
 
 // Makes the texture of a floor border: light diamonds on red between dark bands. v runs across the border.
 Surface inlay_border(const NoiseBank& bank) {
-    constexpr uint32_t kSize = 256;
-    return make_surface(kSize, 0.5f, [&](uint32_t x, uint32_t y) {
-        const NoiseAt n = noise_at(bank, x, y, kSize);
-        const glm::vec2 p = (glm::vec2(x, y) + 0.5f) / static_cast<float>(kSize);
+    return make_surface(kSmallTextureSize, 0.5f, [&](uint32_t x, uint32_t y) {
+        const NoiseAt n = noise_at(bank, x, y, kSmallTextureSize);
+        const glm::vec2 p = (glm::vec2(x, y) + 0.5f) / static_cast<float>(kSmallTextureSize);
         const glm::vec2 center{p.x * 2 - std::floor(p.x * 2) - 0.5f, (p.y - 0.5f) * 2};
         const float big = diamond_distance(center, 0.44f);
         const float small = diamond_distance(center, 0.2f);

@@ -5,10 +5,11 @@
 #include <random>
 #include <string>
 
+#include "scene/model/angles.h"
+
 namespace weft::scene {
 namespace {
 
-constexpr float kTau = 6.283185307f;
 // Mean number of lights that reach a point of the scene.
 constexpr float kOverlap = 24;
 // Illuminance of a light at a quarter of its mean range. There a surface with an albedo of 50 % has a
@@ -25,7 +26,7 @@ class LightRandom {
     explicit LightRandom(uint32_t seed) : engine_(seed) {}
     float unit() { return static_cast<float>(engine_() >> 8u) / 16777216.0f; }
     glm::vec3 direction() {
-        const float z = 2 * unit() - 1, turn = kTau * unit(), r = std::sqrt(std::max(0.0f, 1 - z * z));
+        const float z = 2 * unit() - 1, turn = 2 * kPi * unit(), r = std::sqrt(std::max(0.0f, 1 - z * z));
         return {r * std::cos(turn), r * std::sin(turn), z};
     }
 
@@ -35,7 +36,7 @@ class LightRandom {
 
 // Returns a colour of the hue `turn` in [0, 1). Each channel is at least 0.1, so that no colour looks black.
 glm::vec3 hue(float turn) {
-    const glm::vec3 phase = kTau * (glm::vec3(turn) + glm::vec3(0, 1, 2) / 3.0f);
+    const glm::vec3 phase = 2 * kPi * (glm::vec3(turn) + glm::vec3(0, 1, 2) / 3.0f);
     return 0.55f + 0.45f * glm::vec3(std::cos(phase.x), std::cos(phase.y), std::cos(phase.z));
 }
 
@@ -44,7 +45,7 @@ glm::vec3 hue(float turn) {
 float range_for(glm::vec3 size, uint32_t count) {
     const float volume = std::max(size.x * size.y * size.z, 1e-3f);
     const float share = volume * kOverlap / static_cast<float>(count);
-    return std::min(std::cbrt(share * 3 / (2 * kTau)), glm::length(size));
+    return std::min(std::cbrt(share * 3 / (4 * kPi)), glm::length(size));
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ std::vector<Light> moving_lights(const Scene& scene, uint32_t count, uint32_t se
     LightRandom random(seed ^ 0x9e3779b9u);
     for (Light& light : lights) {
         const glm::vec3 room = glm::min(light.position - scene.bounds.min, scene.bounds.max - light.position);
-        const float nearest = std::min(room.x, room.z), turn = kTau * random.unit();
+        const float nearest = std::min(room.x, room.z), turn = 2 * kPi * random.unit();
         const float x = nearest * random.unit(), z = nearest * random.unit();
         // The path is an ellipse whose axes are parallel to x and z. Both half axes are at most the distance
         // from the light to the nearest vertical side of the scene's bounds. So the light stays inside the

@@ -6,12 +6,8 @@
 namespace weft::scene::gltf {
 namespace {
 
-// The text "glTF" as a little-endian number: the first four bytes of a .glb file.
-constexpr uint32_t kMagic = 0x46546c67;
-// The text "JSON" as a little-endian number: the type of the JSON chunk.
-constexpr uint32_t kJsonChunk = 0x4e4f534a;
-// The text "BIN\0" as a little-endian number: the type of the binary chunk.
-constexpr uint32_t kBinChunk = 0x004e4942;
+// The types of chunks: the texts "JSON" and "BIN\0" as little-endian numbers.
+enum ChunkType : uint32_t { kJsonChunk = 0x4e4f534a, kBinChunk = 0x004e4942 };
 constexpr size_t kHeaderBytes = 12;
 constexpr size_t kChunkHeaderBytes = 8;
 
@@ -94,6 +90,8 @@ std::optional<Container> open_container(std::span<const uint8_t> file, Report& r
         report.error("S102", {}, "the file is empty", "copy or export the file again");
         return std::nullopt;
     }
+    // The text "glTF" as a little-endian number: the first four bytes of a .glb file.
+    constexpr uint32_t kMagic = 0x46546c67;
     if (file.size() >= 4 && read_u32(file, 0) == kMagic) return open_binary(file, report);
     std::string_view text = as_text(file);
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);

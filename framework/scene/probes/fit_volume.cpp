@@ -26,14 +26,6 @@ namespace {
 constexpr size_t kMostCells = 600;
 // Splitting ends when this many grid points were examined.
 constexpr size_t kMostExamined = 4096;
-// The spacing in a room is at most the smallest dimension of the room divided by this number.
-constexpr double kSpacingsPerRoom = 4;
-// A gap between surfaces that is smaller than this counts as a room of this size. Unit: the smallest spacing
-// of the grid.
-constexpr double kSmallestRoom = 4;
-// Cells with objects in the open are split as if they were in a room of this size. Unit: the smallest spacing
-// of the grid.
-constexpr double kObjectRoom = 8;
 // A cell is not split if its parts need too many probes. After this many such cells, split_worst() ends.
 constexpr uint32_t kMostFailures = 32;
 // Several minor grid points (where few probes are enough) can share a probe. At first, each minor grid point
@@ -140,10 +132,15 @@ class Fit {
 
     // Returns the spacing of the cell divided by the largest spacing that suits a room of this size.
     [[nodiscard]] double need_in(const GridCell& cell, double room_m) const {
+        // The spacing in a room is at most the smallest dimension of the room divided by this number.
+        constexpr double kSpacingsPerRoom = 4;
         return kSpacingsPerRoom * double{params_.min_spacing_m} * cell.stride / room_m;
     }
 
     [[nodiscard]] double room_need(const GridCell& cell) const {
+        // A gap between surfaces that is smaller than this counts as a room of this size. Unit: the smallest
+        // spacing of the grid.
+        constexpr double kSmallestRoom = 4;
         const int pitch = std::min(cell.stride / 2, kObjectStride);
         return need_in(cell,
                        std::max(grid_.room_size(cell, pitch), kSmallestRoom * double{params_.min_spacing_m}));
@@ -151,6 +148,9 @@ class Fit {
 
     [[nodiscard]] double object_need(const GridCell& cell) const {
         if (cell.stride <= kObjectStride || !has_objects(cell)) return 0;
+        // Cells with objects in the open are split as if they were in a room of this size. Unit: the smallest
+        // spacing of the grid.
+        constexpr double kObjectRoom = 8;
         return need_in(cell, kObjectRoom * double{params_.min_spacing_m});
     }
 

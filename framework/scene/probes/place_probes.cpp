@@ -1,4 +1,5 @@
 #include "weft/scene/place_probes.h"
+#include "graph/diagnostics/make_error.h"
 
 #include <algorithm>
 
@@ -17,15 +18,12 @@ Result<std::vector<SolidTriangle>> scene_triangles(const Scene& scene, const Sce
     const uint64_t left_bytes = limits.memory_bytes - std::min(limits.memory_bytes, scene.memory_bytes);
     const bool fits = triangles <= left_bytes / kTreeBytesPerTriangle && triangles < kNone;
     if (fits) return collect_triangles(scene, options);
-    Diagnostic fault;
-    fault.code = "S199";
-    fault.message = "placing probes among the " + std::to_string(triangles) +
-                    " triangles of the scene needs " +
-                    std::to_string(saturating_mul(triangles, kTreeBytesPerTriangle) / kBytesPerMiB) +
-                    " MiB of memory; the limit leaves " + std::to_string(left_bytes / kBytesPerMiB) + " MiB";
-    fault.help = {"list the probes in a file and use --probes FILE, " +
-                  raise_limit_text("scene.memoryBytes")};
-    return fault;
+    return make_error(
+        "S199",
+        "placing probes among the " + std::to_string(triangles) + " triangles of the scene needs " +
+            std::to_string(saturating_mul(triangles, kTreeBytesPerTriangle) / kBytesPerMiB) +
+            " MiB of memory; the limit leaves " + std::to_string(left_bytes / kBytesPerMiB) + " MiB",
+        {"list the probes in a file and use --probes FILE, " + raise_limit_text("scene.memoryBytes")});
 }
 
 Result<TriangleTree> scene_tree(const Scene& scene, const SceneLimits& limits, const LoadOptions& options) {

@@ -10,21 +10,11 @@
 namespace weft::scene {
 namespace {
 
-// Number of cells that are examined together, in parallel. After each such batch, the number of probes is
-// compared with the limit.
-constexpr size_t kBatch = 32;
 // A probe that is not minor counts as eight eighths of a probe; see clear().
 constexpr uint32_t kEighths = 8;
 // A cell is used if it contains a surface, or if it is in front of a surface at a distance of at most this
 // share of the side of the cell.
 constexpr float kMargin = 0.25f;
-// Places at this distance in front of a surface must be visible from a probe. Unit: the smallest spacing of
-// the grid.
-constexpr float kClose = 0.2f;
-// A grid point has no probe if no surface touches a cube around the point. Half of the side of this cube is
-// the side of the largest cell that can have this point as a corner, but at least kFar times the smallest
-// spacing of the grid.
-constexpr float kFar = 5;
 // The smallest distance between a probe and a surface. Unit: the smallest spacing of the grid.
 constexpr float kClearance = 0.1f;
 
@@ -145,6 +135,10 @@ int ProbeGrid::coarsest_stride(const glm::ivec3& at) const {
 // Decides for each of these points whether it has a probe, and at which place. Stores the results. The caller
 // passes only points that have no result yet.
 void ProbeGrid::settle(const std::vector<glm::ivec3>& points) {
+    // A grid point has no probe if no surface touches a cube around the point. Half of the side of this cube
+    // is the side of the largest cell that can have this point as a corner, but at least kFar times the
+    // smallest spacing of the grid.
+    constexpr float kFar = 5;
     std::vector<Settled> settled(points.size());
     run_on_threads(points.size(), threads_, [&](size_t i) {
         const float spacing_m = spacing_m_ * static_cast<float>(coarsest_stride(points[i]));
@@ -167,6 +161,9 @@ CellView ProbeGrid::view_of(const GridCell& cell) const {
         if (settled.state != ProbeState::dropped && glm::length(settled.offset) <= kMostOffset * size_m)
             probes[static_cast<size_t>(corner)] = position(at) + settled.offset;
     }
+    // Places at this distance in front of a surface must be visible from a probe. Unit: the smallest spacing
+    // of the grid.
+    constexpr float kClose = 0.2f;
     return view_of_cell(tree_, box_of(cell, 0), probes,
                         {kClose * spacing_m_, kMargin * size_m, kClearance * spacing_m_});
 }
@@ -212,6 +209,9 @@ void ProbeGrid::clear(uint32_t minor_eighths) {
 
 bool ProbeGrid::exchange(const std::vector<GridCell>& gone, const std::vector<GridCell>& fresh,
                          uint32_t most) {
+    // Number of cells that are examined together, in parallel. After each such batch, the number of probes is
+    // compared with the limit.
+    constexpr size_t kBatch = 32;
     const uint64_t limit = uint64_t{kEighths} * most;
     for (const GridCell& cell : gone) count_cell(cell, -1);
     size_t used = 0;

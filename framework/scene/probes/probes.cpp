@@ -6,26 +6,6 @@
 #include "scene/probes/probe_grid.h"
 
 namespace weft::scene {
-namespace {
-
-// Bytes for one texel of the images that show what a probe sees: albedo and metalness (4), normal (4),
-// distance with the side of the surface (4), emission (8).
-constexpr uint64_t kSeenTexelBytes = 20;
-// Bytes for one texel of the light that a reflection probe shows (four half floats). Its mips add a third.
-constexpr uint64_t kLightTexelBytes = 8;
-constexpr uint64_t kFaces = 6;
-constexpr uint64_t kProbeSide_px = 32;
-constexpr uint64_t kReflectionSide_px = 128;
-// Bytes for an octahedral map of 32 × 32 texels with a border of one texel. Each texel has, in four half
-// floats, the plane of the surface that the probe sees there, and the deviation of the surface from this
-// plane.
-constexpr uint64_t kMomentBytes = 34ull * 34 * 8;
-// Bytes for nine coefficients of spherical harmonics, each with three colours in four floats. A probe has 16
-// such elements, but the last seven are not used; see kProbeShStride.
-constexpr uint64_t kHarmonicsBytes = 16ull * 16;
-
-}  // namespace
-
 glm::mat3 yaw_rotation(float yaw_deg) {
     if (yaw_deg == 0) return glm::mat3(1);
     return glm::mat3(glm::rotate(glm::dmat4(1), glm::radians(double{yaw_deg}), glm::dvec3(0, 1, 0)));
@@ -76,6 +56,22 @@ std::vector<ProbeCell> cells_of(const ProbeVolume& volume) {
 }
 
 ProbeMemory memory_of(const Probes& probes) {
+    // Bytes for one texel of the images that show what a probe sees: albedo and metalness (4), normal (4),
+    // distance with the side of the surface (4), emission (8).
+    constexpr uint64_t kSeenTexelBytes = 20;
+    // Bytes for one texel of the light that a reflection probe shows (four half floats). Its mips add a
+    // third.
+    constexpr uint64_t kLightTexelBytes = 8;
+    constexpr uint64_t kFaces = 6;
+    constexpr uint64_t kProbeSide_px = 32;
+    constexpr uint64_t kReflectionSide_px = 128;
+    // Bytes for an octahedral map of 32 × 32 texels with a border of one texel. Each texel has, in four half
+    // floats, the plane of the surface that the probe sees there, and the deviation of the surface from this
+    // plane.
+    constexpr uint64_t kMomentBytes = 34ull * 34 * 8;
+    // Bytes for nine coefficients of spherical harmonics, each with three colours in four floats. A probe has
+    // 16 such elements, but the last seven are not used; see kProbeShStride.
+    constexpr uint64_t kHarmonicsBytes = 16ull * 16;
     const uint64_t count = probes.volume.probes.size() - count_of(probes.volume, ProbeState::dropped);
     const uint64_t seen = kFaces * kProbeSide_px * kProbeSide_px * kSeenTexelBytes;
     const uint64_t texels = kFaces * kReflectionSide_px * kReflectionSide_px;

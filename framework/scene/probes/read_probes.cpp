@@ -14,12 +14,12 @@
 namespace weft::scene {
 namespace {
 
-constexpr double kSmallest_m = 0.01;
-constexpr double kMostSpacing_m = 1000;
-constexpr double kMostCoordinate = 4e6;
-constexpr uint32_t kMostStride = 1024;
-
+// The numbers that a file may contain.
 using Range = FieldReader::Range;
+constexpr Range kSpacing_m{0.01, 1000};
+constexpr Range kBoxSide_m{0.01, double{kFarthest_m}};
+constexpr Range kCoordinate{-4e6, 4e6};
+constexpr Range kStride{1, 1024};
 constexpr Range kPlace{-double{kFarthest_m}, double{kFarthest_m}};
 constexpr Range kAnyTurn{-1, 1};
 
@@ -67,7 +67,7 @@ class ProbeReader : public FieldReader {
         out.volume.origin = vector(required(node, "origin"), kPlace, out.volume.origin);
         double spacing_m = 1, yaw_deg = 0;
         if (const JsonNode* spacing = required(node, "spacing"))
-            number(*spacing, {kSmallest_m, kMostSpacing_m}, false, spacing_m);
+            number(*spacing, kSpacing_m, false, spacing_m);
         out.volume.spacing_m = static_cast<float>(spacing_m);
         if (const JsonNode* yaw = node.find("yaw")) number(*yaw, {-180, 180}, false, yaw_deg);
         out.volume.yaw_deg = static_cast<float>(yaw_deg);
@@ -110,7 +110,7 @@ class ProbeReader : public FieldReader {
         volume.strides.clear();
         for (const JsonNode& item : node.items) {
             double value = 1;
-            if (!number(item, {1, kMostStride}, true, value)) continue;
+            if (!number(item, kStride, true, value)) continue;
             const uint32_t stride = static_cast<uint32_t>(value);
             if (!std::has_single_bit(stride) || (!volume.strides.empty() && stride <= volume.strides.back()))
                 fault(item.loc,
@@ -157,7 +157,7 @@ class ProbeReader : public FieldReader {
         check_keys(node, {"at", "offset", "dropped", "substitute"});
         const JsonNode* at = required(node, "at");
         if (at == nullptr) return std::nullopt;
-        const std::optional<glm::ivec3> point = whole_vector(*at, {-kMostCoordinate, kMostCoordinate});
+        const std::optional<glm::ivec3> point = whole_vector(*at, kCoordinate);
         if (!point) return std::nullopt;
         Probe probe{*point, 0, glm::vec3(0), ProbeState::kept};
         bool on_grid = false;
@@ -183,7 +183,7 @@ class ProbeReader : public FieldReader {
             dropped != nullptr && expect(*dropped, JsonKind::boolean) && dropped->boolean)
             probe.state = ProbeState::dropped;
         if (const JsonNode* substitute = node.find("substitute")) {
-            probe.substitute = whole_vector(*substitute, {-kMostCoordinate, kMostCoordinate});
+            probe.substitute = whole_vector(*substitute, kCoordinate);
             if (probe.state != ProbeState::dropped)
                 fault(substitute->loc, "only a grid point without a probe can have a substitute",
                       "write \"dropped\": true, or remove \"substitute\"");
@@ -220,7 +220,7 @@ class ProbeReader : public FieldReader {
         ProbeBox box;
         check_keys(node, {"center", "size", "rotation"});
         box.center = vector(required(node, "center"), kPlace, box.center);
-        box.half_size_m = 0.5f * vector(required(node, "size"), {kSmallest_m, kPlace.most}, glm::vec3(2));
+        box.half_size_m = 0.5f * vector(required(node, "size"), kBoxSide_m, glm::vec3(2));
         const JsonNode* turn = node.find("rotation");
         const std::vector<double> v =
             turn != nullptr ? numbers(*turn, 4, kAnyTurn, false) : std::vector<double>{};

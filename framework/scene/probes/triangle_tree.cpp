@@ -18,14 +18,6 @@ constexpr uint32_t kLeafTriangles = 4;
 // equal parts of the space of the node. This limits the depth of the tree.
 constexpr uint32_t kSpatialDepth = 40;
 constexpr size_t kDeepestStack = 96;
-// Number of subtrees that are built in parallel.
-constexpr size_t kSubtrees = 64;
-// Compares the products of two coordinates of the normals (x², xy and so on). Triangles count as parallel if
-// none of these products differs by more than this between the triangles.
-constexpr double kPlainSpread = 0.35;
-// If a box has more triangles than this, is_uneven() returns true without further tests, as for surfaces that
-// are not parallel. This limits the time of a test.
-constexpr uint32_t kDetailed = 4096;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
@@ -122,6 +114,8 @@ class Builder {
 std::vector<Span> first_spans(const Builder& builder, uint32_t count, std::vector<Node>& nodes) {
     nodes.assign(1, {});
     std::vector<Span> spans{{0, 0, count, 0}};
+    // Number of subtrees that are built in parallel.
+    constexpr size_t kSubtrees = 64;
     size_t next = 0;
     while (next < spans.size() && spans.size() - next < kSubtrees) {
         std::array<Span, 2> children;
@@ -310,6 +304,12 @@ void TriangleTree::visit(const Bounds& box, const std::function<void(const Solid
 }
 
 bool TriangleTree::is_uneven(const Bounds& box) const {
+    // Triangles count as parallel if none of the products of two coordinates of their normals (x², xy and so
+    // on) differs by more than this between the triangles.
+    constexpr double kPlainSpread = 0.35;
+    // If a box has more triangles than this, the function returns true without further tests, as for surfaces
+    // that are not parallel. This limits the time of a test.
+    constexpr uint32_t kDetailed = 4096;
     // Compares products of two coordinates of the normals, because the two sides of a surface have opposite
     // normals, and these give the same products.
     glm::dvec3 low_squares(2), high_squares(-2), low_mixed(2), high_mixed(-2);

@@ -7,6 +7,20 @@ namespace weft::shader {
 
 namespace {
 
+constexpr std::array kScalars = {
+    std::pair{SPVC_BASETYPE_FP32, ScalarType::f32},
+    std::pair{SPVC_BASETYPE_INT32, ScalarType::i32},
+    std::pair{SPVC_BASETYPE_UINT32, ScalarType::u32},
+    std::pair{SPVC_BASETYPE_BOOLEAN, ScalarType::boolean},
+};
+
+constexpr std::array kDims = {
+    std::pair{SpvDim1D, ImageDim::d1},
+    std::pair{SpvDim2D, ImageDim::d2},
+    std::pair{SpvDim3D, ImageDim::d3},
+    std::pair{SpvDimCube, ImageDim::cube},
+};
+
 constexpr std::array kFormats = {
     std::pair{SpvImageFormatRgba32f, Format::rgba32f},
     std::pair{SpvImageFormatRgba16f, Format::rgba16f},
@@ -41,43 +55,26 @@ constexpr std::array kFormats = {
     std::pair{SpvImageFormatR8ui, Format::r8u},
 };
 
+// Returns the value of this library for a value of SPIR-V, if the table has it.
+template <class Theirs, class Ours, size_t N>
+std::optional<Ours> ours_for(Theirs value, const std::array<std::pair<Theirs, Ours>, N>& table) {
+    for (const auto& [spirv, ours] : table)
+        if (spirv == value) return ours;
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ScalarType> to_scalar(spvc_basetype type) {
-    switch (type) {
-        case SPVC_BASETYPE_FP32:
-            return ScalarType::f32;
-        case SPVC_BASETYPE_INT32:
-            return ScalarType::i32;
-        case SPVC_BASETYPE_UINT32:
-            return ScalarType::u32;
-        case SPVC_BASETYPE_BOOLEAN:
-            return ScalarType::boolean;
-        default:
-            return std::nullopt;
-    }
+    return ours_for(type, kScalars);
 }
 
 std::optional<ImageDim> to_dim(SpvDim dim) {
-    switch (dim) {
-        case SpvDim1D:
-            return ImageDim::d1;
-        case SpvDim2D:
-            return ImageDim::d2;
-        case SpvDim3D:
-            return ImageDim::d3;
-        case SpvDimCube:
-            return ImageDim::cube;
-        default:
-            return std::nullopt;
-    }
+    return ours_for(dim, kDims);
 }
 
 Format to_format(SpvImageFormat format) {
-    for (const auto& [spirv, ours] : kFormats) {
-        if (spirv == format) return ours;
-    }
-    return Format::undefined;
+    return ours_for(format, kFormats).value_or(Format::undefined);
 }
 
 uint32_t array_count(spvc_compiler compiler, spvc_type type, bool& is_runtime) {

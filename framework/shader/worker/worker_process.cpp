@@ -1,4 +1,5 @@
 #include "shader/worker/worker_process.h"
+#include "graph/diagnostics/make_error.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -24,11 +25,9 @@ constexpr std::chrono::milliseconds kWatchEvery{20};
 constexpr uint64_t kFrameSlackBytes = 1 << 20;
 
 Diagnostic cannot_start(const std::filesystem::path& program, const std::string& why) {
-    Diagnostic d;
-    d.code = "X570";
-    d.message = "the shader compiler \"" + program.string() + "\" cannot be started: " + why;
-    d.help = {"build or install Weft again: the program weft-shader-worker belongs into the folder of weft"};
-    return d;
+    return make_error(
+        "X570", "the shader compiler \"" + program.string() + "\" cannot be started: " + why,
+        {"build or install Weft again: the program weft-shader-worker belongs into the folder of weft"});
 }
 
 std::chrono::milliseconds milliseconds_of(const timeval& time) {

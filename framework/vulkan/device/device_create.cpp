@@ -2,6 +2,7 @@
 #include <cassert>
 #include <utility>
 
+#include "graph/diagnostics/make_error.h"
 #include "vulkan/device/functions.h"
 #include "vulkan/device/instance.h"
 #include "vulkan/device/messenger.h"
@@ -180,11 +181,8 @@ Diagnostic incomplete_error(const std::string& name, const std::vector<std::stri
 }
 
 Diagnostic old_instance_error() {
-    Diagnostic error;
-    error.code = "V404";
-    error.message = "the VkInstance was created for a Vulkan version older than 1.3";
-    error.help = {"set VkApplicationInfo::apiVersion to VK_API_VERSION_1_3"};
-    return error;
+    return make_error("V404", "the VkInstance was created for a Vulkan version older than 1.3",
+                      {"set VkApplicationInfo::apiVersion to VK_API_VERSION_1_3"});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string>
 
+#include "graph/diagnostics/make_error.h"
 #include "vulkan/device/messenger.h"
 #include "vulkan/device/physical_device.h"
 #include "vulkan/device/vk_result.h"
@@ -24,13 +25,11 @@ bool has_extension(const LoaderFunctions& loader, const char* layer, const char*
 }
 
 Diagnostic missing_layer_error() {
-    Diagnostic error;
-    error.code = "V405";
-    error.message =
-        std::string("validation needs the Vulkan layer ") + kValidationLayer + ", which was not found";
-    error.help = {"install the layer: apt-get install vulkan-validationlayers",
-                  "if the layer is installed, check the environment variable VK_LAYER_PATH"};
-    return error;
+    return make_error(
+        "V405",
+        std::string("validation needs the Vulkan layer ") + kValidationLayer + ", which was not found",
+        {"install the layer: apt-get install vulkan-validationlayers",
+         "if the layer is installed, check the environment variable VK_LAYER_PATH"});
 }
 
 Diagnostic creation_error(VkResult result) {
@@ -48,11 +47,8 @@ Diagnostic creation_error(VkResult result) {
 
 Result<LoaderFunctions> require_loader(const char* library) {
     if (const auto loader = load_loader(library)) return *loader;
-    Diagnostic error;
-    error.code = "V401";
-    error.message = std::string("the Vulkan loader ") + library + " is not installed";
-    error.help = {"install the loader and a driver: apt-get install libvulkan1 mesa-vulkan-drivers"};
-    return error;
+    return make_error("V401", std::string("the Vulkan loader ") + library + " is not installed",
+                      {"install the loader and a driver: apt-get install libvulkan1 mesa-vulkan-drivers"});
 }
 
 std::vector<LayerInfo> installed_layers(const LoaderFunctions& loader) {

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "graph/diagnostics/make_error.h"
 #include "vulkan/device/functions.h"
 #include "weft/vulkan/device_features.h"
 
@@ -110,14 +111,11 @@ Diagnostic unsuitable_error(const Candidate& candidate) {
 }
 
 Diagnostic no_device_error() {
-    Diagnostic error;
-    error.code = "V402";
-    error.message = "no Vulkan device was found";
-    error.help = {
-        "install a driver: apt-get install mesa-vulkan-drivers (GPUs of AMD and Intel, and llvmpipe, "
-        "which needs no GPU)",
-        "if a driver is installed, check the environment variables VK_DRIVER_FILES and VK_ICD_FILENAMES"};
-    return error;
+    return make_error(
+        "V402", "no Vulkan device was found",
+        {"install a driver: apt-get install mesa-vulkan-drivers (GPUs of AMD and Intel, and llvmpipe, "
+         "which needs no GPU)",
+         "if a driver is installed, check the environment variables VK_DRIVER_FILES and VK_ICD_FILENAMES"});
 }
 
 Candidate describe_device(const InstanceFunctions& fn, VkPhysicalDevice physical) {

@@ -1,18 +1,11 @@
 #include "vulkan/execute/program_submit.h"
+#include "graph/diagnostics/make_error.h"
 
 #include <algorithm>
 #include <string>
 
 namespace weft::vk {
 namespace {
-
-Diagnostic submit_error(const char* code, const std::string& message, const std::string& help) {
-    Diagnostic d;
-    d.code = code;
-    d.message = message;
-    d.help = {help};
-    return d;
-}
 
 bool uses_resource(const FramePlan& plan, const Batch& batch, ResourceId resource) {
     return std::ranges::any_of(batch.positions, [&](Position position) {
@@ -45,25 +38,25 @@ Status check_submit(const FramePlan& plan, const FrameSubmit& submit) {
     const bool has_ticket = submit.ticket.timeline != VK_NULL_HANDLE;
     if (submit.commands == VK_NULL_HANDLE) {
         if (!has_ticket) return Unit{};
-        return submit_error("V423", "the frame has a ticket, but no command buffer of the program",
-                            "set FrameSubmit::commands, or remove the ticket: Weft knows when its own "
-                            "submissions have finished");
+        return make_error("V423", "the frame has a ticket, but no command buffer of the program",
+                          {"set FrameSubmit::commands, or remove the ticket: Weft knows when its own "
+                           "submissions have finished"});
     }
     if (plan.submissions.batches.size() > 1)
-        return submit_error(
+        return make_error(
             "V422",
             "the plan has " + std::to_string(plan.submissions.batches.size()) + " batches on " +
                 std::to_string(plan.schedule.queues.size()) +
                 " queues, but the program's command buffer can contain only one batch",
-            "plan for one queue (SessionInput::queues = 1), or let Weft submit the frame and order it with "
-            "semaphores (FrameSubmit::waits and signals)");
+            {"plan for one queue (SessionInput::queues = 1), or let Weft submit the frame and order it with "
+             "semaphores (FrameSubmit::waits and signals)"});
     if (!has_ticket)
-        return submit_error("V423", "the frame has a command buffer of the program, but no ticket",
-                            "set FrameSubmit::ticket to a timeline semaphore and the value that it reaches "
-                            "when the commands have finished");
+        return make_error("V423", "the frame has a command buffer of the program, but no ticket",
+                          {"set FrameSubmit::ticket to a timeline semaphore and the value that it reaches "
+                           "when the commands have finished"});
     if (submit.waits.empty() && submit.signals.empty()) return Unit{};
-    return submit_error("V423", "the frame has both a command buffer of the program and semaphores",
-                        "give the semaphores to your own submission of the command buffer");
+    return make_error("V423", "the frame has both a command buffer of the program and semaphores",
+                      {"give the semaphores to your own submission of the command buffer"});
 }
 
 std::vector<uint32_t> waiting_batches(const FramePlan& plan, const std::vector<SemaphoreWait>& waits,

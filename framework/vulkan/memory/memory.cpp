@@ -1,4 +1,5 @@
 #include "weft/vulkan/memory.h"
+#include "graph/diagnostics/make_error.h"
 
 #include <algorithm>
 #include <bit>
@@ -67,18 +68,15 @@ Status check_supported(const Device& device, const VkImageCreateInfo& info, cons
         info.mipLevels <= mips_of(info.extent) && info.mipLevels <= limits.maxMipLevels &&
         info.arrayLayers <= limits.maxArrayLayers && (limits.sampleCounts & info.samples) != 0;
     if (fits) return Unit{};
-    Diagnostic error;
-    error.code = "V421";
-    error.message = "the device \"" + device.info().name + "\" does not support the image \"" + decl.name +
-                    "\": " + std::string(format_info(decl.format).name) + ", " +
-                    std::to_string(info.extent.width) + "x" + std::to_string(info.extent.height) + "x" +
-                    std::to_string(info.extent.depth) + ", " + std::to_string(info.mipLevels) + " mips, " +
-                    std::to_string(info.arrayLayers) + " layers, " + std::to_string(decl.samples) +
-                    " samples";
-    error.help = {
-        "use a smaller size or another format; `weft doctor --json` lists the limits and formats of the "
-        "device"};
-    return error;
+    return make_error(
+        "V421",
+        "the device \"" + device.info().name + "\" does not support the image \"" + decl.name +
+            "\": " + std::string(format_info(decl.format).name) + ", " + std::to_string(info.extent.width) +
+            "x" + std::to_string(info.extent.height) + "x" + std::to_string(info.extent.depth) + ", " +
+            std::to_string(info.mipLevels) + " mips, " + std::to_string(info.arrayLayers) + " layers, " +
+            std::to_string(decl.samples) + " samples",
+        {"use a smaller size or another format; `weft doctor --json` lists the limits and formats of the "
+         "device"});
 }
 
 // Returns the usage that a resource needs in addition to the usages of its passes. A persistent resource is

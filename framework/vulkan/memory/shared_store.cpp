@@ -1,7 +1,5 @@
 #include "vulkan/memory/shared_store.h"
 
-#include <cassert>
-
 namespace weft::vk {
 namespace {
 
@@ -25,20 +23,6 @@ std::string key_of(const ResourceDecl& d) {
 
 }  // namespace
 
-SharedLease& SharedLease::operator=(SharedLease&& other) noexcept {
-    if (this == &other) return *this;
-    reset();
-    store_ = std::exchange(other.store_, nullptr);
-    key_ = std::move(other.key_);
-    object_ = std::exchange(other.object_, nullptr);
-    return *this;
-}
-
-void SharedLease::reset() {
-    object_ = nullptr;
-    if (store_ != nullptr) std::exchange(store_, nullptr)->give_back(key_);
-}
-
 Result<SharedLease> SharedStore::get(const ResourceDecl& decl, const Make& make) {
     std::string key = key_of(decl);
     // The lock is held while the object is made. So two plans that are created at the same time never make
@@ -49,21 +33,9 @@ Result<SharedLease> SharedStore::get(const ResourceDecl& decl, const Make& make)
         Result<SharedObject> object = make();
         if (!object) return object.take_errors();
         found = entries_.try_emplace(key).first;
-        found->second.object = std::move(*object);
+        found->second.owner = std::move(*object);
     }
-    ++found->second.leases;
-    return SharedLease{*this, std::move(key), found->second.object};
-}
-
-void SharedStore::give_back(const std::string& key) {
-    // Declared before the lock, so that the object is destroyed after the lock is released.
-    SharedObject last;
-    const std::lock_guard lock(mutex_);
-    const auto found = entries_.find(key);
-    assert(found != entries_.end() && found->second.leases > 0);
-    if (--found->second.leases > 0) return;
-    last = std::move(found->second.object);
-    entries_.erase(found);
+    return lease(std::move(key), found->second, &found->second.owner);
 }
 
 }  // namespace weft::vk

@@ -4,15 +4,11 @@
 // use one store at a time. Thread-safe. Errors: those of the function that makes the object.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <map>
-#include <mutex>
-#include <string>
-#include <utility>
 
 #include "vulkan/device/device_memory.h"
 #include "vulkan/device/handle.h"
+#include "vulkan/device/lease.h"
 #include "weft/declaration.h"
 #include "weft/result.h"
 
@@ -25,54 +21,15 @@ struct SharedObject {
     BufferHandle buffer;
 };
 
-class SharedStore;
+using SharedObjects = LeaseStore<SharedObject, const SharedObject*>;
+using SharedLease = Lease<SharedObjects, const SharedObject*>;
 
-// The right to use one object of a store. A lease can be moved but not copied. The store must outlive it.
-class SharedLease {
+class SharedStore : public SharedObjects {
  public:
-    SharedLease() = default;
-    ~SharedLease() { reset(); }
-    SharedLease(SharedLease&& other) noexcept
-        : store_(std::exchange(other.store_, nullptr)),
-          key_(std::move(other.key_)),
-          object_(std::exchange(other.object_, nullptr)) {}
-    SharedLease& operator=(SharedLease&& other) noexcept;
-
-    // Returns null for an empty lease.
-    [[nodiscard]] const SharedObject* get() const { return object_; }
-    void reset();
-
- private:
-    friend class SharedStore;
-    SharedLease(SharedStore& store, std::string key, const SharedObject& object)
-        : store_(&store), key_(std::move(key)), object_(&object) {}
-
-    SharedStore* store_ = nullptr;
-    std::string key_;
-    const SharedObject* object_ = nullptr;
-};
-
-class SharedStore {
- public:
-    SharedStore() = default;
-    SharedStore(const SharedStore&) = delete;
-    SharedStore& operator=(const SharedStore&) = delete;
-
     using Make = std::function<Result<SharedObject>()>;
     // Returns a lease on the object of the resource. If the store does not have the object, the function
     // creates it with `make`.
     [[nodiscard]] Result<SharedLease> get(const ResourceDecl& decl, const Make& make);
-
- private:
-    friend class SharedLease;
-    struct Entry {
-        SharedObject object;
-        uint32_t leases = 0;
-    };
-    void give_back(const std::string& key);
-
-    std::mutex mutex_;
-    std::map<std::string, Entry> entries_;  // An entry stays at its address until it is erased.
 };
 
 }  // namespace weft::vk

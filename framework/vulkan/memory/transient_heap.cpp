@@ -10,34 +10,49 @@
 namespace weft::vk {
 namespace {
 
-MemoryNeed to_need(const VkMemoryRequirements& requirements) {
-    return {requirements.size, requirements.alignment, requirements.memoryTypeBits};
-}
+// The functions of Vulkan for images and for buffers.
+struct ImageTraits {
+    using Object = VkImage;
+    using Owner = ImageHandle;
+    using Query = VkDeviceImageMemoryRequirements;
+    static constexpr const char* kWord = "image";
+    static constexpr VkObjectType kType = VK_OBJECT_TYPE_IMAGE;
+    static constexpr auto kInfo = image_create_info;
+    static constexpr VkStructureType kQueryType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS;
+    static constexpr auto kNeeds = &DeviceFunctions::vkGetDeviceImageMemoryRequirements;
+    static constexpr auto kCreate = &DeviceFunctions::vkCreateImage;
+    static constexpr auto kBind = &DeviceFunctions::vkBindImageMemory;
+};
+struct BufferTraits {
+    using Object = VkBuffer;
+    using Owner = BufferHandle;
+    using Query = VkDeviceBufferMemoryRequirements;
+    static constexpr const char* kWord = "buffer";
+    static constexpr VkObjectType kType = VK_OBJECT_TYPE_BUFFER;
+    static constexpr auto kInfo = buffer_create_info;
+    static constexpr VkStructureType kQueryType = VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS;
+    static constexpr auto kNeeds = &DeviceFunctions::vkGetDeviceBufferMemoryRequirements;
+    static constexpr auto kCreate = &DeviceFunctions::vkCreateBuffer;
+    static constexpr auto kBind = &DeviceFunctions::vkBindBufferMemory;
+};
 
-MemoryNeed image_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
-    VkImageCreateInfo info = image_create_info(decl);
+template <class Kind>
+MemoryNeed need_of(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
+    auto info = Kind::kInfo(decl);
     share(info, sharing);
-    VkDeviceImageMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS};
+    typename Kind::Query query{};
+    query.sType = Kind::kQueryType;
     query.pCreateInfo = &info;
     VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
-    device.fn().vkGetDeviceImageMemoryRequirements(device.handle(), &query, &answer);
-    return to_need(answer.memoryRequirements);
-}
-
-MemoryNeed buffer_need(Device& device, const ResourceDecl& decl, const Sharing& sharing) {
-    VkBufferCreateInfo info = buffer_create_info(decl);
-    share(info, sharing);
-    VkDeviceBufferMemoryRequirements query{VK_STRUCTURE_TYPE_DEVICE_BUFFER_MEMORY_REQUIREMENTS};
-    query.pCreateInfo = &info;
-    VkMemoryRequirements2 answer{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
-    device.fn().vkGetDeviceBufferMemoryRequirements(device.handle(), &query, &answer);
-    return to_need(answer.memoryRequirements);
+    (device.fn().*Kind::kNeeds)(device.handle(), &query, &answer);
+    const VkMemoryRequirements& needs = answer.memoryRequirements;
+    return {needs.size, needs.alignment, needs.memoryTypeBits};
 }
 
 // Returns memory requirements that suit both sharing modes of a resource, exclusive and concurrent. The plan
 // decides later which resources several queue families share.
 MemoryNeed any_need(Device& device, const ResourceDecl& decl) {
-    const auto need = decl.kind == ResourceKind::image ? image_need : buffer_need;
+    const auto need = decl.kind == ResourceKind::image ? need_of<ImageTraits> : need_of<BufferTraits>;
     MemoryNeed exclusive = need(device, decl, Sharing{});
     if (device.sharing_families().empty()) return exclusive;
     const MemoryNeed concurrent = need(device, decl, concurrent_sharing(device));
@@ -94,38 +109,22 @@ Result<DeviceMemory> allocate_heap(Device& device, const FramePlan& plan, size_t
     return DeviceMemory(device, block);
 }
 
-// Creates an image and binds it to memory.
-Result<ImageHandle> make_image(Device& device, const ResourceDecl& decl, const Sharing& sharing,
-                               const MemoryBlock& memory, uint64_t offset_bytes) {
-    VkImageCreateInfo info = image_create_info(decl);
+// Creates an image or a buffer and binds it to memory.
+template <class Kind>
+Result<typename Kind::Owner> create_bound(Device& device, const ResourceDecl& decl, const Sharing& sharing,
+                                          const MemoryBlock& memory, uint64_t offset_bytes) {
+    const std::string what = std::string(Kind::kWord) + " \"" + decl.name + "\"";
+    auto info = Kind::kInfo(decl);
     share(info, sharing);
-    VkImage object = VK_NULL_HANDLE;
-    VkResult result = device.fn().vkCreateImage(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "creating image \"" + decl.name + "\"", result);
-    ImageHandle image(device, object);
-    device.name(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindImageMemory(device.handle(), object, memory.memory,
-                                           memory.offset_bytes + offset_bytes);
-    if (result != VK_SUCCESS)
-        return failed_call("V411", "binding memory of image \"" + decl.name + "\"", result);
-    return image;
-}
-
-// Creates a buffer and binds it to memory.
-Result<BufferHandle> make_buffer(Device& device, const ResourceDecl& decl, const Sharing& sharing,
-                                 const MemoryBlock& memory, uint64_t offset_bytes) {
-    VkBufferCreateInfo info = buffer_create_info(decl);
-    share(info, sharing);
-    VkBuffer object = VK_NULL_HANDLE;
-    VkResult result = device.fn().vkCreateBuffer(device.handle(), &info, nullptr, &object);
-    if (result != VK_SUCCESS) return failed_call("V411", "creating buffer \"" + decl.name + "\"", result);
-    BufferHandle buffer(device, object);
-    device.name(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<uint64_t>(object), decl.name);
-    result = device.fn().vkBindBufferMemory(device.handle(), object, memory.memory,
-                                            memory.offset_bytes + offset_bytes);
-    if (result != VK_SUCCESS)
-        return failed_call("V411", "binding memory of buffer \"" + decl.name + "\"", result);
-    return buffer;
+    typename Kind::Object object = VK_NULL_HANDLE;
+    VkResult result = (device.fn().*Kind::kCreate)(device.handle(), &info, nullptr, &object);
+    if (result != VK_SUCCESS) return failed_call("V411", "creating " + what, result);
+    typename Kind::Owner owner(device, object);
+    device.name(Kind::kType, reinterpret_cast<uint64_t>(object), decl.name);
+    result = (device.fn().*Kind::kBind)(device.handle(), object, memory.memory,
+                                        memory.offset_bytes + offset_bytes);
+    if (result != VK_SUCCESS) return failed_call("V411", "binding memory of " + what, result);
+    return owner;
 }
 
 // Creates an image or a buffer with memory of its own. All queue families may use it, because the plans that
@@ -142,12 +141,13 @@ Result<SharedObject> make_shared_object(Device& device, const FramePlan& plan, c
     object.memory = std::move(*memory);
     const Sharing sharing = concurrent_sharing(device);
     if (decl.kind == ResourceKind::buffer) {
-        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, object.memory.block(), 0);
+        Result<BufferHandle> buffer =
+            create_bound<BufferTraits>(device, decl, sharing, object.memory.block(), 0);
         if (!buffer) return buffer.take_errors();
         object.buffer = std::move(*buffer);
         return object;
     }
-    Result<ImageHandle> image = make_image(device, decl, sharing, object.memory.block(), 0);
+    Result<ImageHandle> image = create_bound<ImageTraits>(device, decl, sharing, object.memory.block(), 0);
     if (!image) return image.take_errors();
     object.image = std::move(*image);
     return object;
@@ -193,12 +193,14 @@ Status TransientHeap::place(Device& device, const ResourceDecl& decl, const Plac
                             const Sharing& sharing) {
     const MemoryBlock& memory = memory_[placement.heap].block();
     if (decl.kind == ResourceKind::buffer) {
-        Result<BufferHandle> buffer = make_buffer(device, decl, sharing, memory, placement.offset_bytes);
+        Result<BufferHandle> buffer =
+            create_bound<BufferTraits>(device, decl, sharing, memory, placement.offset_bytes);
         if (!buffer) return buffer.take_errors();
         buffers_[placement.resource] = std::move(*buffer);
         return Unit{};
     }
-    Result<ImageHandle> image = make_image(device, decl, sharing, memory, placement.offset_bytes);
+    Result<ImageHandle> image =
+        create_bound<ImageTraits>(device, decl, sharing, memory, placement.offset_bytes);
     if (!image) return image.take_errors();
     images_[placement.resource] = std::move(*image);
     return Unit{};

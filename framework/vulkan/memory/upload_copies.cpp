@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "graph/diagnostics/make_error.h"
 #include "vulkan/device/to_vk.h"
 
 namespace weft::vk {
@@ -42,11 +43,9 @@ void record_barrier(const DeviceFunctions& fn, VkCommandBuffer commands,
 }  // namespace
 
 Diagnostic size_error(const std::string& what, uint64_t found, uint64_t wanted, const char* unit) {
-    Diagnostic error;
-    error.code = "V420";
-    error.message = what + " has " + std::to_string(found) + unit + "; wanted " + std::to_string(wanted);
-    error.help = {"pack the texels without gaps, and store the layers of a mip one after the other"};
-    return error;
+    return make_error("V420",
+                      what + " has " + std::to_string(found) + unit + "; wanted " + std::to_string(wanted),
+                      {"pack the texels without gaps, and store the layers of a mip one after the other"});
 }
 
 Result<std::vector<VkBufferImageCopy>> plan_copies(const ResourceDecl& decl,

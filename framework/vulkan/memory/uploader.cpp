@@ -4,41 +4,15 @@
 
 #include "vulkan/device/executor_errors.h"
 #include "vulkan/device/functions.h"
-#include "vulkan/device/queue_lock.h"
 #include "vulkan/memory/upload_copies.h"
 
 namespace weft::vk {
 
 Result<std::unique_ptr<UploadBatch>> UploadBatch::create(Device& device) {
     std::unique_ptr<UploadBatch> batch(new UploadBatch(device));
-    if (const VkResult result = batch->open(); result != VK_SUCCESS)
+    if (const VkResult result = batch->once_.open(device); result != VK_SUCCESS)
         return failed_call("V418", "beginning the upload of a part of the scene", result);
     return batch;
-}
-
-VkResult UploadBatch::open() {
-    const DeviceFunctions& fn = device_.fn();
-    VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    pool_info.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
-    pool_info.queueFamilyIndex = device_.queue().family;
-    VkCommandPool pool = VK_NULL_HANDLE;
-    VkResult result = fn.vkCreateCommandPool(device_.handle(), &pool_info, nullptr, &pool);
-    if (result != VK_SUCCESS) return result;
-    pool_ = {device_, pool};
-    VkFenceCreateInfo fence_info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-    VkFence fence = VK_NULL_HANDLE;
-    result = fn.vkCreateFence(device_.handle(), &fence_info, nullptr, &fence);
-    if (result != VK_SUCCESS) return result;
-    fence_ = {device_, fence};
-    VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-    allocate.commandPool = pool;
-    allocate.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-    allocate.commandBufferCount = 1;
-    result = fn.vkAllocateCommandBuffers(device_.handle(), &allocate, &commands_);
-    if (result != VK_SUCCESS) return result;
-    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-    return fn.vkBeginCommandBuffer(commands_, &begin);
 }
 
 Result<const Buffer*> UploadBatch::add_staging(uint64_t size_bytes) {
@@ -56,7 +30,7 @@ Status UploadBatch::buffer(const Buffer& target, std::span<const std::byte> byte
     Result<const Buffer*> staging = add_staging(bytes.size());
     if (!staging) return staging.take_errors();
     std::memcpy((*staging)->mapped().data(), bytes.data(), bytes.size());
-    record_buffer_copy(device_.fn(), commands_, target, **staging, {0, 0, bytes.size()});
+    record_buffer_copy(device_.fn(), once_.commands, target, **staging, {0, 0, bytes.size()});
     return Unit{};
 }
 
@@ -66,38 +40,30 @@ Status UploadBatch::image(const Image& target, std::span<const std::span<const s
     Result<const Buffer*> staging = add_staging(copies->back().bufferOffset + levels.back().size());
     if (!staging) return staging.take_errors();
     fill_staging((*staging)->mapped(), *copies, levels);
-    record_image_copy(device_.fn(), commands_, target, **staging, *copies);
+    record_image_copy(device_.fn(), once_.commands, target, **staging, *copies);
     return Unit{};
 }
 
 Status UploadBatch::end() {
-    const VkResult result = device_.fn().vkEndCommandBuffer(commands_);
+    const VkResult result = device_.fn().vkEndCommandBuffer(once_.commands);
     if (result == VK_SUCCESS) return Unit{};
     return failed_call("V418", "recording the upload of a part of the scene", result);
 }
 
 Status UploadBatch::submit() {
-    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &commands_;
-    const VkResult result = [&] {
-        const QueueLock lock(device_, device_.queue().handle);
-        return device_.fn().vkQueueSubmit(device_.queue().handle, 1, &submit, fence_.get());
-    }();
+    const VkResult result = once_.submit(device_);
     if (result != VK_SUCCESS) return failed_call("V418", "uploading a part of the scene", result);
     submitted_ = true;
     return Unit{};
 }
 
 bool UploadBatch::is_over() const {
-    return device_.fn().vkGetFenceStatus(device_.handle(), fence_.get()) == VK_SUCCESS;
+    return device_.fn().vkGetFenceStatus(device_.handle(), once_.fence.get()) == VK_SUCCESS;
 }
 
 UploadBatch::~UploadBatch() {
     if (!submitted_ || device_.abandoned()) return;
-    VkFence fence = fence_.get();
-    const VkResult wait =
-        device_.fn().vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, device_.timeout_ns());
+    const VkResult wait = once_.wait(device_);
     // After a failed wait, the copies may still run, so their objects must not be destroyed. A lost device is
     // an exception, because it runs nothing any more.
     if (wait != VK_SUCCESS && wait != VK_ERROR_DEVICE_LOST) device_.abandon();

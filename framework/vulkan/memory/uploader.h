@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "vulkan/device/handle.h"
+#include "vulkan/device/one_time_commands.h"
 #include "weft/result.h"
 #include "weft/vulkan/memory.h"
 
@@ -57,12 +57,9 @@ class UploadBatch final : public Uploader {
  private:
     explicit UploadBatch(Device& device) : device_(device) {}
     [[nodiscard]] Result<const Buffer*> add_staging(uint64_t size_bytes);
-    [[nodiscard]] VkResult open();
 
     Device& device_;
-    CommandPoolHandle pool_;
-    FenceHandle fence_;
-    VkCommandBuffer commands_ = VK_NULL_HANDLE;
+    OneTimeCommands once_;
     std::vector<std::unique_ptr<Buffer>> staging_;
     bool submitted_ = false;
 };

@@ -1,7 +1,5 @@
 #include "vulkan/pipelines/pipeline_store.h"
 
-#include <cassert>
-
 #include "weft/vulkan/shared_pipelines.h"
 
 namespace weft::vk {
@@ -9,30 +7,11 @@ namespace weft::vk {
 SharedPipelines::SharedPipelines() : store_(std::make_unique<PipelineStore>()) {}
 SharedPipelines::~SharedPipelines() = default;
 
-PipelineLease& PipelineLease::operator=(PipelineLease&& other) noexcept {
-    if (this == &other) return *this;
-    reset();
-    store_ = std::exchange(other.store_, nullptr);
-    hash_ = std::move(other.hash_);
-    pipeline_ = std::exchange(other.pipeline_, VK_NULL_HANDLE);
-    return *this;
-}
-
-void PipelineLease::reset() {
-    pipeline_ = VK_NULL_HANDLE;
-    if (store_ != nullptr) std::exchange(store_, nullptr)->give_back(hash_);
-}
-
-PipelineLease PipelineStore::lease(const std::string& hash, Entry& entry) {
-    ++entry.leases;
-    return {*this, hash, entry.pipeline.get()};
-}
-
 Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& make, uint32_t& made) {
     {
         const std::lock_guard lock(mutex_);
         if (const auto found = entries_.find(hash); found != entries_.end())
-            return lease(hash, found->second);
+            return lease(hash, found->second, found->second.owner.get());
     }
     // The lock is not held here, because creating a pipeline may take long. If two threads create the same
     // pipeline, the second of the two pipelines is destroyed.
@@ -41,20 +20,8 @@ Result<PipelineLease> PipelineStore::get(const std::string& hash, const Make& ma
     ++made;
     const std::lock_guard lock(mutex_);
     const auto [place, is_new] = entries_.try_emplace(hash);
-    if (is_new) place->second.pipeline = std::move(*pipeline);
-    return lease(hash, place->second);
-}
-
-void PipelineStore::give_back(const std::string& hash) {
-    // This variable is declared before the lock, so that the pipeline is destroyed after the lock is
-    // released.
-    PipelineHandle last;
-    const std::lock_guard lock(mutex_);
-    const auto found = entries_.find(hash);
-    assert(found != entries_.end() && found->second.leases > 0);
-    if (--found->second.leases > 0) return;
-    last = std::move(found->second.pipeline);
-    entries_.erase(found);
+    if (is_new) place->second.owner = std::move(*pipeline);
+    return lease(hash, place->second, place->second.owner.get());
 }
 
 }  // namespace weft::vk

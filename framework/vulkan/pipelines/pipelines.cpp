@@ -10,19 +10,25 @@
 namespace weft::vk {
 namespace {
 
+// `create` is the function of the device for pipelines with this kind of `info`.
+template <class Create, class Info>
+Result<PipelineHandle> create_pipeline(Device& device, const PipelineRequest& request, Create create,
+                                       Info info) {
+    info.layout = request.layout.pipeline.get();
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    const VkResult result = create(device.handle(), request.cache, 1, &info, nullptr, &pipeline);
+    if (result != VK_SUCCESS)
+        return failed_pass_call(request.plan, request.pass, "V412", "creating the pipeline", result);
+    return PipelineHandle(device, pipeline);
+}
+
 Result<PipelineHandle> make_compute(Device& device, const PipelineRequest& request) {
     Result<ShaderStages> stages =
         ShaderStages::create(device, request.plan, request.pass, request.program, nullptr);
     if (!stages) return stages.take_errors();
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     info.stage = stages->infos()[0];
-    info.layout = request.layout.pipeline.get();
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult result =
-        device.fn().vkCreateComputePipelines(device.handle(), request.cache, 1, &info, nullptr, &pipeline);
-    if (result != VK_SUCCESS)
-        return failed_pass_call(request.plan, request.pass, "V412", "creating the pipeline", result);
-    return PipelineHandle(device, pipeline);
+    return create_pipeline(device, request, device.fn().vkCreateComputePipelines, info);
 }
 
 Diagnostic missing_inputs(const PipelineRequest& request, const std::string& list,
@@ -58,13 +64,7 @@ Result<PipelineHandle> make_graphics(Device& device, const PipelineRequest& requ
     VkGraphicsPipelineCreateInfo info = state.info();
     info.stageCount = static_cast<uint32_t>(stages->infos().size());
     info.pStages = stages->infos().data();
-    info.layout = request.layout.pipeline.get();
-    VkPipeline pipeline = VK_NULL_HANDLE;
-    const VkResult result =
-        device.fn().vkCreateGraphicsPipelines(device.handle(), request.cache, 1, &info, nullptr, &pipeline);
-    if (result != VK_SUCCESS)
-        return failed_pass_call(request.plan, request.pass, "V412", "creating the pipeline", result);
-    return PipelineHandle(device, pipeline);
+    return create_pipeline(device, request, device.fn().vkCreateGraphicsPipelines, info);
 }
 
 void name_pipeline(const Device& device, const PassDecl& pass, const ListPart& part, VkPipeline pipeline) {

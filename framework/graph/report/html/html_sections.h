@@ -3,6 +3,7 @@
 // and a label that appears when the pointer is over it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,12 @@ void open_panel(Markup& out, const char* id, const char* title, const std::strin
 // together.
 void open_drawing(Markup& out, const std::string& label, int32_t width_px, int32_t height_px);
 void close_drawing(Markup& out);
+struct BoxPx {
+    int32_t left = 0, top = 0, width = 0, height = 0;
+};
+// Draws a rectangle. `style` is its class, and `round_px` the radius of its corners.
+void draw_box(Markup& out, const std::string& style, const BoxPx& box,
+              std::optional<int32_t> round_px = std::nullopt);
 void write_legend(Markup& out, const std::vector<std::pair<const char*, const char*>>& styles_and_texts);
 // Returns the height of the heading: the names of the live passes, at the top of each drawing with pass
 // columns.
@@ -43,6 +50,24 @@ void write_legend(Markup& out, const std::vector<std::pair<const char*, const ch
 void write_heading(const PlanPage& page, Markup& out);
 // Draws the vertical lines between the columns of passes, from `top_px` to `bottom_px`.
 void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Markup& out);
+
+// The base of drawings with pass columns: labels at the left, and the drawing itself.
+class ColumnDrawing {
+ public:
+    ColumnDrawing(const PlanPage& page, Markup& out)
+        : page_(page), plan_(*page.plan), out_(out), top_px_(heading_height_px(page)) {}
+
+ protected:
+    // Opens the list of labels beside the drawing. `style` is its class.
+    void open_labels(const std::string& style);
+    // Opens the drawing, and draws its heading and the lines between the columns.
+    void open_columns(const std::string& label, int32_t height_px);
+
+    const PlanPage& page_;
+    const FramePlan& plan_;
+    Markup& out_;
+    int32_t top_px_;  // The height of the heading.
+};
 
 // Each of these functions returns a label of a barrier, edge or wait. The label appears when the pointer is
 // over this item. The parameter is an index into PlanPage::barriers, PlanPage::edges or PlanPage::waits.

@@ -34,14 +34,9 @@ std::string escaped_code_point(std::string_view text, const Utf8& next) {
 }  // namespace
 
 std::string escaped(std::string_view text) {
-    std::string out;
-    out.reserve(text.size());
-    while (!text.empty()) {
-        const Utf8 next = first_code_point(text);
-        out += next.length > 0 ? escaped_code_point(text, next) : kReplacement;
-        text.remove_prefix(next.length > 0 ? next.length : 1);
-    }
-    return out;
+    return rewrite(text, [](const Utf8& next, std::string_view bytes) {
+        return next.length > 0 ? escaped_code_point(bytes, next) : kReplacement;
+    });
 }
 
 void Markup::tag(const char* name, const Attributes& attributes, const char* end) {

@@ -84,6 +84,13 @@ void close_drawing(Markup& out) {
     out.line();
 }
 
+void draw_box(Markup& out, const std::string& style, const BoxPx& box, std::optional<int32_t> round_px) {
+    Markup::Attributes attributes{
+        {"class", style}, {"x", box.left}, {"y", box.top}, {"width", box.width}, {"height", box.height}};
+    if (round_px) attributes.emplace_back("rx", *round_px);
+    out.empty("rect", attributes);
+}
+
 void write_legend(Markup& out, const std::vector<std::pair<const char*, const char*>>& styles_and_texts) {
     out.open("ul", {{"class", "legend"}});
     for (const auto& [style, text] : styles_and_texts) {

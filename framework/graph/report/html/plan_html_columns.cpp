@@ -70,4 +70,14 @@ void write_guides(const PlanPage& page, int32_t top_px, int32_t bottom_px, Marku
     out.empty("path", {{"class", "guide"}, {"d", path}});
 }
 
+void ColumnDrawing::open_labels(const std::string& style) {
+    out_.open("ol", {{"class", style}, {"style", "padding-top:" + std::to_string(top_px_) + "px"}});
+}
+
+void ColumnDrawing::open_columns(const std::string& label, int32_t height_px) {
+    open_drawing(out_, label, page_.columns.width_px, height_px);
+    write_heading(page_, out_);
+    write_guides(page_, top_px_, height_px, out_);
+}
+
 }  // namespace weft

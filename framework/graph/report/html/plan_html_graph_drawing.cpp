@@ -239,12 +239,7 @@ class GraphDrawing {
     }
 
     void draw_rect(const char* style, PointPx at, PointPx size, int32_t round_px) {
-        out_.empty("rect", {{"class", style},
-                            {"x", at.x},
-                            {"y", at.y},
-                            {"width", size.x},
-                            {"height", size.y},
-                            {"rx", round_px}});
+        draw_box(out_, style, {at.x, at.y, size.x, size.y}, round_px);
     }
 
     void draw_node(uint32_t index) {

@@ -43,14 +43,9 @@ std::vector<Row> make_rows(const PlanPage& page) {
     return rows;
 }
 
-class LifetimeDrawing {
+class LifetimeDrawing : ColumnDrawing {
  public:
-    LifetimeDrawing(const PlanPage& page, Markup& out)
-        : page_(page),
-          plan_(*page.plan),
-          out_(out),
-          rows_(make_rows(page)),
-          top_px_(heading_height_px(page)) {}
+    LifetimeDrawing(const PlanPage& page, Markup& out) : ColumnDrawing(page, out), rows_(make_rows(page)) {}
 
     [[nodiscard]] bool shows_unread() const {
         return std::any_of(rows_.begin(), rows_.end(), [](const Row& row) { return row.unread; });
@@ -60,9 +55,7 @@ class LifetimeDrawing {
         const int32_t height_px = top_px_ + static_cast<int32_t>(rows_.size()) * kRow_px + 6;
         out_.open("div", {{"class", "chart"}});
         write_labels();
-        open_drawing(out_, "Lifetimes of resources", page_.columns.width_px, height_px);
-        write_heading(page_, out_);
-        write_guides(page_, top_px_, height_px, out_);
+        open_columns("Lifetimes of resources", height_px);
         for (size_t row = 0; row < rows_.size(); ++row)
             draw_row(rows_[row], top_px_ + static_cast<int32_t>(row) * kRow_px);
         close_drawing(out_);
@@ -71,8 +64,7 @@ class LifetimeDrawing {
 
  private:
     void write_labels() {
-        out_.open("ol",
-                  {{"class", "labels rows"}, {"style", "padding-top:" + std::to_string(top_px_) + "px"}});
+        open_labels("labels rows");
         for (const Row& row : rows_) {
             const ResourceDecl& resource = plan_.graph.resources[row.resource];
             const uint64_t bytes = placed_bytes(plan_, row.resource);
@@ -103,20 +95,13 @@ class LifetimeDrawing {
             std::string("life") + (frame ? " long" : "") + (row.unread ? " unread" : "");
         open_item(out_, style, resource_keys(page_, row.resource),
                   resource.name + ": " + text + (row.unread ? ", no reader: no running pass reads it" : ""));
-        out_.empty("rect", {{"class", "hit"},
-                            {"x", left_px},
-                            {"y", y_px + 2},
-                            {"width", right_px - left_px},
-                            {"height", kRow_px - 4}});
+        draw_box(out_, "hit", {left_px, y_px + 2, right_px - left_px, kRow_px - 4});
         // If no pass reads the resource, its bar is nearly as high as the row and looks like a border. A
         // normal, thinner bar would be hidden behind the cell if only one pass uses the resource.
         const int32_t bar_px = row.unread ? kRow_px - 4 : 8, over_px = row.unread && !frame ? 3 : 0;
-        out_.empty("rect", {{"class", "bar"},
-                            {"x", left_px - over_px},
-                            {"y", y_px + (kRow_px - bar_px) / 2},
-                            {"width", right_px - left_px + 2 * over_px},
-                            {"height", bar_px},
-                            {"rx", 4}});
+        draw_box(out_, "bar",
+                 {left_px - over_px, y_px + (kRow_px - bar_px) / 2, right_px - left_px + 2 * over_px, bar_px},
+                 4);
         out_.close();
         for (const PassId pass : page_.users[row.resource])
             if (plan_.live.live_passes[pass]) draw_cell(row.resource, pass, y_px);
@@ -140,12 +125,7 @@ class LifetimeDrawing {
         const char* style = reading && writing ? "cell both" : writing ? "cell write" : "cell read";
         open_item(out_, style, resource_key(resource) + " " + pass_key(pass), label);
         const int32_t top_px = y_px + (kRow_px - kCell_px) / 2;
-        out_.empty("rect", {{"class", "mark"},
-                            {"x", column.box_left_px},
-                            {"y", top_px},
-                            {"width", column.box_width_px},
-                            {"height", kCell_px},
-                            {"rx", 3}});
+        draw_box(out_, "mark", {column.box_left_px, top_px, column.box_width_px, kCell_px}, 3);
         out_.leaf("text",
                   {{"class", "mid"}, {"x", column.box_left_px + column.box_width_px / 2}, {"y", top_px + 13}},
                   reading && writing ? "RW"
@@ -154,11 +134,7 @@ class LifetimeDrawing {
         out_.close();
     }
 
-    const PlanPage& page_;
-    const FramePlan& plan_;
-    Markup& out_;
     std::vector<Row> rows_;
-    int32_t top_px_;
 };
 
 }  // namespace

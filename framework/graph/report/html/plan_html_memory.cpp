@@ -85,11 +85,9 @@ class MemoryDrawing {
             open_item(out_, p == plan_.memory.peak_position ? "alive peak" : "alive", pass_keys(page_, pass),
                       bytes_text(alive_bytes) + " alive at " + std::to_string(p) + " " +
                           plan_.graph.passes[pass].name);
-            out_.empty("rect", {{"class", "mark"},
-                                {"x", column.left_px},
-                                {"y", heading_px_ + kStrip_px - height_px},
-                                {"width", column.width_px},
-                                {"height", std::max(1, height_px)}});
+            draw_box(out_, "mark",
+                     {column.left_px, heading_px_ + kStrip_px - height_px, column.width_px,
+                      std::max(1, height_px)});
             out_.close();
         }
         out_.line();
@@ -97,11 +95,7 @@ class MemoryDrawing {
 
     void draw_heap(size_t index) {
         const int32_t top_px = tops_px_[index], right_px = page_.columns.width_px - 1;
-        out_.empty("rect", {{"class", "heap"},
-                            {"x", 1},
-                            {"y", top_px},
-                            {"width", right_px - 1},
-                            {"height", scales_[index].height_px}});
+        draw_box(out_, "heap", {1, top_px, right_px - 1, scales_[index].height_px});
         std::string lines;
         for (const ByteTick& tick : byte_ticks(scales_[index]))
             lines += "M1 " + std::to_string(top_px + tick.y_px) + "H" + std::to_string(right_px);
@@ -124,12 +118,7 @@ class MemoryDrawing {
                   name + ": " + size + " at " + bytes_text(p.offset_bytes) + ", from " +
                       pass_at(plan_, span.first) + " to " + pass_at(plan_, span.last) +
                       (block.enlarged ? ", drawn larger than its real size" : ""));
-        out_.empty("rect", {{"class", "mark"},
-                            {"x", left_px},
-                            {"y", top_px},
-                            {"width", width_px},
-                            {"height", block.height_px - 1},
-                            {"rx", block.enlarged ? 0 : 3}});
+        draw_box(out_, "mark", {left_px, top_px, width_px, block.height_px - 1}, block.enlarged ? 0 : 3);
         const std::string both = name + "  " + size;
         const size_t fits = characters_in(width_px - 14);
         if (block.height_px >= 15 && fits >= kLeastNameCharacters)

@@ -30,22 +30,16 @@ std::vector<uint32_t> used_queues(const FramePlan& plan) {
     return used;
 }
 
-class TimelineDrawing {
+class TimelineDrawing : ColumnDrawing {
  public:
     TimelineDrawing(const PlanPage& page, Markup& out)
-        : page_(page),
-          plan_(*page.plan),
-          out_(out),
-          queues_(used_queues(*page.plan)),
-          top_px_(heading_height_px(page)) {}
+        : ColumnDrawing(page, out), queues_(used_queues(*page.plan)) {}
 
     void draw() {
         const int32_t height_px = top_px_ + lane_top_px(queues_.size()) - kLaneGap_px + 4;
         out_.open("div", {{"class", "chart"}});
         write_labels();
-        open_drawing(out_, "Timeline of the queues", page_.columns.width_px, height_px);
-        write_heading(page_, out_);
-        write_guides(page_, top_px_, height_px, out_);
+        open_columns("Timeline of the queues", height_px);
         for (size_t batch = 0; batch < plan_.submissions.batches.size(); ++batch) draw_batch(batch);
         for (Position p(0); p < plan_.schedule.order.size(); ++p) draw_scope(p);
         for (Position p(0); p < plan_.schedule.order.size(); ++p) draw_pass(p);
@@ -58,8 +52,7 @@ class TimelineDrawing {
 
  private:
     void write_labels() {
-        out_.open("ol",
-                  {{"class", "labels lanes"}, {"style", "padding-top:" + std::to_string(top_px_) + "px"}});
+        open_labels("labels lanes");
         for (const uint32_t q : queues_) {
             const int32_t height_px = q == queues_[0] ? kLaneHeight_px : kLaneHeight_px + kLaneGap_px;
             out_.open("li", {{"style", "height:" + std::to_string(height_px) + "px;padding-top:" +
@@ -102,12 +95,7 @@ class TimelineDrawing {
         const int32_t left_px = batch_left_px(batch), width_px = batch_right_px(batch) - left_px;
         open_item(out_, "batch q" + std::to_string(batch.queue), batch_keys(page_, index),
                   "submission " + std::to_string(index) + " of queue " + std::to_string(batch.queue));
-        out_.empty("rect", {{"class", "box"},
-                            {"x", left_px},
-                            {"y", lane_px(batch.queue)},
-                            {"width", width_px},
-                            {"height", kLaneHeight_px},
-                            {"rx", 8}});
+        draw_box(out_, "box", {left_px, lane_px(batch.queue), width_px, kLaneHeight_px}, 8);
         const std::string number = std::to_string(index), name = "submission " + number;
         const int32_t room_px = width_px - 12;
         const bool fits = small_text_in(name, room_px) == name;
@@ -125,12 +113,7 @@ class TimelineDrawing {
         draw_marks(barriers_at(page_, BarrierPlace::before_pass, position), column.left_px, y_px);
         open_item(out_, "pass q" + std::to_string(queue), pass_keys(page_, pass),
                   std::to_string(position) + " " + plan_.graph.passes[pass].name);
-        out_.empty("rect", {{"class", "box"},
-                            {"x", column.box_left_px},
-                            {"y", y_px},
-                            {"width", column.box_width_px},
-                            {"height", kRowHeight_px},
-                            {"rx", 4}});
+        draw_box(out_, "box", {column.box_left_px, y_px, column.box_width_px, kRowHeight_px}, 4);
         const int32_t middle_px = column.box_left_px + column.box_width_px / 2;
         if (!page_.columns.rotated_labels)
             out_.leaf("text", {{"class", "name mid"}, {"x", middle_px}, {"y", y_px + kRowHeight_px / 2 - 2}},
@@ -156,11 +139,9 @@ class TimelineDrawing {
         const PageColumn& from = page_.columns.passes[plan_.schedule.position[before]];
         const uint32_t queue = plan_.schedule.queue[position];
         const int32_t left_px = from.box_left_px + from.box_width_px;
-        out_.empty("rect", {{"class", "scope q" + std::to_string(queue)},
-                            {"x", left_px},
-                            {"y", lane_px(queue) + kLaneTop_px + kRowHeight_px / 2 - 4},
-                            {"width", page_.columns.passes[position].box_left_px - left_px},
-                            {"height", 8}});
+        draw_box(out_, "scope q" + std::to_string(queue),
+                 {left_px, lane_px(queue) + kLaneTop_px + kRowHeight_px / 2 - 4,
+                  page_.columns.passes[position].box_left_px - left_px, 8});
     }
 
     void draw_marks(const std::vector<size_t>& barriers, int32_t left_px, int32_t top_px) {
@@ -170,17 +151,8 @@ class TimelineDrawing {
             const int32_t y_px = top_px + static_cast<int32_t>(i % kMarkRows) * kMarkStepY_px + 1;
             open_item(out_, std::string("barrier ") + barrier_style(barrier.reason),
                       barrier_keys(page_, barriers[i]), barrier_label(page_, barriers[i]));
-            out_.empty("rect", {{"class", "hit"},
-                                {"x", x_px - 1},
-                                {"y", y_px - 1},
-                                {"width", kMarkStepX_px},
-                                {"height", kMarkStepY_px}});
-            out_.empty("rect", {{"class", "mark"},
-                                {"x", x_px},
-                                {"y", y_px},
-                                {"width", kMark_px},
-                                {"height", kMark_px},
-                                {"rx", 2}});
+            draw_box(out_, "hit", {x_px - 1, y_px - 1, kMarkStepX_px, kMarkStepY_px});
+            draw_box(out_, "mark", {x_px, y_px, kMark_px, kMark_px}, 2);
             out_.close();
         }
     }
@@ -225,11 +197,7 @@ class TimelineDrawing {
         out_.line();
     }
 
-    const PlanPage& page_;
-    const FramePlan& plan_;
-    Markup& out_;
     std::vector<uint32_t> queues_;  // The queues that have a row in the drawing; at least one.
-    int32_t top_px_;
 };
 
 void write_idle_queues(const FramePlan& plan, Markup& out) {

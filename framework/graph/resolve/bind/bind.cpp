@@ -70,18 +70,23 @@ void suspect_outputs(PassId id, const BoundPass& pass, Suspects& suspects) {
 
 }  // namespace
 
+PassBinding pass_binding(const Declared& declared, PassId id, BoundPasses& bound, PassReporter& report,
+                         Reporter& reporter) {
+    return {.declared = declared,
+            .id = id,
+            .draft = declared.expansion.passes[id],
+            .evaluator = declared.evaluator(id, bound.suspects, reporter),
+            .bound = bound.passes[id],
+            .suspects = bound.suspects,
+            .report = report,
+            .reporter = reporter};
+}
+
 BoundPasses bind(const Declared& declared, Reporter& reporter) {
     BoundPasses bound = bind_references(declared, reporter);
     PassReporter report(declared.shapes, declared.expansion, bound.suspects, reporter);
     for (PassId id(0); id < bound.passes.size(); ++id) {
-        PassBinding pass{.declared = declared,
-                         .id = id,
-                         .draft = declared.expansion.passes[id],
-                         .evaluator = declared.evaluator(id, bound.suspects, reporter),
-                         .bound = bound.passes[id],
-                         .suspects = bound.suspects,
-                         .report = report,
-                         .reporter = reporter};
+        PassBinding pass = pass_binding(declared, id, bound, report, reporter);
         bind_pass(pass);
     }
     for (PassId id(0); id < bound.passes.size(); ++id) suspect_outputs(id, bound.passes[id], bound.suspects);

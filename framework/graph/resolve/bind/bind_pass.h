@@ -26,6 +26,10 @@ struct PassBinding {
     }
 };
 
+// Returns the parts of `bound` that belong to the pass `id`. Keeps references to all arguments.
+[[nodiscard]] PassBinding pass_binding(const Declared& declared, PassId id, BoundPasses& bound,
+                                       PassReporter& report, Reporter& reporter);
+
 // Matches the ports of a pass by name with the bindings and fragment outputs of its shader, and reports ports
 // and bindings without a counterpart. The way in which the shader uses a binding determines the access of the
 // port. Errors: W112, W165, W170, W171, W173, W182, W196, W232.

@@ -309,14 +309,7 @@ class ReferenceBinder {
     // Finds the view of the pass. If the shader reads the view from a buffer, adds this buffer as an input of
     // the pass.
     void add_view(PassId id, const Presence& presence, std::vector<BoundPort>& ports) {
-        PassBinding pass{.declared = declared_,
-                         .id = id,
-                         .draft = declared_.expansion.passes[id],
-                         .evaluator = declared_.evaluator(id, result_.suspects, reporter_),
-                         .bound = result_.passes[id],
-                         .suspects = result_.suspects,
-                         .report = report_,
-                         .reporter = reporter_};
+        PassBinding pass = pass_binding(declared_, id, result_, report_, reporter_);
         const std::optional<BufferView> view = bind_view(pass);
         const size_t before = ports.size();
         if (view) add_input(id, *view->port, presence, ports);

@@ -5,20 +5,15 @@
 
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/switches/switches_text.h"
+#include "graph/resolve/version/cell_stage.h"
 #include "graph/resolve/version/connect_versions.h"
 
 namespace weft {
 namespace {
 
-class SwitchConnector {
+class SwitchConnector : CellStage {
  public:
-    SwitchConnector(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
-                    Reporter& reporter)
-        : declared_(declared),
-          cells_(cells),
-          graph_(graph),
-          report_(declared.shapes, declared.expansion, graph.suspects, reporter),
-          reporter_(reporter) {}
+    using CellStage::CellStage;
 
     void run() {
         const size_t known = reporter_.error_count();
@@ -35,7 +30,6 @@ class SwitchConnector {
     // Where the content of a version comes from in one combination of the switches.
     enum class Origin : uint8_t { this_frame, before_frame, nothing };
 
-    UseDecl& use(const CellUse& u) { return graph_.passes[u.pass].uses[u.use]; }
     [[nodiscard]] const PassDraft& draft(PassId pass) const { return declared_.expansion.passes[pass]; }
     [[nodiscard]] bool switched(const CellUse& u) const { return draft(u.pass).decl.switch_id != kNoId; }
     [[nodiscard]] bool has_content(const Cell& cell) const {
@@ -150,11 +144,6 @@ class SwitchConnector {
         add_help(d, "let one of the two passes write another resource");
     }
 
-    const Declared& declared_;
-    const std::vector<Cell>& cells_;
-    VersionedGraph& graph_;
-    PassReporter report_;
-    Reporter& reporter_;
     // For each write of a pass with a switch: the previous version in each cell.
     std::map<CellUse, std::vector<VersionSource>> passed_on_;
 };

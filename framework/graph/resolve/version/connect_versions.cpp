@@ -6,6 +6,7 @@
 #include "graph/resolve/dropped_writer.h"
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/rings.h"
+#include "graph/resolve/version/cell_stage.h"
 
 namespace weft {
 namespace {
@@ -25,15 +26,9 @@ struct Seen {
     bool unknown = false;
 };
 
-class VersionConnector {
+class VersionConnector : CellStage {
  public:
-    VersionConnector(const Declared& declared, const std::vector<Cell>& cells, VersionedGraph& graph,
-                     Reporter& reporter)
-        : declared_(declared),
-          cells_(cells),
-          graph_(graph),
-          report_(declared.shapes, declared.expansion, graph.suspects, reporter),
-          reporter_(reporter) {}
+    using CellStage::CellStage;
 
     void run() {
         seen_.resize(graph_.passes.size());
@@ -48,7 +43,6 @@ class VersionConnector {
     }
 
  private:
-    UseDecl& use(const CellUse& u) { return graph_.passes[u.pass].uses[u.use]; }
     PortDraft& port(const CellUse& u) { return graph_.passes[u.pass].ports[u.use]; }
 
     void gather(const Cell& cell) {
@@ -243,11 +237,6 @@ class VersionConnector {
         edges.erase(std::unique(edges.begin(), edges.end(), equal), edges.end());
     }
 
-    const Declared& declared_;
-    const std::vector<Cell>& cells_;
-    VersionedGraph& graph_;
-    PassReporter report_;
-    Reporter& reporter_;
     // The content that each use sees, indexed by PassId, then by use.
     std::vector<std::vector<Seen>> seen_;
 };

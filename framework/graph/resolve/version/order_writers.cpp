@@ -102,8 +102,9 @@ class WriterOrder {
         if (found != declared_.expansion.instances.end() && !itself) {
             for (const PassId from : found->second) {
                 if (in_other_round(drafts()[from], drafts()[pass])) continue;
-                add_arc({from, pass, EdgeKind::after, kNoId, loc});
-                graph_.edges.push_back({from, pass, EdgeKind::after, kNoId, loc});
+                const EdgeDecl edge{from, pass, EdgeKind::after, kNoId, loc};
+                add_arc({edge});
+                graph_.edges.push_back(edge);
             }
             return;
         }
@@ -117,7 +118,7 @@ class WriterOrder {
     }
 
     void add_read(const Cell& cell, PassId writer, const CellUse& reader, bool pinnable) {
-        add_arc({writer, reader.pass, EdgeKind::raw, cell.resource, use(reader).loc, pinnable});
+        add_arc({{writer, reader.pass, EdgeKind::raw, cell.resource, use(reader).loc}, pinnable});
     }
 
     void add_known(Cell& cell) {
@@ -163,7 +164,7 @@ class WriterOrder {
             const CellUse* before = nullptr;
             for (const auto& [instance, writer] : writers) {
                 if (before)
-                    add_arc({before->pass, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc});
+                    add_arc({{before->pass, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc}});
                 before = &writer;
             }
         }
@@ -199,7 +200,7 @@ class WriterOrder {
     void add_first(const Cell& cell, PassId first, const std::vector<CellUse>& writers) {
         for (const CellUse& writer : writers)
             if (writer.pass != first)
-                add_arc({first, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc});
+                add_arc({{first, writer.pass, EdgeKind::waw, cell.resource, use(writer).loc}});
     }
 
     // Resolves references x@p where pass p does not write x. The reference means the version of the last
@@ -273,8 +274,8 @@ class WriterOrder {
         const auto add = [&](const CellUse& reader) {
             const auto next = static_cast<size_t>(version_seen(graph_, cell, reader) + 1);
             if (next >= cell.writers.size() || cell.writers[next].pass == reader.pass) return;
-            add_arc({reader.pass, cell.writers[next].pass, EdgeKind::war, cell.resource,
-                     use(cell.writers[next]).loc});
+            add_arc({{reader.pass, cell.writers[next].pass, EdgeKind::war, cell.resource,
+                      use(cell.writers[next]).loc}});
             added = true;
         };
         for (const CellUse& reader : cell.readers) add(reader);

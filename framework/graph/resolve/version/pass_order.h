@@ -9,12 +9,7 @@
 
 namespace weft {
 
-struct OrderArc {
-    PassId from = kNoId;
-    PassId to = kNoId;
-    EdgeKind kind = EdgeKind::raw;
-    ResourceId resource = kNoId;
-    SourceLoc loc;
+struct OrderArc : EdgeDecl {
     // True if pass `to` reads a resource with several writers, and its reference contains no `@pass` that
     // selects one of them. Adding an `@pass` can then break a cycle.
     bool pinnable = false;

@@ -4,6 +4,7 @@
 #include <deque>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "graph/resolve/fault_text.h"
 #include "graph/resolve/version/pass_order.h"
@@ -83,21 +84,13 @@ class CycleReport {
     // wait for `pass` while `pass` waits for them.
     std::vector<PassId> knot_of(PassId pass) const {
         const std::vector<uint8_t> after = order_.reached_from(pass);
-        std::vector<std::vector<PassId>> before(done_.size());
-        for (const OrderArc& arc : order_.arcs()) {
-            if (!done_[arc.from] && !done_[arc.to]) before[arc.to].push_back(arc.from);
+        PassOrder backwards(done_.size());
+        for (OrderArc arc : order_.arcs()) {
+            if (done_[arc.from] || done_[arc.to]) continue;
+            std::swap(arc.from, arc.to);
+            backwards.add(arc);
         }
-        std::vector<uint8_t> leads(done_.size(), 0);
-        std::vector<PassId> open{pass};
-        while (!open.empty()) {
-            const PassId at = open.back();
-            open.pop_back();
-            for (const PassId from : before[at]) {
-                if (leads[from]) continue;
-                leads[from] = 1;
-                open.push_back(from);
-            }
-        }
+        const std::vector<uint8_t> leads = backwards.reached_from(pass);
         std::vector<PassId> knot;
         for (PassId p(0); p < done_.size(); ++p) {
             if (!done_[p] && after[p] && leads[p]) knot.push_back(p);

@@ -59,18 +59,6 @@ void add_list_help(const ResolveInput& input, const std::string& name, Diagnosti
     add_help(d, near.empty() ? "the views are " + quote_all(names) : near);
 }
 
-Expr number(double value, SourceLoc loc) {
-    return number_expression(value, loc);
-}
-
-Expr name(const std::string& text, SourceLoc loc) {
-    Expr expression;
-    expression.postfix.push_back({ExprOp::name, 0, text, loc});
-    expression.text = text;
-    expression.loc = loc;
-    return expression;
-}
-
 // Checks the references between the lists of the section "views": each "of" must name a list, and no list may
 // show itself. Returns the names of the faulty lists.
 class ReferenceCheck {
@@ -299,11 +287,11 @@ std::map<std::string, Expr> count_views(const ResolveInput& input, Values& value
         if (!desc.count.empty())
             counts[count] = desc.count;
         else if (desc.of.empty())
-            counts[count] = number(kCubeFaces, desc.loc);
+            counts[count] = number_expression(kCubeFaces, desc.loc);
         else if (is_single(input.imports, desc.of))
-            counts[count] = number(1, desc.loc);
+            counts[count] = number_expression(1, desc.loc);
         else
-            counts[count] = name(count_name(desc.of), desc.of_loc);
+            counts[count] = name_expression(count_name(desc.of), desc.of_loc);
         if (!desc.first.empty() && desc.count.empty()) {
             Expr& rest = counts[count];
             rest.postfix.insert(rest.postfix.end(), desc.first.postfix.begin(), desc.first.postfix.end());
