@@ -1,7 +1,9 @@
 // Computes the visible share of a lamp at a point, from the shadow maps in the port `lampShadow` (drawn by
 // graphs/modules/lamp_shadows.json). Without the port, nothing is in shadow. A lookup compares the depths of a map with
 // the plane of the surface: the depth of the plane is linear in the map. Offsets along the normal and towards the lamp,
-// proportional to the size of a texel, remove the remaining errors, as in shadow_filter.glsl.
+// proportional to the size of a texel, remove the remaining errors, as in shadow_filter.glsl. Shadows of capsules and
+// rectangles have soft edges, whose widths follow from the size of the lamp and from the mean depth of the surfaces that
+// hide it: Fernando 2005, "Percentage-Closer Soft Shadows".
 #ifndef WEFT_LAMP_SHADOW
 #define WEFT_LAMP_SHADOW
 #include "shared/lamp_shadow.glsl"
@@ -44,47 +46,158 @@ LampView lamp_view(Light light, vec3 way) {
 
 vec3 in_lamp_view(LampView seen, vec3 way) { return vec3(dot(seen.right, way), dot(seen.down, way), dot(seen.forward, way)); }
 
-// The place of a point in a map. Depths on the plane of the surface: depth + dot(slope, offset from `at` in texels).
+// The place of a point in a map.
 struct LampPlace {
     vec2 at;       // Position in the map, in texels.
     float depth;   // Reversed depth, as in the map.
-    vec2 slope;
+    vec2 slope;    // Change of this depth per texel on the plane of the surface.
     float layer;
 };
 
+// The shape of a lamp, as seen from a point: half its width and half its height in the plane of the map. Unit: texels,
+// for a lamp that is seen through the plane at the distance 1.
+struct LampShape {
+    vec2 across, along;
+    bool round;
+};
+
+// Returns the part of a way in a lamp's view that is left if the lamp is seen from the point at `p`.
+vec2 seen_from(vec3 way, vec3 p) { return way.xy - p.xy * (way.z / p.z); }
+
+// Returns the shape of a capsule or a rectangle. A capsule counts as an ellipse, with the outline's length and width.
+LampShape lamp_shape(Light light, LampView seen, vec3 p, float texels) {
+    vec3 along = cross(light.side, light.direction) * light.half_size_m.y, across = light.side * light.half_size_m.x;
+    if (light.type == kLightCapsule) {
+        const vec3 sight = normalize(seen.right * p.x + seen.down * p.y + seen.forward * p.z);
+        const vec3 axis = light.direction - sight * dot(light.direction, sight);
+        const float slant = length(axis);
+        along = slant > 1e-3 ? axis / slant : normalize(light.side - sight * dot(light.side, sight));
+        across = cross(sight, along) * light.half_size_m.y;
+        along *= light.half_size_m.x * slant + light.half_size_m.y;
+    }
+    return LampShape(seen_from(in_lamp_view(seen, across), p) * texels, seen_from(in_lamp_view(seen, along), p) * texels,
+                     light.type == kLightCapsule);
+}
+
+// A point as a lamp sees it.
+struct LampSight {
+    LampView view;
+    vec3 p;         // The point in the view, moved by the offsets.
+    float texels;   // Texels per unit on the plane at the distance 1.
+    LampPlace place;
+};
+
 // Finds the place of a point. `way`: from the lamp to the point. `reach`: radius of the filter, in texels.
-LampPlace place_in_lamp_map(Light light, vec3 way, vec3 normal, float reach) {
+LampSight see_from_lamp(Light light, vec3 way, vec3 normal, float reach) {
     const float size = float(textureSize(lampShadow, 0).x);
-    LampView seen = lamp_view(light, way);
+    LampSight sight;
+    sight.view = lamp_view(light, way);
     const vec3 to_light = -normalize(way);
     const float cos_light = max(dot(normal, to_light), 1e-3);
     const float sin_light = sqrt(max(1.0 - cos_light * cos_light, 0.0));
     const float steepest = max(cos_light, sin_light / kLampMostSlope);
-    const float texel_m = 2.0 * seen.half_width / size * dot(seen.forward, way);
-    const float offset = sin_light * (0.5 + reach * (1.0 - cos_light / steepest));
-    const vec3 moved = way + texel_m * (1.41421356 * offset * normal + kLampBiasTexels * to_light);
-    seen = lamp_view(light, moved);
-    const vec3 p = in_lamp_view(seen, moved);
-    const float w = max(p.z, kLampMapNear_m), texels = 0.5 * size / seen.half_width;
-    const vec2 slope = in_lamp_view(seen, normal).xy * (-kLampMapNear_m / (steepest * length(p) * texels));
-    return LampPlace(p.xy / w * texels + 0.5 * size, kLampMapNear_m / w, slope,
-                     float(light.shadow - kFirstLampMap + seen.face));
+    const float texel_m = 2.0 * sight.view.half_width / size * dot(sight.view.forward, way);
+    const float offset = 1.41421356 * sin_light * (0.5 + reach * (1.0 - cos_light / steepest));
+    const vec3 moved = way + texel_m * (offset * normal + kLampBiasTexels * to_light);
+    sight.view = lamp_view(light, moved);
+    sight.p = in_lamp_view(sight.view, moved);
+    sight.p.z = max(sight.p.z, kLampMapNear_m);
+    sight.texels = 0.5 * size / sight.view.half_width;
+    const vec2 across = in_lamp_view(sight.view, normal).xy;
+    sight.place = LampPlace(sight.p.xy / sight.p.z * sight.texels + 0.5 * size, kLampMapNear_m / sight.p.z,
+                            across * (-kLampMapNear_m / (steepest * length(sight.p) * sight.texels)),
+                            float(light.shadow - kFirstLampMap + sight.view.face));
+    return sight;
+}
+
+// Reads the four texels around the place. Returns for each texel whether it hides nothing (1) or hides the point (0).
+vec4 lit_texels(LampPlace place, out vec4 depths, out vec2 f) {
+    const vec2 size = vec2(textureSize(lampShadow, 0).xy), second = floor(place.at - 0.5);
+    f = place.at - 0.5 - second;
+    depths = textureGather(lampShadow, vec3((second + 1.0) / size, place.layer));
+    const vec2 low = place.slope * -f, high = place.slope * (1.0 - f);
+    const vec4 plane = place.depth + vec4(low.x + high.y, high.x + high.y, high.x + low.y, low.x + low.y);
+    return vec4(lessThanEqual(depths, plane));
 }
 
 // Returns the lit share of the four texels around the place, weighted by their distances.
-float lit_texels(LampPlace place) {
-    const vec2 size = vec2(textureSize(lampShadow, 0).xy), second = floor(place.at - 0.5), f = place.at - 0.5 - second;
-    const vec4 depths = textureGather(lampShadow, vec3((second + 1.0) / size, place.layer));
-    const vec2 low = place.slope * -f, high = place.slope * (1.0 - f);
-    const vec4 plane = place.depth + vec4(low.x + high.y, high.x + high.y, high.x + low.y, low.x + low.y);
-    const vec4 weights = vec4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y));
-    return dot(weights, vec4(lessThanEqual(depths, plane)));
+float lit_share(LampPlace place) {
+    vec4 depths;
+    vec2 f;
+    const vec4 lit = lit_texels(place, depths, f);
+    return dot(lit, vec4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y)));
+}
+
+LampPlace moved_place(LampPlace place, vec2 by) {
+    return LampPlace(place.at + by, place.depth + dot(place.slope, by), place.slope, place.layer);
+}
+
+// Places of the samples in a shape, from −1 to 1. A rectangle has Hammersley's points, a round shape has a spiral.
+const int kLampSamples = 16;
+const vec2 kInSquare[kLampSamples] = vec2[](
+    vec2(-0.9375, -0.9375), vec2(-0.8125, 0.0625), vec2(-0.6875, -0.4375), vec2(-0.5625, 0.5625),
+    vec2(-0.4375, -0.6875), vec2(-0.3125, 0.3125), vec2(-0.1875, -0.1875), vec2(-0.0625, 0.8125),
+    vec2(0.0625, -0.8125), vec2(0.1875, 0.1875), vec2(0.3125, -0.3125), vec2(0.4375, 0.6875),
+    vec2(0.5625, -0.5625), vec2(0.6875, 0.4375), vec2(0.8125, -0.0625), vec2(0.9375, 0.9375));
+const vec2 kInDisc[kLampSamples] = vec2[](
+    vec2(0.1768, 0.0), vec2(-0.2258, 0.2068), vec2(0.0346, -0.3938), vec2(0.2846, 0.3712), vec2(-0.5222, -0.0924),
+    vec2(0.4947, -0.3147), vec2(-0.1655, 0.6155), vec2(-0.3156, -0.6076), vec2(0.6846, 0.25), vec2(-0.7123, 0.294),
+    vec2(0.3434, -0.7337), vec2(0.2537, 0.8089), vec2(-0.7647, -0.4432), vec2(0.8971, -0.1972), vec2(-0.5475, 0.7788),
+    vec2(-0.1265, -0.9761));
+
+vec2 sample_place(LampShape shape, int i) {
+    const vec2 at = shape.round ? kInDisc[i] : kInSquare[i];
+    return shape.across * at.x + shape.along * at.y;
+}
+
+// Returns how far from the middle of the shape a sample is: 1 at the edge.
+float sample_radius(LampShape shape, int i) {
+    return shape.round ? length(kInDisc[i]) : max(abs(kInSquare[i].x), abs(kInSquare[i].y));
+}
+
+// Surfaces that hide the lamp are searched where they would be at this share of the distance from the lamp.
+const float kNearestHidden = 0.3;
+// Largest radius of a filter, as a share of the size of a map.
+const float kMostLampFilter = 0.12;
+
+// Returns the factor from a shape to its shadow on the plane of the map, for an edge at the depth `depth`.
+float shadow_of_shape(float depth, LampPlace place) { return max(depth - place.depth, 0.0) / kLampMapNear_m; }
+
+// Returns the mean depth of the surfaces that hide the lamp, or 0 if there are none. A surface counts only if it is
+// between the point and a part of the lamp, which is a question of its depth.
+float hidden_depth(LampPlace place, LampShape shape, float search) {
+    float sum = 0.0, count = 0.0;
+    for (int i = 0; i < kLampSamples; ++i) {
+        vec4 depths;
+        vec2 f;
+        const vec4 lit = lit_texels(moved_place(place, sample_place(shape, i) * search), depths, f);
+        const float least = place.depth + kLampMapNear_m * search * sample_radius(shape, i);
+        const vec4 hides = vec4(greaterThan(depths, vec4(least))) * (1.0 - lit);
+        sum += dot(hides, depths);
+        count += dot(hides, vec4(1.0));
+    }
+    return count > 0.0 ? sum / count : 0.0;
+}
+
+// Returns the visible share of a lamp with an area.
+float soft_visibility(LampSight sight, LampShape shape) {
+    const float size = length(shape.across) + length(shape.along);
+    const float most = kMostLampFilter * 2.0 * sight.texels / max(size, 1e-6);
+    const float search = min((1.0 / kNearestHidden - 1.0) / sight.p.z, most);
+    const float depth = hidden_depth(sight.place, shape, search);
+    if (depth <= 0.0) return 1.0;
+    const float scale = min(shadow_of_shape(depth, sight.place), most);
+    float sum = 0.0;
+    for (int i = 0; i < kLampSamples; ++i) sum += lit_share(moved_place(sight.place, sample_place(shape, i) * scale));
+    return sum / float(kLampSamples);
 }
 
 // Returns 1 if the whole lamp is visible from the point, and 0 if nothing of it is.
 float lamp_visibility(Light light, vec3 position, vec3 normal) {
     if (!HAS_lampShadow || light.shadow < kFirstLampMap) return 1.0;
-    const vec3 way = position - light.position;
-    return lit_texels(place_in_lamp_map(light, way, normal, 1.0));
+    const bool soft = light.type >= kLightCapsule;
+    const LampSight sight = see_from_lamp(light, position - light.position, normal, soft ? 3.0 : 1.0);
+    if (!soft) return lit_share(sight.place);
+    return soft_visibility(sight, lamp_shape(light, sight.view, sight.p, sight.texels));
 }
 #endif
