@@ -1,9 +1,9 @@
 // Computes the visible share of a lamp at a point, from the shadow maps in the port `lampShadow` (drawn by
-// graphs/modules/lamp_shadows.json). Without the port, nothing is in shadow. A lookup compares the depths of a map with
-// the plane of the surface: the depth of the plane is linear in the map. Offsets along the normal and towards the lamp,
-// proportional to the size of a texel, remove the remaining errors, as in shadow_filter.glsl. Shadows of capsules and
-// rectangles have soft edges, whose widths follow from the size of the lamp and from the mean depth of the surfaces that
-// hide it: Fernando 2005, "Percentage-Closer Soft Shadows".
+// graphs/modules/lamp_shadows.json). A lookup compares the depths of a map with the plane of the surface: the depth of the
+// plane is linear in the map. Offsets along the normal and towards the lamp, proportional to the size of a texel, remove
+// the remaining errors, as in shadow_filter.glsl. Shadows of capsules and rectangles have soft edges, whose widths follow
+// from the size of the lamp and from the mean depth of the surfaces that hide it: Fernando 2005, "Percentage-Closer Soft
+// Shadows".
 #ifndef WEFT_LAMP_SHADOW
 #define WEFT_LAMP_SHADOW
 #include "shared/lamp_shadow.glsl"
@@ -192,9 +192,8 @@ float soft_visibility(LampSight sight, LampShape shape) {
     return sum / float(kLampSamples);
 }
 
-// Returns 1 if the whole lamp is visible from the point, and 0 if nothing of it is.
+// Returns 1 if the whole lamp is visible from the point, and 0 if nothing of it is. The lamp must have shadow maps.
 float lamp_visibility(Light light, vec3 position, vec3 normal) {
-    if (!HAS_lampShadow || light.shadow < kFirstLampMap) return 1.0;
     const bool soft = light.type >= kLightCapsule;
     const LampSight sight = see_from_lamp(light, position - light.position, normal, soft ? 3.0 : 1.0);
     if (!soft) return lit_share(sight.place);

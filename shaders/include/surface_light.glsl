@@ -9,8 +9,7 @@
 #include "brdf.glsl"
 #include "directional_lights.glsl"
 #include "frame_set.glsl"
-#include "lamp_shadow.glsl"
-#include "light_reflection.glsl"
+#include "lamp_reflection.glsl"
 #include "lights.glsl"
 #include "tile_lights.glsl"
 
@@ -28,15 +27,11 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     for (; i < listed; ++i) {  // First the lights without area and light function.
         index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
         if (index >= frame.plain_count) break;
-        vec3 reflected = plain_reflection(s, v, position, lights.items[index]);
-        if (HAS_lampShadow && reflected != vec3(0.0)) reflected *= lamp_visibility(lights.items[index], position, s.normal);
-        radiance += reflected;
+        radiance += plain_lamp_reflection(s, v, position, lights.items[index]);
     }
     for (; i < listed; ++i) {
         index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
-        vec3 reflected = light_reflection(s, v, position, lights.items[index]);
-        if (HAS_lampShadow && reflected != vec3(0.0)) reflected *= lamp_visibility(lights.items[index], position, s.normal);
-        radiance += reflected;
+        radiance += lamp_reflection(s, v, position, lights.items[index]);
     }
     return radiance;
 }
