@@ -125,7 +125,8 @@ float lit_share(LampPlace place) {
     vec4 depths;
     vec2 f;
     const vec4 lit = lit_texels(place, depths, f);
-    return dot(lit, vec4((1.0 - f.x) * f.y, f.x * f.y, f.x * (1.0 - f.y), (1.0 - f.x) * (1.0 - f.y)));
+    const vec2 rows = lit.wx + (lit.zy - lit.wx) * f.x;  // This form is exactly 1 if all texels are lit.
+    return rows.x + (rows.y - rows.x) * f.y;
 }
 
 LampPlace moved_place(LampPlace place, vec2 by) {
@@ -163,18 +164,24 @@ const float kMostLampFilter = 0.12;
 // Returns the factor from a shape to its shadow on the plane of the map, for an edge at the depth `depth`.
 float shadow_of_shape(float depth, LampPlace place) { return max(depth - place.depth, 0.0) / kLampMapNear_m; }
 
-// Returns the mean depth of the surfaces that hide the lamp, or 0 if there are none. A surface counts only if it is
-// between the point and a part of the lamp, which is a question of its depth.
+// Weight of a surface that is in the searched part of the map, but not between the point and the lamp. Such surfaces
+// count only if no other surface is found.
+const float kBesides = 0.01;
+
+// Returns the mean depth of the surfaces that may hide the lamp, or 0 if there are none. The samples are dense in the
+// middle, because surfaces near the point hide the lamp only there. Whether a surface is between the point and a part of
+// the lamp depends on its depth.
 float hidden_depth(LampPlace place, LampShape shape, float search) {
     float sum = 0.0, count = 0.0;
     for (int i = 0; i < kLampSamples; ++i) {
+        const float radius = sample_radius(shape, i), scale = search * radius * radius;
         vec4 depths;
         vec2 f;
-        const vec4 lit = lit_texels(moved_place(place, sample_place(shape, i) * search), depths, f);
-        const float least = place.depth + kLampMapNear_m * search * sample_radius(shape, i);
-        const vec4 hides = vec4(greaterThan(depths, vec4(least))) * (1.0 - lit);
-        sum += dot(hides, depths);
-        count += dot(hides, vec4(1.0));
+        const vec4 lit = lit_texels(moved_place(place, sample_place(shape, i) * scale), depths, f);
+        const float least = place.depth + kLampMapNear_m * scale * radius;
+        const vec4 weights = mix(vec4(kBesides), vec4(1.0), greaterThan(depths, vec4(least))) * (1.0 - lit);
+        sum += dot(weights, depths);
+        count += dot(weights, vec4(1.0));
     }
     return count > 0.0 ? sum / count : 0.0;
 }
