@@ -133,7 +133,8 @@ LampPlace moved_place(LampPlace place, vec2 by) {
     return LampPlace(place.at + by, place.depth + dot(place.slope, by), place.slope, place.layer);
 }
 
-// Places of the samples in a shape, from −1 to 1. A rectangle has Hammersley's points, a round shape has a spiral.
+// Places of the samples in a shape, from −1 to 1. A rectangle has Hammersley's points. The points of a round shape were
+// optimised: the number of points on one side of a line is nearly proportional to this part of the disc.
 const int kLampSamples = 16;
 const vec2 kInSquare[kLampSamples] = vec2[](
     vec2(-0.9375, -0.9375), vec2(-0.8125, 0.0625), vec2(-0.6875, -0.4375), vec2(-0.5625, 0.5625),
@@ -141,10 +142,10 @@ const vec2 kInSquare[kLampSamples] = vec2[](
     vec2(0.0625, -0.8125), vec2(0.1875, 0.1875), vec2(0.3125, -0.3125), vec2(0.4375, 0.6875),
     vec2(0.5625, -0.5625), vec2(0.6875, 0.4375), vec2(0.8125, -0.0625), vec2(0.9375, 0.9375));
 const vec2 kInDisc[kLampSamples] = vec2[](
-    vec2(0.1768, 0.0), vec2(-0.2258, 0.2068), vec2(0.0346, -0.3938), vec2(0.2846, 0.3712), vec2(-0.5222, -0.0924),
-    vec2(0.4947, -0.3147), vec2(-0.1655, 0.6155), vec2(-0.3156, -0.6076), vec2(0.6846, 0.25), vec2(-0.7123, 0.294),
-    vec2(0.3434, -0.7337), vec2(0.2537, 0.8089), vec2(-0.7647, -0.4432), vec2(0.8971, -0.1972), vec2(-0.5475, 0.7788),
-    vec2(-0.1265, -0.9761));
+    vec2(0.5241, 0.6170), vec2(0.7718, -0.2298), vec2(-0.3504, 0.0193), vec2(0.7639, 0.2216), vec2(-0.8078, -0.0083),
+    vec2(0.5185, -0.6128), vec2(-0.6645, -0.4307), vec2(-0.3391, -0.7284), vec2(-0.1204, -0.3250),
+    vec2(-0.6588, 0.4156), vec2(0.2832, -0.2265), vec2(-0.3494, 0.7294), vec2(0.3044, 0.1956), vec2(0.1069, 0.7887),
+    vec2(0.1088, -0.7845), vec2(-0.0832, 0.3462));
 
 vec2 sample_place(LampShape shape, int i) {
     const vec2 at = shape.round ? kInDisc[i] : kInSquare[i];
