@@ -49,7 +49,7 @@ vec3 in_lamp_view(LampView seen, vec3 way) { return vec3(dot(seen.right, way), d
 // The place of a point in a map.
 struct LampPlace {
     vec2 at;       // Position in the map, in texels.
-    float depth;   // Reversed depth, as in the map.
+    float depth;   // As in the map; see shared/lamp_shadow.glsl.
     vec2 slope;    // Change of this depth per texel on the plane of the surface.
     float layer;
 };
@@ -87,7 +87,8 @@ struct LampSight {
     LampPlace place;
 };
 
-// Finds the place of a point. `way`: from the lamp to the point. `reach`: radius of the filter, in texels.
+// Finds the place of a point. `way`: from the lamp to the point. `reach`: radius of the filter, in texels. The moved point
+// may be outside of the face, but not of the margin around it.
 LampSight see_from_lamp(Light light, vec3 way, vec3 normal, float reach) {
     const float size = float(textureSize(lampShadow, 0).x);
     LampSight sight;
@@ -99,12 +100,13 @@ LampSight see_from_lamp(Light light, vec3 way, vec3 normal, float reach) {
     const float texel_m = 2.0 * sight.view.half_width / size * dot(sight.view.forward, way);
     const float offset = 1.41421356 * sin_light * (0.5 + reach * (1.0 - cos_light / steepest));
     const vec3 moved = way + texel_m * (offset * normal + kLampBiasTexels * to_light);
-    sight.view = lamp_view(light, moved);
     sight.p = in_lamp_view(sight.view, moved);
     sight.p.z = max(sight.p.z, kLampMapNear_m);
     sight.texels = 0.5 * size / sight.view.half_width;
+    const float reach_m = light.range_m + light.half_size_m.x + light.half_size_m.y;
+    const float depth = kLampMapNear_m * (1.0 / sight.p.z - (light.range_m > 0.0 ? 1.0 / reach_m : 0.0));
     const vec2 across = in_lamp_view(sight.view, normal).xy;
-    sight.place = LampPlace(sight.p.xy / sight.p.z * sight.texels + 0.5 * size, kLampMapNear_m / sight.p.z,
+    sight.place = LampPlace(sight.p.xy / sight.p.z * sight.texels + 0.5 * size, depth,
                             across * (-kLampMapNear_m / (steepest * length(sight.p) * sight.texels)),
                             float(light.shadow - kFirstLampMap + sight.view.face));
     return sight;
@@ -200,11 +202,20 @@ float soft_visibility(LampSight sight, LampShape shape) {
     return sum / float(kLampSamples);
 }
 
-// Returns 1 if the whole lamp is visible from the point, and 0 if nothing of it is. The lamp must have shadow maps.
+// Returns the visible share of a lamp without an area. The lamp must have shadow maps.
+float sharp_visibility(Light light, vec3 position, vec3 normal) {
+    return lit_share(see_from_lamp(light, position - light.position, normal, 1.0).place);
+}
+
+// Returns 1 if the whole lamp is visible from the point, and 0 if nothing of it is. The lamp must have shadow maps. For the
+// loops that run at most once, see directional_lights.glsl.
 float lamp_visibility(Light light, vec3 position, vec3 normal) {
-    const bool soft = light.type >= kLightCapsule;
-    const LampSight sight = see_from_lamp(light, position - light.position, normal, soft ? 3.0 : 1.0);
-    if (!soft) return lit_share(sight.place);
-    return soft_visibility(sight, lamp_shape(light, sight.view, sight.p, sight.texels));
+    float visible = 1.0;
+    for (bool sharp = light.type < kLightCapsule; sharp; sharp = false) visible = sharp_visibility(light, position, normal);
+    for (bool soft = light.type >= kLightCapsule; soft; soft = false) {
+        const LampSight sight = see_from_lamp(light, position - light.position, normal, 3.0);
+        visible = soft_visibility(sight, lamp_shape(light, sight.view, sight.p, sight.texels));
+    }
+    return visible;
 }
 #endif

@@ -42,20 +42,28 @@ bool sees_sphere(const shared::ViewConstants& camera, const glm::vec3& middle, f
     return true;
 }
 
-// Makes the view wider or narrower, so that half its width at the distance 1 is `half`.
-shared::ViewConstants with_half_width(ViewInput view, float half) {
+// Returns the distance that the light can reach, measured from the middle of the lamp. 0: no limit.
+float reach_of(const shared::Light& light) {
+    return light.range_m > 0 ? light.range_m + light.half_size_m.x + light.half_size_m.y : 0;
+}
+
+// Makes the view wider or narrower, so that half its width at the distance 1 is `half`, and gives it a far
+// plane at the distance that the light can reach.
+shared::ViewConstants map_view(const shared::Light& light, ViewInput view, float half) {
     view.projection[0][0] = 1 / half;
     view.projection[1][1] = -1 / half;
+    if (const float reach_m = reach_of(light); reach_m > 0)
+        view.projection[2][2] = shared::kLampMapNear_m / reach_m;
     return constants_of(view);
 }
 
 shared::ViewConstants map_view(const shared::Light& light, uint32_t map) {
     if (count_lamp_maps(light) > 1)
-        return with_half_width(cube_face(glm::dvec3(light.position), map, shared::kLampMapNear_m),
-                               shared::kLampMapMargin);
+        return map_view(light, cube_face(glm::dvec3(light.position), map, shared::kLampMapNear_m),
+                        shared::kLampMapMargin);
     const float cosine = cone_cosine(light);
-    return with_half_width(lamp_views({&light, 1})[0],
-                           shared::kLampMapMargin * std::sqrt(1 - cosine * cosine) / cosine);
+    return map_view(light, lamp_views({&light, 1})[0],
+                    shared::kLampMapMargin * std::sqrt(1 - cosine * cosine) / cosine);
 }
 
 // Finds `count` maps in a row that are free.
@@ -90,8 +98,8 @@ uint32_t drawn_lamp_maps(const FramePlan& plan) {
 
 float lamp_influence(const shared::Light& light, const shared::ViewConstants& camera) {
     const float intensity = intensity_cd(light);
-    if (light.range_m <= 0) return intensity;
-    const float reach_m = light.range_m + std::max(light.half_size_m.x, light.half_size_m.y);
+    const float reach_m = reach_of(light);
+    if (reach_m <= 0) return intensity;
     const float share = reach_m / std::max(glm::distance(light.position, camera.eye), reach_m);
     const float seen = sees_sphere(camera, light.position, reach_m) ? 1 : kUnseen;
     return intensity * share * share * seen;

@@ -1,6 +1,7 @@
 // Shadow maps of lamps. A spot light with a narrow cone has one map. Every other lamp has six maps in a row: the faces of
-// a cube around its middle, in the order +x −x +y −y +z −z. Depth in a map is reversed: kLampMapNear_m divided by the
-// distance from the lamp along the axis of the view.
+// a cube around its middle, in the order +x −x +y −y +z −z. Depth in a map is kLampMapNear_m · (1 / w − 1 / r), where w is
+// the distance from the lamp along the axis of the view. r is the distance that the light of the lamp can reach: its range
+// plus both half sizes. 1 / r is 0 if the lamp has no range.
 #ifndef WEFT_SHARED_LAMP_SHADOW
 #define WEFT_SHARED_LAMP_SHADOW
 #include "begin.glsl"

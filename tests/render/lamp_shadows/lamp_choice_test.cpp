@@ -96,8 +96,12 @@ TEST(LampChoice, ClosesGapsIfALampHasNoRoom) {
 
 // A point on the edge of the cone or of the face is inside of the map, with the margin around it.
 TEST(LampChoice, ViewsHaveAMargin) {
-    const std::vector<shared::Light> lights = render::gpu_lights(
+    std::vector<shared::Light> lights = render::gpu_lights(
         std::vector{lamp_at(scene::LightType::spot, 2), lamp_at(scene::LightType::point, 5)}, 0);
+    for (shared::Light& light : lights) {
+        light.range_m = 4;
+        light.half_size_m = {0, 0};
+    }
     render::LampShadows shadows;
     shadows.update(lights, camera_at(0, 3), 7);
     for (const shared::Light& light : shadows.lights()) {
@@ -106,7 +110,8 @@ TEST(LampChoice, ViewsHaveAMargin) {
         const shared::ViewConstants& view = shadows.views()[light.shadow - kFirst];
         const glm::vec4 at = view.view_projection * glm::vec4(light.position + 3.0f * edge, 1);
         EXPECT_NEAR(at.x / at.w, 1 / shared::kLampMapMargin, 1e-5f);
-        EXPECT_NEAR(at.z / at.w, shared::kLampMapNear_m / 3, 1e-6f);
+        // The far plane is at the range of the lamp, 4 m.
+        EXPECT_NEAR(at.z / at.w, shared::kLampMapNear_m * (1.0f / 3 - 1.0f / 4), 1e-6f);
     }
 }
 
