@@ -21,7 +21,8 @@ vec3 plain_lamp_reflection(Surface s, vec3 v, vec3 position, Light light) {
 vec3 lamp_reflection(Surface s, vec3 v, vec3 position, Light light) {
     vec3 reflected = light_reflection(s, v, position, light);
     for (bool hides = needs_shadow(reflected, light); hides; hides = false)
-        reflected *= AREA_LIGHTS ? lamp_visibility(light, position, s.normal) : sharp_visibility(light, position, s.normal);
+        reflected *= AREA_LIGHTS ? lamp_visibility(light, position, s.normal)
+                                 : sharp_visibility(light, position, s.normal);
     return reflected;
 }
 #endif

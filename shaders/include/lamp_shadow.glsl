@@ -1,6 +1,6 @@
 // Computes the visible share of a lamp at a point, from the shadow maps in the port `lampShadow` (drawn by
-// graphs/modules/lamp_shadows.json). A lookup compares the depths of a map with the plane of the surface: the depth of the
-// plane is linear in the map. Offsets along the normal and towards the lamp, proportional to the size of a texel, remove
+// graphs/modules/lamp_shadows.json). A lookup compares the depths of a map with the plane of the surface, whose depth
+// is linear in the map. Offsets along the normal and towards the lamp, proportional to the size of a texel, remove
 // the remaining errors, as in shadow_filter.glsl. Shadows of capsules and rectangles have soft edges, whose widths follow
 // from the size of the lamp and from the mean depth of the surfaces that hide it: Fernando 2005, "Percentage-Closer Soft
 // Shadows".
@@ -34,17 +34,19 @@ LampView lamp_view(Light light, vec3 way) {
     const vec3 size = abs(way);
     if (size.x >= size.y && size.x >= size.z) {
         const float s = way.x < 0.0 ? -1.0 : 1.0;
-        return LampView(vec3(0.0, 0.0, -s), vec3(0.0, -1.0, 0.0), vec3(s, 0.0, 0.0), kLampMapMargin, way.x < 0.0 ? 1u : 0u);
+        return LampView(vec3(0.0, 0.0, -s), vec3(0.0, -1.0, 0.0), vec3(s, 0.0, 0.0), kLampMapMargin, s < 0.0 ? 1u : 0u);
     }
     if (size.y >= size.z) {
         const float s = way.y < 0.0 ? -1.0 : 1.0;
-        return LampView(vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, s), vec3(0.0, s, 0.0), kLampMapMargin, way.y < 0.0 ? 3u : 2u);
+        return LampView(vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0, s), vec3(0.0, s, 0.0), kLampMapMargin, s < 0.0 ? 3u : 2u);
     }
     const float s = way.z < 0.0 ? -1.0 : 1.0;
-    return LampView(vec3(s, 0.0, 0.0), vec3(0.0, -1.0, 0.0), vec3(0.0, 0.0, s), kLampMapMargin, way.z < 0.0 ? 5u : 4u);
+    return LampView(vec3(s, 0.0, 0.0), vec3(0.0, -1.0, 0.0), vec3(0.0, 0.0, s), kLampMapMargin, s < 0.0 ? 5u : 4u);
 }
 
-vec3 in_lamp_view(LampView seen, vec3 way) { return vec3(dot(seen.right, way), dot(seen.down, way), dot(seen.forward, way)); }
+vec3 in_lamp_view(LampView seen, vec3 way) {
+    return vec3(dot(seen.right, way), dot(seen.down, way), dot(seen.forward, way));
+}
 
 // The place of a point in a map.
 struct LampPlace {
@@ -87,8 +89,8 @@ struct LampSight {
     LampPlace place;
 };
 
-// Finds the place of a point. `way`: from the lamp to the point. `reach`: radius of the filter, in texels. The moved point
-// may be outside of the face, but not of the margin around it.
+// Finds the place of a point. `way`: from the lamp to the point. `reach`: radius of the filter, in texels. The moved
+// point may be outside of the face, but not of the margin around it.
 LampSight see_from_lamp(Light light, vec3 way, vec3 normal, float reach) {
     const float size = float(textureSize(lampShadow, 0).x);
     LampSight sight;
@@ -207,11 +209,12 @@ float sharp_visibility(Light light, vec3 position, vec3 normal) {
     return lit_share(see_from_lamp(light, position - light.position, normal, 1.0).place);
 }
 
-// Returns 1 if the whole lamp is visible from the point, and 0 if nothing of it is. The lamp must have shadow maps. For the
-// loops that run at most once, see directional_lights.glsl.
+// Returns 1 if the whole lamp is visible from the point, and 0 if nothing of it is. The lamp must have shadow maps. For
+// the loops that run at most once, see directional_lights.glsl.
 float lamp_visibility(Light light, vec3 position, vec3 normal) {
     float visible = 1.0;
-    for (bool sharp = light.type < kLightCapsule; sharp; sharp = false) visible = sharp_visibility(light, position, normal);
+    for (bool sharp = light.type < kLightCapsule; sharp; sharp = false)
+        visible = sharp_visibility(light, position, normal);
     for (bool soft = light.type >= kLightCapsule; soft; soft = false) {
         const LampSight sight = see_from_lamp(light, position - light.position, normal, 3.0);
         visible = soft_visibility(sight, lamp_shape(light, sight.view, sight.p, sight.texels));

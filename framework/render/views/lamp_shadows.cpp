@@ -37,7 +37,8 @@ float intensity_cd(const shared::Light& light) {
 // Returns true if the sphere is at least partly in the frustum of the camera.
 bool sees_sphere(const shared::ViewConstants& camera, const glm::vec3& middle, float radius_m) {
     const glm::mat4 rows = glm::transpose(camera.steady_view_projection);
-    for (const glm::vec4& plane : {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]})
+    for (const glm::vec4& plane :
+         {rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1], rows[3] - rows[1]})
         if (glm::dot(plane, glm::vec4(middle, 1)) < -radius_m * glm::length(glm::vec3(plane))) return false;
     return true;
 }
@@ -112,7 +113,13 @@ std::vector<uint32_t> LampShadows::choose(const shared::ViewConstants& camera, u
     std::vector<float> influence(lights_.size());
     for (uint32_t i = 0; i < lights_.size(); ++i)
         influence[i] = lamp_influence(lights_[i], camera) * (first_maps_.contains(i) ? kKeeps : 1);
-    std::ranges::stable_sort(order, std::ranges::greater{}, [&](uint32_t i) { return influence[i]; });
+    // There may be many thousands of lights, so only the first of them are sorted. Twice as many as maps are
+    // enough to find lamps with one map if the next lamp with six maps has no room.
+    const auto sorted = order.begin() + std::min<ptrdiff_t>(std::ssize(order), ptrdiff_t{2} * maps);
+    std::partial_sort(order.begin(), sorted, order.end(), [&](uint32_t a, uint32_t b) {
+        return influence[a] != influence[b] ? influence[a] > influence[b] : a < b;
+    });
+    order.erase(sorted, order.end());
     std::vector<uint32_t> chosen;
     uint32_t left = maps;
     for (const uint32_t i : order) {
@@ -144,8 +151,8 @@ bool LampShadows::place(std::span<const uint32_t> chosen, uint32_t maps) {
 void LampShadows::update(std::span<const shared::Light> lights, const shared::ViewConstants& camera,
                          uint32_t maps) {
     // If the lights are others than before, their indices do not tell which lamps had maps.
-    const bool same = std::ranges::equal(lights, lights_, {}, count_lamp_maps, count_lamp_maps) &&
-                      views_.size() == maps;
+    const bool same =
+        std::ranges::equal(lights, lights_, {}, count_lamp_maps, count_lamp_maps) && views_.size() == maps;
     if (!same) first_maps_.clear();
     lights_.assign(lights.begin(), lights.end());
     views_.assign(maps, {});

@@ -39,7 +39,8 @@ class LampShadows {
 
     std::vector<shared::Light> lights_;
     std::vector<shared::ViewConstants> views_;
-    std::map<uint32_t, uint32_t> first_maps_;  // The first map of each chosen lamp, by the index of the light.
+    std::map<uint32_t, uint32_t>
+        first_maps_;  // The first map of each chosen lamp, by the index of the light.
 };
 
 }  // namespace weft::render

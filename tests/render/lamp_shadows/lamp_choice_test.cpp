@@ -55,7 +55,8 @@ TEST(LampChoice, TakesTheLampsWithTheLargestInfluence) {
         0);
     render::LampShadows shadows;
     shadows.update(lights, camera_at(0, 3), 2);
-    EXPECT_EQ(shadows_of(shadows), (std::vector<uint32_t>{kFirst + 1, kFirst, 0, 0})) << "a point has no room";
+    EXPECT_EQ(shadows_of(shadows), (std::vector<uint32_t>{kFirst + 1, kFirst, 0, 0}))
+        << "a point has no room";
     shadows.update(lights, camera_at(0, 3), 7);
     EXPECT_NE(shadows_of(shadows)[1], 0u);
     EXPECT_NE(shadows_of(shadows)[2], 0u);
@@ -86,7 +87,8 @@ TEST(LampChoice, ClosesGapsIfALampHasNoRoom) {
     render::LampShadows shadows;
     shadows.update(lights, camera_at(0, 3), 7);
     EXPECT_EQ(shadows_of(shadows), (std::vector<uint32_t>{kFirst, kFirst + 1, kFirst + 2, 0}));
-    // Only the second spot keeps its map, and the free maps on both sides of it are too few for a point light.
+    // Only the second spot keeps its map, and the free maps on both sides of it are too few for a point
+    // light.
     lights[0].intensity *= 0.01f;
     lights[1].intensity *= 2;
     lights[3].intensity *= 20;
@@ -106,7 +108,8 @@ TEST(LampChoice, ViewsHaveAMargin) {
     shadows.update(lights, camera_at(0, 3), 7);
     for (const shared::Light& light : shadows.lights()) {
         const bool is_spot = light.type == shared::kLightSpot;
-        const glm::vec3 edge = is_spot ? light.direction + std::tan(0.5f) * light.side : glm::vec3(1, 0.3f, -1);
+        const glm::vec3 edge =
+            is_spot ? light.direction + std::tan(0.5f) * light.side : glm::vec3(1, 0.3f, -1);
         const shared::ViewConstants& view = shadows.views()[light.shadow - kFirst];
         const glm::vec4 at = view.view_projection * glm::vec4(light.position + 3.0f * edge, 1);
         EXPECT_NEAR(at.x / at.w, 1 / shared::kLampMapMargin, 1e-5f);

@@ -20,8 +20,7 @@ scene::Scene ground_under(const scene::Light& light, float plate_m) {
     scene.materials.emplace_back();
     scene.instances = {{"ground", 0, 0, glm::scale(glm::mat4(1), glm::vec3(2, 1, 2))}};
     const glm::mat4 plate = glm::translate(glm::mat4(1), glm::vec3(-2, plate_m, 0));
-    if (plate_m > 0)
-        scene.instances.push_back({"plate", 0, 0, glm::scale(plate, glm::vec3(0.5f, 1, 1))});
+    if (plate_m > 0) scene.instances.push_back({"plate", 0, 0, glm::scale(plate, glm::vec3(0.5f, 1, 1))});
     scene.lights = {light};
     return scene;
 }
@@ -53,8 +52,9 @@ class LampEdges : public SessionTest {
             put(*text, "DOWN", grid.down);
             return text;
         };
-        const std::unique_ptr<render::Session> session = start(
-            scene, scene::framing_camera(scene, 1), kLampGraphs + "grid.json", {64, 64, 1}, {"seen"}, 0, reader);
+        const std::unique_ptr<render::Session> session =
+            start(scene, scene::framing_camera(scene, 1), kLampGraphs + "grid.json", {64, 64, 1}, {"seen"}, 0,
+                  reader);
         if (!session) return {};
         std::vector<float> shares;
         Status done = draw_frame(*session);
@@ -106,7 +106,8 @@ TEST_F(LampEdges, APointLightHasASharpEdge) {
     const double texel_m = 2 * 1.1 * 4 / double{kEdgeMapSize};
     constexpr float kStep = 0.0005f;
     const Grid grid{{-kStep * kGrid / 2, 0, -1}, {kStep, 0, 0}, {0, 0, 2.0f / kGrid}};
-    const std::vector<float> seen = look(ground_under(lamp_above(scene::LightType::point, {0, 4, 0}), 1), grid);
+    const std::vector<float> seen =
+        look(ground_under(lamp_above(scene::LightType::point, {0, 4, 0}), 1), grid);
     ASSERT_FALSE(seen.empty());
     for (uint32_t i = 0; i < seen.size(); ++i) {
         const float x = grid.at(i).x;
@@ -138,8 +139,7 @@ TEST_F(LampEdges, ThinGapsAreDark) {
     const std::vector<float> seen =
         look(ground_under(lamp_above(scene::LightType::point, {0, 4, 0}), gap_m), grid);
     ASSERT_FALSE(seen.empty());
-    for (uint32_t i = 0; i < seen.size(); ++i)
-        ASSERT_EQ(seen[i], 0) << grid.at(i).x << ", " << grid.at(i).z;
+    for (uint32_t i = 0; i < seen.size(); ++i) ASSERT_EQ(seen[i], 0) << grid.at(i).x << ", " << grid.at(i).z;
 }
 
 }  // namespace

@@ -51,17 +51,19 @@ enum class Lit : uint8_t { all, none, some };
 Lit truth(const RayScene& rays, const shared::Light& lamp, const Point& point) {
     constexpr int kSteps = 5;
     const glm::dvec3 from(lamp.position), to_lamp = glm::normalize(from - point.at);
-    const glm::dvec3 right =
-        glm::normalize(glm::cross(std::abs(to_lamp.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), to_lamp));
+    const glm::dvec3 right = glm::normalize(
+        glm::cross(std::abs(to_lamp.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), to_lamp));
     const glm::dvec3 up = glm::cross(to_lamp, right);
     const auto is_blocked = [&](const glm::dvec3& at, Masks masks) {
         const double distance_m = glm::distance(from, at);
-        const std::optional<double> hit = rays.first_distance(from, (at - from) / distance_m, point.from_m, masks);
+        const std::optional<double> hit =
+            rays.first_distance(from, (at - from) / distance_m, point.from_m, masks);
         return hit && *hit < distance_m - 1e-3;
     };
     int lit = 0, dark = 0, cast = 0;
     for (; cast < kSteps * kSteps && (lit == cast || dark == cast); ++cast) {
-        const glm::dvec3 across = (right * (cast % kSteps / 2.0 - 1) + up * (cast / kSteps / 2.0 - 1)) * point.texel_m;
+        const glm::dvec3 across =
+            (right * (cast % kSteps / 2.0 - 1) + up * (cast / kSteps / 2.0 - 1)) * point.texel_m;
         const glm::dvec3 at =
             point.at + across - to_lamp * (glm::dot(across, point.normal) / glm::dot(to_lamp, point.normal));
         lit += is_blocked(at, Masks::solid) ? 0 : 1;
@@ -90,7 +92,8 @@ class LampRays : public SessionTest {
                     judge(rays, drawn, lamp, *point, i, count);
         const size_t wrong = count.leaks + count.darkened, judged = count.lit + count.dark;
         std::printf("camera %s, %zu lamps: of %zu dark lookups %zu leak, of %zu lit ones %zu are darkened\n",
-                    camera.name.c_str(), scene.lights.size(), count.dark, count.leaks, count.lit, count.darkened);
+                    camera.name.c_str(), scene.lights.size(), count.dark, count.leaks, count.lit,
+                    count.darkened);
         EXPECT_GT(count.dark, 200u);
         EXPECT_GT(count.lit, 200u);
         EXPECT_LE(wrong, judged / 200) << "0.5 % of " << judged;
@@ -99,7 +102,8 @@ class LampRays : public SessionTest {
  private:
     // Returns the point in a pixel, or nullopt if the surface has holes or a ray finds another one.
     static std::optional<Point> surface_point(const scene::Scene& scene, const RayScene& rays,
-                                              const scene::Camera& camera, const Rendered& drawn, uint32_t i) {
+                                              const scene::Camera& camera, const Rendered& drawn,
+                                              uint32_t i) {
         const double tan = std::tan(double{camera.fov_y_rad} / 2);
         const double x = (i % kPixels.width + 0.5) / kPixels.width * 2 - 1,
                      y = 1 - (i / kPixels.width + 0.5) / kPixels.height * 2;
@@ -126,8 +130,8 @@ class LampRays : public SessionTest {
             return;
         const bool is_spot = light.type == shared::kLightSpot;
         const glm::dvec3 sides = glm::abs(to_lamp);
-        const double along = is_spot ? -glm::dot(to_lamp, glm::dvec3(light.direction))
-                                     : std::max({sides.x, sides.y, sides.z});
+        const double along =
+            is_spot ? -glm::dot(to_lamp, glm::dvec3(light.direction)) : std::max({sides.x, sides.y, sides.z});
         const double cosine = is_spot ? double{-light.cone_offset / light.cone_scale} : std::sqrt(0.5);
         const double distance_m = glm::distance(point.at, glm::dvec3(light.position));
         point.texel_m = 2 * double{shared::kLampMapMargin} * std::sqrt(1 - cosine * cosine) / cosine *
