@@ -40,6 +40,7 @@ void FrameLoop::set_graph(Extent3D size, uint32_t jitter_length) {
     jitter_length_ = jitter_length;
     sun_maps_ = sun_maps_of(plan());
     further_sun_sizes_ = further_sun_sizes(plan());
+    lamp_maps_ = drawn_lamp_maps(plan());
     views_.set_plan(plan());
 }
 
@@ -89,6 +90,7 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     view_ = find_view(camera, cut);
     sun_ = scene.find_sun(camera, view_.viewport_px.x / view_.viewport_px.y, sun_maps_);
     further_suns_ = scene.find_further_suns(further_sun_sizes_);
+    lamp_shadows_.update(scene.lights(), view_, lamp_maps_);
     shared::FrameConstants constants = scene.frame_constants();
     if (input.sky) set_sky(*input.sky, constants);
     constants.frame_index = static_cast<uint32_t>(frame_index_);
@@ -98,13 +100,13 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
     views_.update({view_, sun_, scene.lights(), input.views, further_suns_, scene.gpu().probes().faces(),
-                   scene.gpu().probes().reflection_faces()},
+                   scene.gpu().probes().reflection_faces(), lamp_shadows_.views()},
                   plan().graph);
     if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, further_suns_.constants,
                                            views_.views(), views_.united_views());
         !set)
         return set;
-    const LightList lights{std::as_bytes(std::span(scene.lights()))};
+    const LightList lights{std::as_bytes(std::span(lamp_shadows_.lights()))};
     HostInputs host = input.host != nullptr ? *input.host : HostInputs{};
     host.set("lights", lights);
     frame.host = &host;

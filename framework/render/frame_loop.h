@@ -58,6 +58,7 @@ class FrameLoop {
     [[nodiscard]] const FrameViews& views() const { return views_; }
     [[nodiscard]] const SunCascades& sun() const { return sun_; }
     [[nodiscard]] const FurtherSunMaps& further_suns() const { return further_suns_; }
+    [[nodiscard]] const LampShadows& lamp_shadows() const { return lamp_shadows_; }
     [[nodiscard]] float pre_exposure() const { return pre_exposure_; }
 
  private:
@@ -67,6 +68,7 @@ class FrameLoop {
     uint32_t jitter_length_ = 0;
     SunMaps sun_maps_;
     FurtherSunSizes further_sun_sizes_{};
+    uint32_t lamp_maps_ = 0;
     FrameViews views_;
     bool hides_history_ = false;  // True: the next frame cannot read contents of previous frames.
     // Index of the next frame, counted from 0.
@@ -74,6 +76,7 @@ class FrameLoop {
     shared::ViewConstants view_{};
     SunCascades sun_;
     FurtherSunMaps further_suns_;
+    LampShadows lamp_shadows_;
     float pre_exposure_ = 1;
     // Objects of stages that were replaced. Frames in flight may still use them until the frame with the
     // number `until` begins.

@@ -85,16 +85,19 @@ uint32_t count_directional_lights(const scene::Scene* scene) {
     }));
 }
 
-// count_all_lamp_views() returns this number if `scene` is null: the views of a point light and of two spot
-// lights. Otherwise it counts the views of the scene's lamps.
+// Number of views of lamps if there is no scene: the views of a point light and of two spot lights.
 constexpr uint32_t kAssumedLampViews = 8;
 
-uint32_t count_all_lamp_views(const scene::Scene* scene) {
-    if (scene == nullptr) return kAssumedLampViews;
-    uint32_t count = 0;
-    for (const shared::Light& light : gpu_lights(scene->lights, 0, scene->light_functions.size()))
-        count += count_lamp_views(light);
-    return count;
+// The list `name` of views of lamps, of which each lamp has `count(lamp)`.
+ImportDecl lamp_view_list(const char* name, const scene::Scene* scene,
+                          uint32_t (*count)(const shared::Light&)) {
+    uint32_t views = scene == nullptr ? kAssumedLampViews : 0;
+    if (scene != nullptr)
+        for (const shared::Light& light : gpu_lights(scene->lights, 0, scene->light_functions.size()))
+            views += count(light);
+    ImportDecl lamps = view_list(name, views);
+    lamps.assumes_views = scene == nullptr;
+    return lamps;
 }
 
 // True if the scene has an environment map with a scale above 0, or if `scene` is null.
@@ -170,9 +173,8 @@ ImportCatalog scene_imports(Extent3D output_extent, const scene::Scene* scene, c
     catalog.imports.emplace("backbuffer", output(output_extent));
     catalog.views = {"camera", "sun"};
     catalog.imports.emplace("sun", view_list("sun", shared::kMostSunCascades));
-    ImportDecl lamps = view_list(kLampViews, count_all_lamp_views(scene));
-    lamps.assumes_views = scene == nullptr;
-    catalog.imports.emplace(kLampViews, std::move(lamps));
+    catalog.imports.emplace(kLampViews, lamp_view_list(kLampViews, scene, count_lamp_views));
+    catalog.imports.emplace(kLampShadowViews, lamp_view_list(kLampShadowViews, scene, count_lamp_maps));
     // The views of the first directional light are in the list "sun", so the list kFurtherSunViews has one
     // view less than `suns`.
     const uint32_t suns = std::clamp(count_directional_lights(scene), 1u, shared::kMostSuns);

@@ -1,4 +1,4 @@
-// Writes the table of directional albedo that include/dfg.glsl reads. Each texel is an integral over the microfacets
+// Writes the table of directional albedo that include/dfg.glsl reads. Each element is an integral over the microfacets
 // that the viewer sees: Heitz 2018, "Sampling the GGX Distribution of Visible Normals". The samples are a grid on the
 // projected hemisphere. The steps of the radius become smaller towards the rim, because there a small step changes the
 // angle much. Half of the hemisphere is enough, because the other half is its mirror image. Largest error of an
@@ -6,7 +6,9 @@
 #version 460
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(rgba16f) writeonly uniform image2D dfg;
+#include "dfg_table.glsl"
+
+layout(std430) writeonly buffer Dfg { uvec2 items[]; } dfg;
 layout(push_constant) uniform Params { float multipleScattering; } params;
 
 const int kRadii = 48, kAngles = 6;
@@ -29,9 +31,9 @@ vec3 visible_normal(vec2 at, vec3 stretched, float alpha) {
 }
 
 void main() {
-    const ivec2 at = ivec2(gl_GlobalInvocationID.xy), size = imageSize(dfg);
-    if (any(greaterThanEqual(at, size))) return;
-    const vec2 place = vec2(at) / vec2(size - 1);
+    const uvec2 at = gl_GlobalInvocationID.xy;
+    if (any(greaterThanEqual(at, uvec2(kDfgSide)))) return;
+    const vec2 place = vec2(at) / float(kDfgSide - 1u);
     const float nv = max(place.x * place.x, 1e-3), alpha = max(place.y * place.y, kMinAlpha);
     const vec3 v = vec3(sqrt(1.0 - nv * nv), 0.0, nv);
     const vec3 stretched = normalize(vec3(alpha * v.x, 0.0, v.z));
@@ -54,5 +56,5 @@ void main() {
             sum += weight * seen * vec2(1.0 - fresnel, fresnel);
         }
     }
-    imageStore(dfg, at, vec4(sum / weights, params.multipleScattering, 1.0));
+    dfg.items[at.y * kDfgSide + at.x] = packed_dfg(vec3(sum / weights, params.multipleScattering));
 }

@@ -6,15 +6,22 @@
 #ifndef WEFT_DFG
 #define WEFT_DFG
 #include "brdf.glsl"
+#include "dfg_table.glsl"
 
 layout(constant_id = 22) const bool HAS_dfg = false;
-uniform sampler2D dfg;  // r: scale, g: bias, b: 1 if several reflections are added, else 0.
+layout(std430) readonly buffer Dfg { uvec2 items[]; } dfg;
 
-// Position in the table. The cosine is stored as its square root, because the values change fastest at grazing angles.
-// The first and the last texel are for the values 0 and 1.
-vec2 dfg_uv(float roughness, float nv) {
-    const vec2 size = vec2(textureSize(dfg, 0));
-    return (vec2(sqrt(nv), roughness) * (size - 1.0) + 0.5) / size;
+// Returns an element of the table, from the four nearest ones. The cosine is stored as its square root, because the values
+// change fastest at grazing angles. The first and the last element are for the values 0 and 1.
+vec3 dfg_at(float roughness, float nv) {
+    const vec2 at = clamp(vec2(sqrt(nv), roughness), 0.0, 1.0) * float(kDfgSide - 1u);
+    const uvec2 first = min(uvec2(at), uvec2(kDfgSide - 2u));
+    const vec2 share = at - vec2(first);
+    const uint i = first.y * kDfgSide + first.x;
+    const vec3 near = mix(unpacked_dfg(dfg.items[i]), unpacked_dfg(dfg.items[i + 1u]), share.x);
+    const vec3 next =
+        mix(unpacked_dfg(dfg.items[i + kDfgSide]), unpacked_dfg(dfg.items[i + kDfgSide + 1u]), share.x);
+    return mix(near, next, share.y);
 }
 
 // Returns scale and bias. Their sum, and the bias divided by (1 − n·v)⁵, are polynomials of z = n·v / (n·v + 0.8 α) and
@@ -42,9 +49,9 @@ Surface with_albedo(Surface s, vec3 v) {
     const float nv = clamp(dot(s.normal, v), 0.0, 1.0);
     float several = 1.0;
     if (HAS_dfg) {
-        const vec3 texel = textureLod(dfg, dfg_uv(roughness, nv), 0.0).rgb;
-        s.albedo = texel.rg;
-        several = texel.b;
+        const vec3 element = dfg_at(roughness, nv);
+        s.albedo = element.xy;
+        several = element.z;
     } else {
         s.albedo = fitted_dfg(roughness, nv);
     }

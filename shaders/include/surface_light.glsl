@@ -1,6 +1,6 @@
 // Computes the light that a surface reflects to the eye from all lights and the sky, without the light that the surface
 // emits. Units: cd/m². Deferred and forward shading both use this file. Ports: the buffer `lights`, and optionally the
-// ports of ambient.glsl, the shadow maps `sunShadow`, and the lists `tileLights` of the lights that reach each tile.
+// ports of ambient.glsl, the shadow maps `sunShadow` and `lampShadow`, and the lists `tileLights` of the lights that reach each tile.
 // With lists, only the lights of the pixel's tile are added, in the same order as without lists. If a list is complete,
 // all other lights would add exactly 0, so the sum has the same bits with and without lists.
 #ifndef WEFT_SURFACE_LIGHT
@@ -9,7 +9,7 @@
 #include "brdf.glsl"
 #include "directional_lights.glsl"
 #include "frame_set.glsl"
-#include "light_reflection.glsl"
+#include "lamp_reflection.glsl"
 #include "lights.glsl"
 #include "tile_lights.glsl"
 
@@ -27,11 +27,11 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     for (; i < listed; ++i) {  // First the lights without area and light function.
         index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
         if (index >= frame.plain_count) break;
-        radiance += plain_reflection(s, v, position, lights.items[index]);
+        radiance += plain_lamp_reflection(s, v, position, lights.items[index]);
     }
     for (; i < listed; ++i) {
         index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
-        radiance += light_reflection(s, v, position, lights.items[index]);
+        radiance += lamp_reflection(s, v, position, lights.items[index]);
     }
     return radiance;
 }

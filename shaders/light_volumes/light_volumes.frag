@@ -7,7 +7,7 @@
 #include "lights.glsl"
 #include "octahedral.glsl"
 #include "gbuffer_surface.glsl"
-#include "light_reflection.glsl"
+#include "lamp_reflection.glsl"
 
 layout(early_fragment_tests) in;
 
@@ -25,6 +25,6 @@ void main() {
     const vec3 position = world_position(gl_FragCoord.xy * view.inverse_viewport, texelFetch(surfaceDepth, pixel, 0).r);
     const vec3 v = normalize(view.eye - position);
     const Surface s = with_albedo(gbuffer_surface(pixel, texelFetch(orm, pixel, 0).rgb), v);
-    const vec3 radiance = light_reflection(s, v, position, lights.items[light_index]) * frame.pre_exposure;
+    const vec3 radiance = lamp_reflection(s, v, position, lights.items[light_index]) * frame.pre_exposure;
     hdr = vec4(min(radiance, vec3(kMaxStored)), 0.0);
 }

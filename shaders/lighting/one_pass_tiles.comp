@@ -88,7 +88,7 @@ vec3 lit_by_reaching(ivec2 pixel, vec3 position, uint first, uint count) {
     vec3 radiance = directional_reflection(s, v, position);
     for (uint word = 0u; first + word * 32u < count; ++word)
         for (uint bits = reaching[word]; bits != 0u; bits &= bits - 1u)
-            radiance += light_reflection(s, v, position, lights.items[first + word * 32u + findLSB(bits)]);
+            radiance += lamp_reflection(s, v, position, lights.items[first + word * 32u + findLSB(bits)]);
     return radiance + material.r * ambient_reflection(s, v, material.g, position, pixel);
 }
 

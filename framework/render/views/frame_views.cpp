@@ -121,7 +121,7 @@ Status FrameViews::check(const ViewLists& program) const {
     for (const ViewListDecl& list : lists_) {
         if (list.source != ViewSource::program || list.name == kSun || list.name == kLampViews ||
             list.name == kFurtherSunViews || list.name == kSceneSunViews || list.name == kProbeFaceViews ||
-            list.name == kReflectionFaceViews)
+            list.name == kReflectionFaceViews || list.name == kLampShadowViews)
             continue;
         const auto given = program.find(list.name);
         const size_t count = given != program.end() ? given->second.size() : 0;
@@ -192,6 +192,7 @@ shared::ViewConstants FrameViews::make_given(const Frame& frame, const ViewListD
     if (list.name == kReflectionFaceViews) return frame.sources.reflection_faces[index];
     if (list.name == kSceneSunViews)
         return frame.sources.further_suns.scene_views[std::min(index, shared::kMostSceneSuns - 1u)];
+    if (list.name == kLampShadowViews) return frame.sources.lamp_shadows[index];
     if (list.name == kLampViews)
         // A lamp that has moved to a position outside the allowed range (scene::clamp_light()) gives no light
         // and has no views. Then `lamps` has fewer views than the plan uses.

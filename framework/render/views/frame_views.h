@@ -9,6 +9,7 @@
 
 #include "graph/live/live_frame.h"
 #include "render/views/further_suns.h"
+#include "render/views/lamp_shadows.h"
 #include "render/views/sun_cascades.h"
 #include "render/views/view_matrices.h"
 #include "weft/plan.h"
@@ -47,6 +48,7 @@ struct ViewSources {
     const FurtherSunMaps& further_suns;
     std::span<const shared::ViewConstants> probe_faces;       // The views of kProbeFaceViews.
     std::span<const shared::ViewConstants> reflection_faces;  // The views of kReflectionFaceViews.
+    std::span<const shared::ViewConstants> lamp_shadows;      // The views of kLampShadowViews.
 };
 
 class FrameViews {

@@ -29,7 +29,8 @@ struct Light {
     vec2 half_size_m;    // Rectangle: half width, half height; capsule: half length without caps, radius.
     uint function;       // 0: no light function; otherwise 1 + the index of the light function.
     // 0: no shadow; 1 to kMostSuns: the number of a directional light with shadows. Directional light 1 has the cascades
-    // of sun_shadow.glsl, the other directional lights have the shadow maps of further_sun_shadow.glsl.
+    // of sun_shadow.glsl, the other directional lights have the shadow maps of further_sun_shadow.glsl. From
+    // kFirstLampMap on: a lamp with the shadow maps of lamp_shadow.glsl, only in the buffer of light_upload.
     uint shadow;
 };
 

@@ -41,6 +41,12 @@ class RayScene {
                                               double from_m) const {
         return cast(origin, direction, from_m, Masks::as_drawn, false);
     }
+    // Returns the distance of the nearest hit at more than `from_m` metres.
+    [[nodiscard]] std::optional<double> first_distance(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                       double from_m, Masks masks) const {
+        const std::optional<RayHit> hit = cast(origin, direction, from_m, masks, false);
+        return hit ? std::optional(hit->distance_m) : std::nullopt;
+    }
     [[nodiscard]] bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double from_m,
                                   Masks masks) const {
         return cast(origin, direction, from_m, masks, true).has_value();

@@ -7,7 +7,7 @@
 // irradiance probes (render/probes/probe_imports.h), and the output image. The list of views "sun" has the
 // cascades of the sun. "furtherSuns" has the views of the directional lights 2 to 4. "sceneSuns" has views of
 // the directional lights 1 to 4 over all objects that do not move. "lampFaces" has the views of the scene's
-// lamps. Graphs may also use the view "camera", the element types Light and DrawCommand, the element types of
+// lamps, and "lampShadows" the views of their shadow maps. Graphs may also use the view "camera", the element types Light and DrawCommand, the element types of
 // these buffers, and the numbers directionalLights, environmentPictures, outputIsLinear and irradianceProbes.
 #pragma once
 

@@ -1,0 +1,9 @@
+// Transforms shadow casters to the view of a lamp. Only masked surfaces use other attributes than the position.
+#version 460
+#include "frame_set.glsl"
+#include "surface_vertex.glsl"
+
+void main() {
+    const Instance instance = place_surface();
+    gl_Position = view.view_projection * (instance.object_to_world * vec4(position.xyz, 1.0));
+}
