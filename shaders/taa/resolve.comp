@@ -33,6 +33,10 @@ layout(push_constant) uniform Params {
 // frames hit is kept. A pixel that moves by kMovingPx or more has the normal box.
 const float kTrustInStillness = 16.0, kMovingPx = 0.125;
 const float kStillPx = 0.01;  // Movements below this length (in pixels) are rounding errors.
+// The largest rounding error of a half float in a compressed colour. The deviation of the neighbours is at least this
+// large: the clipping box would have no width in a channel that is the same for all neighbours, and the history of the
+// other channels would be lost, too.
+const float kRounding = 0.25 / 2048.0;
 // A pixel has become brighter or darker if log2(now / history) is far from 0; from kChange on, it counts as a whole
 // pixel. The light of a tile of 8 × 8 pixels has changed if many more pixels have become brighter than darker, or the
 // reverse. If the difference is at most kLeastShare of all pixels, the light has not changed. From kMostShare on, the
@@ -77,7 +81,7 @@ Neighbours neighbours_of(ivec2 pixel) {
             n.nearest = at;
         }
     }
-    n.deviation = sqrt(max(n.deviation - n.mean * n.mean, vec3(0.0)));
+    n.deviation = sqrt(max(n.deviation - n.mean * n.mean, vec3(kRounding * kRounding)));
     return n;
 }
 

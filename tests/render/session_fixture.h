@@ -89,6 +89,7 @@ class SessionTest : public ::testing::Test {
         input.request.path = graph;
         input.request.size = size;
         input.request.observed = std::move(observed);
+        input.request.params = params_;
         input.load.reader = reader;
         input.load.reads_disk = true;
         input.load.graph_root = WEFT_SOURCE_DIR "/graphs";
@@ -144,7 +145,8 @@ class SessionTest : public ::testing::Test {
     }
 
     uint32_t queues_ = 1;
-    scene::Probes probes_;  // The light probes of the next sessions.
+    scene::Probes probes_;                  // The light probes of the next sessions.
+    std::map<std::string, double> params_;  // Parameters of the graph in the next sessions.
     PassCatalog passes_;
     Diagnostics warnings_;
     std::unique_ptr<vk::Device> device_;

@@ -30,6 +30,9 @@ def slips(graph):
             continue
         for key in ("in", "out"):
             ports = body.get(key, [])
+            # A null port removes the port of the included pass, so there is no name to misspell, either.
+            if isinstance(ports, dict):
+                ports = {port: ref for port, ref in ports.items() if ref is not None}
             for i in (range(len(ports)) if isinstance(ports, list) else list(ports)):
                 yield from changed(graph, ["passes", name, key, i], reference)
             if isinstance(ports, dict):

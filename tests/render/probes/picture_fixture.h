@@ -102,6 +102,7 @@ class ProbePicture : public ProbeTest {
         std::unique_ptr<render::Session> session = start_with_probes(
             scene, std::move(probes), graph_path("deferred"), {kSize.x, kSize.y, 1}, std::move(observed),
             {{"probeFaceSize", 16},
+             {"lampShadowMaps", 0},  // The references of these tests have no shadows of lamps.
              {"autoExposure", 0},
              {"reflectionFaceSize", 64},
              {"sceneSunShadowSize", 512}});

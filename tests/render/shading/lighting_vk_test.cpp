@@ -21,6 +21,7 @@ TEST_F(Lighting, EveryPixelOfTheSpheresFollowsFromTheGBuffer) {
     ASSERT_TRUE(scene);
     scene->sky_zenith = scene->sky_horizon = glm::vec3(0);
     ASSERT_EQ(scene->lights.size(), 1u);
+    params_["lampShadowMaps"] = 0;  // The reference has no shadows.
     const Rendered r = render(*scene, scene->cameras.at(0), kLightingSize, scene->exposure_ev,
                               {"albedo", "normal", "orm", "specular", "depth", "hdr@gbuffer", "hdr"},
                               kDeferredGraph, kSingleReflections);
