@@ -33,10 +33,15 @@ Json reference_to(const Names& resources, const Names& passes) {
              {one_of(resources), {{"type", "string"}, {"pattern", "^" + any_of(resources) + more + "+$"}}}}};
 }
 
-// Returns the schema of ports. In an object, the port names are the keys. In a list, each entry is a
+// Returns the schema of ports. In an object, the port names are the keys; null removes a port of an included
+// pass, also a port that this pass no longer has because it uses another shader. In a list, each entry is a
 // reference that begins with the port name, such as "depth" or "depth@gbuffer.mip(1)".
 Json ports(const Names& names) {
-    return {{"propertyNames", one_of(names)}, {"items", {{"pattern", "^" + any_of(names) + kWordEnds}}}};
+    Json known = Json::object();
+    for (const std::string& name : names) known[name] = true;
+    return {{"properties", std::move(known)},
+            {"additionalProperties", {{"type", "null"}}},
+            {"items", {{"pattern", "^" + any_of(names) + kWordEnds}}}};
 }
 
 Json pass_schema(const PassNames& pass) {
