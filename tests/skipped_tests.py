@@ -52,7 +52,7 @@ def main(junit, results, reasons_file):
         reasons = accepted_reasons(file.read())
     count, lines = 0, []
     for path in [pathlib.Path(junit), *sorted(pathlib.Path(results).glob("*.xml"))]:
-        more, found = unaccepted(path.read_text(), reasons)
+        more, found = unaccepted(path.read_text(errors="replace"), reasons)
         count += more
         lines += found
     print("\n".join(lines) if lines else f"{count} tests were skipped, all for reasons that tests/skipped_tests.txt lists")
