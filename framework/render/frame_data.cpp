@@ -8,7 +8,7 @@
 namespace weft::render {
 namespace {
 
-static_assert(sizeof(shared::FrameConstants) == 224 && sizeof(shared::ViewConstants) == 512);
+static_assert(sizeof(shared::FrameConstants) == 240 && sizeof(shared::ViewConstants) == 512);
 static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
               sizeof(shared::Material) == 304 && sizeof(shared::Instance) == 208);
 

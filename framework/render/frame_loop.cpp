@@ -93,20 +93,21 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     lamp_shadows_.update(scene.lights(), view_, lamp_maps_);
     shared::FrameConstants constants = scene.frame_constants();
     if (input.sky) set_sky(*input.sky, constants);
+    constants.unshadowed_count = lamp_shadows_.count_unshadowed();
     constants.frame_index = static_cast<uint32_t>(frame_index_);
     if (kind == Kind::normal) ++frame_index_;
     constants.time_s = static_cast<float>(input.time_s);
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    views_.update({view_, sun_, scene.lights(), input.views, further_suns_, scene.gpu().probes().faces(),
+    views_.update({view_, sun_, lamp_shadows_.ordered(), input.views, further_suns_, scene.gpu().probes().faces(),
                    scene.gpu().probes().reflection_faces(), lamp_shadows_.views()},
                   plan().graph);
     if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, further_suns_.constants,
                                            views_.views(), views_.united_views());
         !set)
         return set;
-    const LightList lights{std::as_bytes(std::span(lamp_shadows_.lights()))};
+    const LightList lights{std::as_bytes(std::span(lamp_shadows_.ordered()))};
     HostInputs host = input.host != nullptr ? *input.host : HostInputs{};
     host.set("lights", lights);
     frame.host = &host;

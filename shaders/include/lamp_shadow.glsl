@@ -137,28 +137,33 @@ LampPlace moved_place(LampPlace place, vec2 by) {
     return LampPlace(place.at + by, place.depth + dot(place.slope, by), place.slope, place.layer);
 }
 
-// Places of the samples in a shape, from −1 to 1. A rectangle has Hammersley's points. The points of a round shape were
-// optimised: the number of points on one side of a line is nearly proportional to this part of the disc.
+// Places of the samples in a shape, from −1 to 1. They are numbers and not arrays, because devices without memory for
+// constants (llvmpipe) fill an array again for each pixel.
 const int kLampSamples = 16;
-const vec2 kInSquare[kLampSamples] = vec2[](
-    vec2(-0.9375, -0.9375), vec2(-0.8125, 0.0625), vec2(-0.6875, -0.4375), vec2(-0.5625, 0.5625),
-    vec2(-0.4375, -0.6875), vec2(-0.3125, 0.3125), vec2(-0.1875, -0.1875), vec2(-0.0625, 0.8125),
-    vec2(0.0625, -0.8125), vec2(0.1875, 0.1875), vec2(0.3125, -0.3125), vec2(0.4375, 0.6875),
-    vec2(0.5625, -0.5625), vec2(0.6875, 0.4375), vec2(0.8125, -0.0625), vec2(0.9375, 0.9375));
-const vec2 kInDisc[kLampSamples] = vec2[](
-    vec2(0.5241, 0.6170), vec2(0.7718, -0.2298), vec2(-0.3504, 0.0193), vec2(0.7639, 0.2216), vec2(-0.8078, -0.0083),
-    vec2(0.5185, -0.6128), vec2(-0.6645, -0.4307), vec2(-0.3391, -0.7284), vec2(-0.1204, -0.3250),
-    vec2(-0.6588, 0.4156), vec2(0.2832, -0.2265), vec2(-0.3494, 0.7294), vec2(0.3044, 0.1956), vec2(0.1069, 0.7887),
-    vec2(0.1088, -0.7845), vec2(-0.0832, 0.3462));
+
+// Returns one of Hammersley's points.
+vec2 place_in_square(int i) {
+    const uint reversed = bitfieldReverse(uint(i)) >> 28;
+    return vec2(i, reversed) * 0.125 - 0.9375;
+}
+
+// Returns one of 16 points that were optimised: the number of points on one side of a line is nearly proportional to this
+// part of the disc. Each number contains two points, as packSnorm4x8() packs them.
+vec2 place_in_disc(int i) {
+    const uvec4 first = uvec4(0xe3624e43u, 0x1c6102d3u, 0xb242ff99u, 0xa3d5c9acu);
+    const uvec4 last = uvec4(0x35acd7f1u, 0x5dd4e324u, 0x640e1927u, 0x2cf59c0eu);
+    const vec4 two = unpackSnorm4x8(i < 8 ? first[i >> 1] : last[(i >> 1) - 4]);
+    return (i & 1) == 0 ? two.xy : two.zw;
+}
 
 vec2 sample_place(LampShape shape, int i) {
-    const vec2 at = shape.round ? kInDisc[i] : kInSquare[i];
+    const vec2 at = shape.round ? place_in_disc(i) : place_in_square(i);
     return shape.across * at.x + shape.along * at.y;
 }
 
 // Returns how far from the middle of the shape a sample is: 1 at the edge.
 float sample_radius(LampShape shape, int i) {
-    return shape.round ? length(kInDisc[i]) : max(abs(kInSquare[i].x), abs(kInSquare[i].y));
+    return shape.round ? length(place_in_disc(i)) : max(abs(place_in_square(i).x), abs(place_in_square(i).y));
 }
 
 // Surfaces that hide the lamp are searched where they would be at this share of the distance from the lamp.

@@ -24,7 +24,12 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     const uint listed = HAS_tileLights ? tileLights.items[list] : all - directional;
     vec3 radiance = directional_reflection(s, v, position);
     uint i = 0u, index = 0u;
-    for (; i < listed; ++i) {  // First the lights without area and light function.
+    for (; i < listed; ++i) {
+        index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
+        if (index >= frame.unshadowed_count) break;
+        radiance += plain_reflection(s, v, position, lights.items[index]);
+    }
+    for (; i < listed; ++i) {
         index = HAS_tileLights ? tileLights.items[list + 1u + i] : directional + i;
         if (index >= frame.plain_count) break;
         radiance += plain_lamp_reflection(s, v, position, lights.items[index]);

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "render/frame_data.h"
 #include "render/views/view_matrices.h"
 #include "shared/lamp_shadow.glsl"
 
@@ -156,7 +157,7 @@ void LampShadows::update(std::span<const shared::Light> lights, const shared::Vi
     if (!same) first_maps_.clear();
     lights_.assign(lights.begin(), lights.end());
     views_.assign(maps, {});
-    if (maps == 0) return;
+    if (maps == 0) return order();
     const std::vector<uint32_t> chosen = choose(camera, maps);
     std::erase_if(first_maps_,
                   [&](const auto& entry) { return std::ranges::find(chosen, entry.first) == chosen.end(); });
@@ -169,6 +170,16 @@ void LampShadows::update(std::span<const shared::Light> lights, const shared::Vi
             views_[first + i] = map_view(lights_[light], i);
         lights_[light].shadow = shared::kFirstLampMap + first;
     }
+    order();
+}
+
+void LampShadows::order() {
+    ordered_ = lights_;
+    const auto first_other = std::ranges::find_if_not(ordered_, is_plain);
+    const auto shadowed = std::stable_partition(ordered_.begin(), first_other, [](const shared::Light& light) {
+        return light.shadow < shared::kFirstLampMap;
+    });
+    count_unshadowed_ = static_cast<uint32_t>(shadowed - ordered_.begin());
 }
 
 }  // namespace weft::render

@@ -30,14 +30,21 @@ class LampShadows {
     void update(std::span<const shared::Light> lights, const shared::ViewConstants& camera, uint32_t maps);
     // Returns the lights of the last update(). Light::shadow of each chosen lamp tells its maps.
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
+    // Returns the same lights in the order of the buffer `lights`: the chosen ones of the plain lights (see
+    // is_plain() in frame_data.h) follow after the others.
+    [[nodiscard]] const std::vector<shared::Light>& ordered() const { return ordered_; }
+    // Returns how many plain lights are before the chosen ones.
+    [[nodiscard]] uint32_t count_unshadowed() const { return count_unshadowed_; }
     // Returns the view of each map. Maps that no lamp uses have a view that shows nothing.
     [[nodiscard]] const std::vector<shared::ViewConstants>& views() const { return views_; }
 
  private:
     [[nodiscard]] std::vector<uint32_t> choose(const shared::ViewConstants& camera, uint32_t maps) const;
     [[nodiscard]] bool place(std::span<const uint32_t> chosen, uint32_t maps);
+    void order();
 
-    std::vector<shared::Light> lights_;
+    std::vector<shared::Light> lights_, ordered_;
+    uint32_t count_unshadowed_ = 0;
     std::vector<shared::ViewConstants> views_;
     std::map<uint32_t, uint32_t>
         first_maps_;  // The first map of each chosen lamp, by the index of the light.

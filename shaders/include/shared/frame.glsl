@@ -22,6 +22,8 @@ struct FrameConstants {
     float environment_light_scale;  // Factor for texels of the small picture for lighting.
     // rgb: coefficients of the functions 1, x, y, z, xy, yz, xz, 3y² − 1 and x² − z² of the normal (x, y, z).
     vec4 environment_irradiance_over_pi[9];
+    uint unshadowed_count;    // Number of these plain lights before the first with shadow maps of a lamp.
+    uint reserved1, reserved2, reserved3;
 };
 
 // A buffer of the graph may contain views. Then a uniform block begins at each element, so the size of the struct is a

@@ -96,6 +96,26 @@ TEST(LampChoice, ClosesGapsIfALampHasNoRoom) {
     EXPECT_EQ(shadows_of(shadows), (std::vector<uint32_t>{0, kFirst + 6, 0, kFirst}));
 }
 
+// The order of the buffer: plain lights without maps, plain lights with maps, all others. Within each of these
+// groups, the order stays the same.
+TEST(LampChoice, PlainLampsWithMapsFollowAfterThoseWithout) {
+    const std::vector<shared::Light> lights = render::gpu_lights(
+        std::vector{lamp_at(scene::LightType::directional, 0), lamp_at(scene::LightType::spot, 0, 9),
+                    lamp_at(scene::LightType::spot, 1, 1), lamp_at(scene::LightType::spot, 2, 8),
+                    lamp_at(scene::LightType::spot, 3, 2), lamp_at(scene::LightType::rectangle, 4, 3)},
+        0);
+    render::LampShadows shadows;
+    shadows.update(lights, camera_at(0, 3), 10);
+    EXPECT_EQ(shadows.count_unshadowed(), 1u) << "10 maps are enough for all lamps";
+    shadows.update(lights, camera_at(0, 3), 2);
+    std::vector<float> places;
+    for (const shared::Light& light : shadows.ordered()) places.push_back(light.position.x);
+    EXPECT_EQ(places, (std::vector<float>{0, 1, 3, 0, 2, 4}));
+    EXPECT_EQ(shadows.count_unshadowed(), 3u);
+    shadows.update(lights, camera_at(0, 3), 0);
+    EXPECT_EQ(shadows.count_unshadowed(), 5u) << "the rectangle is not plain";
+}
+
 // A point on the edge of the cone or of the face is inside of the map, with the margin around it.
 TEST(LampChoice, ViewsHaveAMargin) {
     std::vector<shared::Light> lights = render::gpu_lights(
