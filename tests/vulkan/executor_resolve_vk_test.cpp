@@ -221,8 +221,12 @@ TEST_F(ExecutorResolveVk, integers_keep_their_first_sample) {
     ASSERT_EQ(read.size(), 1u);
     const std::vector<uint32_t> texels = values_of<uint32_t>(read[0]);
     ASSERT_EQ(texels.size(), kResolveSide * kResolveSide);
-    for (uint32_t i = 0; i < texels.size(); ++i)
-        ASSERT_EQ(texels[i], covers(i % kResolveSide, i / kResolveSide, 0) ? 1000000007u : 3u) << i;
+    for (uint32_t i = 0; i < texels.size(); ++i) {
+        const uint32_t x = i % kResolveSide, y = i / kResolveSide;
+        EXPECT_EQ(texels[i], covers(x, y, 0) ? 1000000007u : 3u)
+            << "pixel " << x << ", " << y << "; samples covered: " << covers(x, y, 0) << covers(x, y, 1)
+            << covers(x, y, 2) << covers(x, y, 3);
+    }
 }
 
 }  // namespace

@@ -21,6 +21,13 @@ test::RandomGraphOptions all_but_views() {
     return options;
 }
 
+// Returns the folders in which the environment lets the loader search for layers, each with a colon behind
+// it.
+std::string set_path() {
+    const char* path = std::getenv("VK_LAYER_PATH");
+    return path != nullptr && *path != 0 ? path + std::string(":") : "";
+}
+
 class QueueFamiliesVk : public ExecutorTest {
  protected:
     [[nodiscard]] DeviceOptions device_options() const override {
@@ -42,8 +49,9 @@ class QueueFamiliesVk : public ExecutorTest {
     // The loader orders layers by the search path. The validation layer must come first, so that it sees the
     // simulated families.
     ScopedEnvironment path_{"VK_LAYER_PATH",
-                            "/usr/local/share/vulkan/explicit_layer.d:/etc/vulkan/explicit_layer.d:"
-                            "/usr/share/vulkan/explicit_layer.d:" WEFT_MOCK_FAMILIES_DIR};
+                            set_path() +
+                                "/usr/local/share/vulkan/explicit_layer.d:/etc/vulkan/explicit_layer.d:"
+                                "/usr/share/vulkan/explicit_layer.d:" WEFT_MOCK_FAMILIES_DIR};
     ScopedEnvironment layers_{"VK_INSTANCE_LAYERS",
                               "VK_LAYER_KHRONOS_validation:VK_LAYER_WEFT_mock_families"};
 };

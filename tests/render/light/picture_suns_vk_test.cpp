@@ -6,6 +6,7 @@
 
 #include "tests/render/exposure/exposure_fixture.h"
 #include "tests/render/light/sunny_spheres.h"
+#include "tests/render/shading/half_steps.h"
 
 namespace weft::test {
 namespace {
@@ -97,16 +98,13 @@ TEST_F(PictureSuns, ForwardShadingAgreesWithDeferredShading) {
         runs[i] = run_of(readbacks, adaptation_of(readbacks));
         ASSERT_EQ(runs[i].halves.size(), size_t{kSunnySize.width} * kSunnySize.height * 4);
     }
-    int steps = 0, shown = 0;
-    for (size_t i = 0; i < runs[0].halves.size(); ++i)
-        steps = std::max(steps, std::abs(int{runs[0].halves[i]} - int{runs[1].halves[i]}));
+    const int steps = most_half_steps("rounded as the G-buffer", runs[0].halves, runs[1].halves);
+    int shown = 0;
     for (size_t i = 0; i < outputs[0].size(); ++i)
         shown = std::max(shown,
                          std::abs(std::to_integer<int>(outputs[0][i]) - std::to_integer<int>(outputs[1][i])));
-    std::printf(
-        "rounded as the G-buffer: at most %d steps of a half float, %d of 255 in the picture; exposure "
-        "%.4f EV deferred, %.4f EV forward\n",
-        steps, shown, runs[0].exposure_ev, runs[2].exposure_ev);
+    std::printf("at most %d of 255 in the picture; exposure %.4f EV deferred, %.4f EV forward\n", shown,
+                runs[0].exposure_ev, runs[2].exposure_ev);
     EXPECT_LE(steps, 1);
     EXPECT_LE(shown, 1);
     EXPECT_NEAR(runs[0].exposure_ev, runs[2].exposure_ev, 0.02);

@@ -78,6 +78,7 @@ TEST_F(ProbeBake, TheFacesOfAProbeShowTheWallsOfItsRoom) {
     ASSERT_TRUE(session);
     frame(*session);
     size_t compared = 0;
+    float worst = 0;
     for (int i = 0; i < 2 * 6 * kBakeSide * kBakeSide; ++i) {
         const int x = i % kBakeSide, y = i / kBakeSide % kBakeSide, layer = i / (kBakeSide * kBakeSide);
         const int probe = layer / 6, face = layer % 6;
@@ -86,8 +87,7 @@ TEST_F(ProbeBake, TheFacesOfAProbeShowTheWallsOfItsRoom) {
         ++compared;
         const std::string where = "probe " + std::to_string(probe) + " face " + std::to_string(face) + " (" +
                                   std::to_string(x) + ", " + std::to_string(y) + ")";
-        ASSERT_NEAR(texel("probeDistance", probe, face, x, y).r, hit.distance_m, 2e-5f * hit.distance_m)
-            << where;
+        worst = std::max(worst, std::abs(texel("probeDistance", probe, face, x, y).r / hit.distance_m - 1));
         const glm::vec3 n = octahedral(glm::vec2(texel("probeNormal", probe, face, x, y)));
         ASSERT_LT(glm::length(n + axis(hit.wall)), 1e-3f) << where;
         const glm::vec4 albedo = texel("probeAlbedo", probe, face, x, y);
@@ -96,6 +96,8 @@ TEST_F(ProbeBake, TheFacesOfAProbeShowTheWallsOfItsRoom) {
         const glm::vec3 emission = hit.wall == kBrightWall ? kEmission / 16.0f : glm::vec3(0);
         ASSERT_EQ(glm::vec3(texel("probeEmission", probe, face, x, y)), emission) << where;
     }
+    std::printf("largest error of a distance: %.1e of it\n", worst);
+    EXPECT_LE(worst, 2e-5f);
     EXPECT_GT(compared, 12000u);
 }
 

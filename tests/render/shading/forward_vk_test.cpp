@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/render/session_fixture.h"
+#include "tests/render/shading/half_steps.h"
 
 namespace weft::test {
 namespace {
@@ -53,19 +54,7 @@ TEST_F(Forward, SeesWhatDeferredSees) {
         const std::vector<uint16_t> forward = hdr_of(*scene, kForward, read_quantized);
         ASSERT_EQ(deferred.size(), forward.size());
         ASSERT_EQ(deferred.size(), size_t{kForwardSize.width} * kForwardSize.height * 4);
-        size_t differ = 0;
-        int worst = 0;
-        for (size_t i = 0; i < forward.size(); ++i) {
-            if (i % 4 == 3) continue;
-            // The bits of non-negative half floats are compared as integers. A difference of 1 means that the
-            // two values are neighbouring half floats.
-            const int off = std::abs(int{deferred[i]} - int{forward[i]});
-            differ += off > 0 ? 1 : 0;
-            worst = std::max(worst, off);
-        }
-        std::printf("%s: %zu of %zu channels differ, by %d steps of a half float at most\n", name, differ,
-                    forward.size() / 4 * 3, worst);
-        EXPECT_LE(worst, 1);
+        EXPECT_LE(most_half_steps(name, deferred, forward), 1);
     }
 }
 

@@ -270,7 +270,10 @@ void Precision::expect_within_bound(const scene::Scene& scene, float exposure_ev
         for (int c = 0; c < 3; ++c) {
             worst_use = std::max(worst_use, std::abs(a[c] - b[c]) / allowed[c]);
             widest = std::max(widest, std::abs(a[c] - b[c]) / std::max(a[c], 1e-3));
-            beyond += std::abs(a[c] - b[c]) > allowed[c] ? 1 : 0;
+            if (std::abs(a[c] - b[c]) <= allowed[c]) continue;
+            if (++beyond <= 12)
+                std::printf("pixel %zu, %zu, channel %d: %g deferred, %g forward, %g allowed\n",
+                            i % kPrecisionSize.width, i / kPrecisionSize.width, c, a[c], b[c], allowed[c]);
         }
     }
     std::printf("%s: %zu surface pixels, at most %.2f of the bound used, largest difference %.2f %%\n",
