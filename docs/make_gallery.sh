@@ -81,19 +81,19 @@ earlier frames. For each pixel, the shader takes the velocity of the nearest sur
 this surface was in the previous frame. Catmull-Rom weights keep the history sharp. The shader clips the colour from the
 history to a range of colours in YCoCg: the middle of the range is the mean of the neighbour pixels in this frame, and
 the standard deviation of these pixels gives the size of the range. Parts of the picture that do not move converge to
-the mean of the frames. Where all pixels of a tile of 8 × 8 pixels become brighter or darker by about the same factor, the
-light has changed, and the tile begins a new mean. The same happens where a lamp goes on or off. The module
-`graphs/modules/taa.json` does all of this, for every graph that has `hdr`, `velocity` and `depth`. [Anti-aliasing](anti-aliasing.md)
-describes it, and a faster method without history.
+the mean of the frames. Where all pixels of a tile of 8 × 8 pixels become brighter or darker by about the same factor,
+the light has changed, and the tile begins a new mean. The same happens where a lamp goes on or off. The module
+`graphs/modules/taa.json` does all of this, for every graph that has `hdr`, `velocity` and `depth`.
+[Anti-aliasing](anti-aliasing.md) describes it, and a faster method without history.
 END
 
 show dof dof "Depth of field" "A fountain in focus before a court at night; lamps become discs of light" --time 22 <<'END'
 At half resolution, the picture is split into two layers: the surfaces behind the focus, and the surfaces in front of
 the focus. Before a layer is filtered, each colour is multiplied by a weight from 0 (sharp) to 1 (blurred) (Liu 2016,
-"Rendering 'Monster Hunter Online'"). Sharp parts of the picture have the weight 0, so a bright edge in focus causes no halo on the surfaces behind
-it. Colours that a blurred leaf hides are estimated from the surroundings of the leaf. The blur reads every pixel in its
-range without filtering, so each lamp becomes a uniform disc of its own size. The result is blended over the picture
-with premultiplied alpha.
+"Rendering 'Monster Hunter Online'"). Sharp parts of the picture have the weight 0, so a bright edge in focus causes no
+halo on the surfaces behind it. Colours that a blurred leaf hides are estimated from the surroundings of the leaf. The
+blur reads every pixel in its range without filtering, so each lamp becomes a uniform disc of its own size. The result
+is blended over the picture with premultiplied alpha.
 END
 
 show edges edges "Edges" "The court as a pale drawing: outlines in ink, creases in red" <<'END'
