@@ -84,6 +84,7 @@ def compared(weft, reference, graph, folder):
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
+    compare.skip_unless_extended()
     references = {reference["name"]: reference for reference in compare.references()}
     failed = []
     with tempfile.TemporaryDirectory() as scratch:

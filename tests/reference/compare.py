@@ -71,6 +71,13 @@ def radiance_of(graph):
     return "resolved" if "modules/taa.json" in graph.read_text() else "hdr"
 
 
+def skip_unless_extended():
+    """Ends the test: it takes longer than CI may, so only `./weft test --extended` runs it."""
+    if "WEFT_EXTENDED" not in os.environ:
+        print("only with WEFT_EXTENDED")
+        sys.exit(SKIPPED)
+
+
 def render(weft, reference, graph, folder):
     graph = graph if isinstance(graph, pathlib.Path) else GRAPHS / (graph + ".json")
     out = folder / (reference["name"] + ".pfm")

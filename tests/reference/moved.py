@@ -49,6 +49,7 @@ def moved_reference(reference, way, columns, folder):
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
+    compare.skip_unless_extended()
     reference = next(r for r in compare.references() if r["name"] == "court-day")
     failed, still = [], None
     with tempfile.TemporaryDirectory() as scratch:
