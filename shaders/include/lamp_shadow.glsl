@@ -6,8 +6,8 @@
 // Shadows".
 #ifndef WEFT_LAMP_SHADOW
 #define WEFT_LAMP_SHADOW
+#include "lights.glsl"
 #include "shared/lamp_shadow.glsl"
-#include "shared/light.glsl"
 
 layout(constant_id = 34) const bool HAS_lampShadow = false;
 uniform sampler2DArray lampShadow;
@@ -27,7 +27,7 @@ struct LampView {
 
 // Returns the view that contains the direction `way` from the lamp.
 LampView lamp_view(Light light, vec3 way) {
-    const float cosine = -light.cone_offset / light.cone_scale;
+    const float cosine = cone_edge(light);
     if (light.type == kLightSpot && cosine >= kLeastSpotCosine)
         return LampView(light.side, cross(light.direction, light.side), light.direction,
                         kLampMapMargin * sqrt(1.0 - cosine * cosine) / cosine, 0u);

@@ -1,10 +1,7 @@
 // Computes a bounding sphere of the region that a light reaches. Units: metres, world space.
 #ifndef WEFT_LIGHT_SPHERE
 #define WEFT_LIGHT_SPHERE
-#include "shared/light.glsl"
-
-// Returns the cosine of the angle between the axis of a spot and the edge of its cone.
-float cone_edge(Light light) { return -light.cone_offset / light.cone_scale; }
+#include "lights.glsl"
 
 // Returns centre and radius of the sphere. The light must have a position and a range. A spot gets the
 // smallest sphere around its cone. If the edge of the cone is at most 45° from the axis, this sphere passes

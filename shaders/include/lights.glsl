@@ -4,6 +4,9 @@
 #define WEFT_LIGHTS
 #include "shared/light.glsl"
 
+// Returns the cosine of the angle between the axis of a spot and the edge of its cone.
+float cone_edge(Light light) { return -light.cone_offset / light.cone_scale; }
+
 struct Incident {
     vec3 direction;    // Direction from the point to the light.
     vec3 irradiance;

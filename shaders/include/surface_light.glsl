@@ -1,8 +1,8 @@
 // Computes the light that a surface reflects to the eye from all lights and the sky, without the light that the surface
 // emits. Units: cd/m². Deferred and forward shading both use this file. Ports: the buffer `lights`, and optionally the
-// ports of ambient.glsl, the shadow maps `sunShadow` and `lampShadow`, and the lists `tileLights` of the lights that reach each tile.
-// With lists, only the lights of the pixel's tile are added, in the same order as without lists. If a list is complete,
-// all other lights would add exactly 0, so the sum has the same bits with and without lists.
+// ports of ambient.glsl, the shadow maps `sunShadow` and `lampShadow`, and the lists `tileLights` of the lights that
+// reach each tile. With lists, only the lights of the pixel's tile are added, in the same order as without lists. If a
+// list is complete, all other lights would add exactly 0, so the sum has the same bits with and without lists.
 #ifndef WEFT_SURFACE_LIGHT
 #define WEFT_SURFACE_LIGHT
 #include "ambient.glsl"

@@ -4,7 +4,7 @@
 #version 460
 #include "frame_set.glsl"
 #include "pixel_box.glsl"
-#include "shared/light.glsl"
+#include "lights.glsl"
 #include "reach.glsl"
 #include "light_bounds.glsl"
 
@@ -29,7 +29,7 @@ Reach reach_of(Light light) {
     r.direction = turn * light.direction;
     r.first = r.second = vec3(0.0);
     r.cos_spread = -1.0;
-    if (light.type == kLightSpot) r.cos_spread = clamp(-light.cone_offset / light.cone_scale - kPlaceError, -1.0, 1.0);
+    if (light.type == kLightSpot) r.cos_spread = clamp(cone_edge(light) - kPlaceError, -1.0, 1.0);
     if (light.type == kLightCapsule) r.first = r.direction * light.half_size_m.x;
     if (light.type == kLightRectangle) {
         const vec3 side = turn * light.side;
