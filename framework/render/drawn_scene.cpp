@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/frame_data.h"
+#include "render/views/plain_light.h"
 #include "scene/model/node_placement.h"
 
 namespace weft::render {

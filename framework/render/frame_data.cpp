@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/views/plain_light.h"
 #include "scene/model/light_check.h"
 
 namespace weft::render {
@@ -134,10 +135,6 @@ shared::Light gpu_light(const scene::Light& scene_light, double time_s) {
     gpu.half_size_m = light.half_size_m;
     gpu.function = light.function == scene::kNone ? 0 : light.function + 1;
     return gpu;
-}
-
-bool is_plain(const shared::Light& light) {
-    return light.type < shared::kLightCapsule && light.function == 0;
 }
 
 std::vector<shared::Light> gpu_lights(std::span<const scene::Light> scene_lights, double time_s,

@@ -35,13 +35,11 @@ void set_sky(const SkyColors& sky, shared::FrameConstants& frame);
 // Converts a light, at its position at time `time_s`. Numbers that are out of range are clamped: see
 // scene/light_check.h.
 [[nodiscard]] shared::Light gpu_light(const scene::Light& light, double time_s = 0);
-// True if the light has neither an area nor a light function (doors, picture, falloff curve).
-[[nodiscard]] bool is_plain(const shared::Light& light);
 // Returns the lights with an intensity above 0, at most kMaxLights. The order is: plain directional lights
-// (see is_plain()), other directional lights, other plain lights, all others. Within each of these groups the
-// scene's order is kept. If the graph's light buffer is too small, light_upload later drops the last lights.
-// `functions` is the number of light functions. A light whose function does not exist gets no function. The
-// first directional light casts the sun's shadows.
+// (see views/plain_light.h), other directional lights, other plain lights, all others. Within each of these
+// groups the scene's order is kept. If the graph's light buffer is too small, light_upload later drops the
+// last lights. `functions` is the number of light functions. A light whose function does not exist gets no
+// function. The first directional light casts the sun's shadows.
 [[nodiscard]] std::vector<shared::Light> gpu_lights(std::span<const scene::Light> lights, double time_s,
                                                     size_t functions = 0);
 // Converts a light function, but leaves the index of its picture at 0 (no picture).

@@ -100,9 +100,10 @@ Status FrameLoop::render(const FrameInput& input, const LiveInputs& live, DrawnS
     constants.delta_time_s = static_cast<float>(input.delta_time_s);
     constants.pre_exposure = frame.pre_exposure;
     constants.prev_pre_exposure = frame.prev_pre_exposure;
-    views_.update({view_, sun_, lamp_shadows_.ordered(), input.views, further_suns_, scene.gpu().probes().faces(),
-                   scene.gpu().probes().reflection_faces(), lamp_shadows_.views()},
-                  plan().graph);
+    views_.update(
+        {view_, sun_, lamp_shadows_.ordered(), input.views, further_suns_, scene.gpu().probes().faces(),
+         scene.gpu().probes().reflection_faces(), lamp_shadows_.views()},
+        plan().graph);
     if (Status set = scene.gpu().set_frame(*slot, constants, sun_.constants, further_suns_.constants,
                                            views_.views(), views_.united_views());
         !set)

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <optional>
 
-#include "render/frame_data.h"
+#include "render/views/plain_light.h"
 #include "render/views/view_matrices.h"
 #include "shared/lamp_shadow.glsl"
 
@@ -176,9 +176,9 @@ void LampShadows::update(std::span<const shared::Light> lights, const shared::Vi
 void LampShadows::order() {
     ordered_ = lights_;
     const auto first_other = std::ranges::find_if_not(ordered_, is_plain);
-    const auto shadowed = std::stable_partition(ordered_.begin(), first_other, [](const shared::Light& light) {
-        return light.shadow < shared::kFirstLampMap;
-    });
+    const auto shadowed = std::stable_partition(
+        ordered_.begin(), first_other,
+        [](const shared::Light& light) { return light.shadow < shared::kFirstLampMap; });
     count_unshadowed_ = static_cast<uint32_t>(shadowed - ordered_.begin());
 }
 

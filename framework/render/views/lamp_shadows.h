@@ -31,7 +31,7 @@ class LampShadows {
     // Returns the lights of the last update(). Light::shadow of each chosen lamp tells its maps.
     [[nodiscard]] const std::vector<shared::Light>& lights() const { return lights_; }
     // Returns the same lights in the order of the buffer `lights`: the chosen ones of the plain lights (see
-    // is_plain() in frame_data.h) follow after the others.
+    // plain_light.h) follow after the others.
     [[nodiscard]] const std::vector<shared::Light>& ordered() const { return ordered_; }
     // Returns how many plain lights are before the chosen ones.
     [[nodiscard]] uint32_t count_unshadowed() const { return count_unshadowed_; }
