@@ -96,8 +96,8 @@ TEST(LampChoice, ClosesGapsIfALampHasNoRoom) {
     EXPECT_EQ(shadows_of(shadows), (std::vector<uint32_t>{0, kFirst + 6, 0, kFirst}));
 }
 
-// The order of the buffer: plain lights without maps, plain lights with maps, all others. Within each of these
-// groups, the order stays the same.
+// The order of the buffer: plain lights without maps, plain lights with maps, all others. Within each of
+// these groups, the order stays the same.
 TEST(LampChoice, PlainLampsWithMapsFollowAfterThoseWithout) {
     const std::vector<shared::Light> lights = render::gpu_lights(
         std::vector{lamp_at(scene::LightType::directional, 0), lamp_at(scene::LightType::spot, 0, 9),
