@@ -13,14 +13,6 @@ namespace {
 
 constexpr Extent3D kSunnySize{160, 90, 1};
 
-// Sets the constant `quantized` of forward.json: forward shading then rounds as the G-buffer does.
-std::optional<std::string> read_rounded(const std::string& path) {
-    std::optional<std::string> text = read_text(path);
-    const std::string off = "\"quantized\": 0", on = "\"quantized\": 1";
-    if (text && text->find(off) != std::string::npos) text->replace(text->find(off), off.size(), on);
-    return text;
-}
-
 class PictureSuns : public ExposureTest {
  protected:
     void SetUp() override {
@@ -91,7 +83,7 @@ TEST_F(PictureSuns, ForwardShadingAgreesWithDeferredShading) {
     for (size_t i = 0; i < 3; ++i) {
         const std::unique_ptr<render::Session> session =
             begin(i == 0 ? "deferred" : "forward", kSunnySize, {"hdr", "adaptation"}, 0,
-                  i == 1 ? FileReader(read_rounded) : FileReader(read_text));
+                  i == 1 ? FileReader(read_quantized) : FileReader(read_text));
         ASSERT_TRUE(session);
         outputs[i] = next_picture(*session);
         const std::vector<vk::ReadbackData> readbacks = session->take_readbacks();

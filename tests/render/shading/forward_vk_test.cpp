@@ -14,15 +14,6 @@ constexpr Extent3D kForwardSize{320, 180, 1};
 constexpr const char* kDeferred = WEFT_SOURCE_DIR "/graphs/deferred.json";
 constexpr const char* kForward = WEFT_SOURCE_DIR "/graphs/forward.json";
 
-// Reads a file. In forward.json, it sets the constant `quantized` to 1: the graph then rounds material values
-// as the G-buffer does.
-std::optional<std::string> read_quantized(const std::string& path) {
-    std::optional<std::string> text = read_text(path);
-    const std::string off = "\"quantized\": 0", on = "\"quantized\": 1";
-    if (text && text->find(off) != std::string::npos) text->replace(text->find(off), off.size(), on);
-    return text;
-}
-
 class Forward : public SessionTest {
  protected:
     std::vector<uint16_t> hdr_of(const scene::Scene& scene, const std::string& graph,

@@ -4,7 +4,16 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "tests/render/session_fixture.h"
+
 namespace weft::test {
+
+std::optional<std::string> read_quantized(const std::string& path) {
+    std::optional<std::string> text = read_text(path);
+    const std::string off = "\"quantized\": 0", on = "\"quantized\": 1";
+    if (text && text->find(off) != std::string::npos) text->replace(text->find(off), off.size(), on);
+    return text;
+}
 
 int most_half_steps(const std::string& name, std::span<const uint16_t> a, std::span<const uint16_t> b) {
     size_t channels = 0, differ = 0, far = 0;
