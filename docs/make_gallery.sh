@@ -75,6 +75,15 @@ entry to halve the mips and one entry to mix them, because each entry is a repea
 result into the picture.
 END
 
+show reflections reflections "Reflections of the screen" "The pool mirrors the fountain, the columns and the curtains" \
+  --camera pool <<'END'
+Surfaces mirror what the picture shows. From each surface, a ray follows the depth image until it meets another surface,
+and takes its light from the previous frame. Rough surfaces choose another direction in each frame, and the rays of
+neighbours and of earlier frames are averaged. Where a ray leaves the picture, the reflection probes answer. The module
+`graphs/modules/reflections.json` does this for every graph with a G-buffer; see [Reflections of the
+screen](reflections.md).
+END
+
 show taa taa "Temporal anti-aliasing" "The court in the sun; wires, railings and leaves have no stairs" <<'END'
 With `"jitter": 16`, each frame samples its pixels at different points. The history `resolved[-1]` is the result of
 earlier frames. For each pixel, the shader takes the velocity of the nearest surface around the pixel and finds where

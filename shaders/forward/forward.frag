@@ -1,6 +1,7 @@
 // Draws a surface and lights it in the same pass. Opaque and masked surfaces hide the surfaces behind them. Transparent
 // surfaces are blended with premultiplied alpha. Output: scene-linear Rec.709, cd/m² × preExposure.
 #version 460
+#define WEFT_WITHOUT_NEAR_FIELD  // It is known only for the surfaces of the G-buffer.
 #include "brdf.glsl"
 #include "frame_set.glsl"
 #include "half_float.glsl"

@@ -1,68 +1,20 @@
-// The light of the surroundings that a surface reflects (ambient light). Units: cd/m². Ports, all optional:
-// `environmentCube`, `environmentIrradiance` and `environmentSh` of graphs/modules/environment.json, `dfg` of
-// graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. Without `environmentCube`, mirrored light
-// comes from the blurred picture or the gradient sky. Without `environmentIrradiance`, diffuse light comes from the
-// harmonics in `environmentSh` or, without `environmentSh` too, from the harmonics in `frame`. With `probeSh`, the
-// light comes from the probes around the point. With the port `nearField` of near_field.glsl, objects near the point
-// block a part of this light, and reflect their own light to the point.
+// The light of the surroundings that a surface reflects (ambient light). Units: cd/m². Ports, all optional: those of
+// environment_light.glsl, `dfg` of graphs/modules/dfg.json, and those of probes.glsl and reflection_probes.glsl. With
+// `probeSh`, the light comes from the probes around the point. With the port `nearField` of near_field.glsl, objects
+// near the point block a part of this light, and reflect their own light to the point. With the port `ssr` of
+// screen_reflections.glsl, mirrored light comes from the picture of the previous frame where this picture shows the
+// mirrored objects.
 #ifndef WEFT_AMBIENT
 #define WEFT_AMBIENT
 #include "brdf.glsl"
 #include "dfg.glsl"
-#include "environment_cube.glsl"
+#include "environment_light.glsl"
 #include "frame_set.glsl"
 #include "mirror_lobe.glsl"
 #include "near_field.glsl"
 #include "probes.glsl"
 #include "reflection_probes.glsl"
-#include "sky.glsl"
-
-layout(constant_id = 23) const bool HAS_environmentCube = false;
-layout(constant_id = 24) const bool HAS_environmentSh = false;
-layout(constant_id = 32) const bool HAS_environmentIrradiance = false;
-uniform samplerCube environmentCube;  // Radiance / frame.environment_unit; each mip is filtered for a roughness.
-uniform samplerCube environmentIrradiance;  // Irradiance / π / frame.environment_unit for each normal.
-layout(std430) readonly buffer EnvironmentSh { vec4 items[]; } environmentSh;  // 4 or 9 coefficients, in cd/m².
-
-// Returns irradiance / π of the environment picture, from its first three orders of spherical harmonics. The sum can be
-// negative for a small bright source, so negative values become 0.
-vec3 picture_irradiance_over_pi(vec3 n) {
-    const float basis[9] = harmonic_basis(n);
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < 9; ++i) sum += frame.environment_irradiance_over_pi[i].rgb * basis[i];
-    return max(sum, vec3(0.0));
-}
-
-// Returns irradiance / π of the gradient sky and the ground on a surface with normal `n`. The colour of the sky goes
-// from horizon to zenith with the weight √y, where y is the sine of the elevation. So the irradiance of the whole sky
-// is 4/5 zenith and 1/5 horizon (∫ √y · y dy = 4/5 ∫ y dy for y from 0 to 1). Sky and ground are mixed by their shares
-// of the hemisphere.
-vec3 gradient_irradiance_over_pi(vec3 n) {
-    const vec3 above = mix(frame.sky_horizon, frame.sky_zenith, 0.8);
-    return mix(frame.sky_ground, above, 0.5 + 0.5 * n.y);
-}
-
-// Returns irradiance / π of the surroundings on a surface with the normal `n`.
-vec3 sky_irradiance_over_pi(vec3 n) {
-    if (HAS_environmentIrradiance) return textureLod(environmentIrradiance, n, 0.0).rgb * frame.environment_unit;
-    if (HAS_environmentSh) {
-        const float basis[9] = harmonic_basis(n);
-        const int terms = min(environmentSh.items.length(), 9);
-        vec3 sum = vec3(0.0);
-        for (int i = 0; i < terms; ++i) sum += environmentSh.items[i].rgb * basis[i];
-        return max(sum, vec3(0.0));
-    }
-    return has_environment() ? picture_irradiance_over_pi(n) : gradient_irradiance_over_pi(n);
-}
-
-// Returns the sky's radiance in a mirrored direction, blurred for the roughness, without a filtered cube. A GGX lobe is
-// about 2 α wide. At the roughness 1, the result is irradiance / π, as for a diffuse surface.
-vec3 blurred_radiance(vec3 direction, vec3 n, float roughness) {
-    if (!has_environment())
-        return mix(gradient_radiance(direction), sky_irradiance_over_pi(n), roughness);
-    const float alpha = roughness * roughness;
-    return mix(environment_radiance(direction, 2.0 * alpha), sky_irradiance_over_pi(n), alpha);
-}
+#include "screen_reflections.glsl"
 
 // Returns the middle of the directions from which a surface with this roughness reflects light. `mirrored` is the
 // direction in which a smooth surface mirrors the sky. The middle for a rough surface is nearer to the normal: Lagarde
@@ -70,15 +22,6 @@ vec3 blurred_radiance(vec3 direction, vec3 n, float roughness) {
 vec3 middle_of_lobe(vec3 mirrored, vec3 n, float roughness) {
     const float alpha = roughness * roughness;
     return normalize(mix(n, mirrored, (1.0 - alpha) * (sqrt(1.0 - alpha) + alpha)));
-}
-
-// Returns the light that the filtered cube contains for a direction and a roughness. For the roughness 1, the result is
-// irradiance / π.
-vec3 filtered_radiance(vec3 direction, float roughness) {
-    const float lod = lod_of_roughness(roughness);
-    const vec3 filtered = textureLod(environmentCube, direction, min(lod, kLastFiltered)).rgb * frame.environment_unit;
-    if (lod <= kLastFiltered) return filtered;
-    return mix(filtered, sky_irradiance_over_pi(direction), min(lod - kLastFiltered, 1.0));
 }
 
 // Returns the mean radiance that a surface with this roughness mirrors. `mirrored` is the direction in which a smooth
@@ -101,34 +44,46 @@ struct AmbientLight {
     vec3 diffuse, mirrored;
 };
 
+// Returns the largest factor by which probes change the sky that a surface mirrors. The factor is above 1 if the
+// surfaces around the point are brighter than the sky, but a smooth surface that mirrors the sky mirrors none of their
+// light.
+float brightest_change(float roughness) { return mix(1.0, 2.0, smoothstep(0.3, 0.6, roughness)); }
+
 // Replaces mirrored light by the light of the reflection probes around a point, if the probes see the surfaces that the
 // point mirrors. `here`: irradiance / π at the point, for a normal in the middle of the mirrored directions. A rough
 // surface mirrors light from many directions, and a probe at another place receives more or less of this light. So the
 // light of a probe is multiplied by the irradiance at the point and divided by the irradiance at the probe. Where the
 // probes see the sky, the mirrored light is `sky`, the best known light of the surroundings. If there is a filtered
 // cube, `sky` is multiplied by the light of the probes and divided by the light of the cube.
-vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, float roughness, vec3 here) {
-    const ReflectionLight seen = reflection_light(position, middle, roughness);
+vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, float roughness, vec3 here,
+                            float free_m) {
+    const ReflectionLight seen = reflection_light(position, middle, roughness, free_m);
     const vec3 change = clamp(here / max(seen.irradiance_over_pi, vec3(1e-9)), 0.0, 2.0);
     const vec3 radiance = seen.radiance * mix(vec3(1.0), change, smoothstep(0.1, 0.3, roughness));
     vec3 open = sky;
-    if (HAS_environmentCube) open *= clamp(seen.radiance / max(filtered_radiance(middle, roughness), vec3(1e-9)), 0.0, 2.0);
+    if (HAS_environmentCube) {
+        const vec3 cube = max(filtered_radiance(middle, roughness), vec3(1e-9));
+        open *= clamp(seen.radiance / cube, 0.0, brightest_change(roughness));
+    }
     return mix(light, mix(radiance, open, seen.sky), seen.share);
 }
 
 // Replaces the light of the whole surroundings by the light of the probes around a point. Irradiance probes contain
-// only diffuse light. So where there is no light from a reflection probe, the mirrored light is multiplied by a factor:
-// the irradiance from the mirrored directions with the probes, divided by this irradiance without the probes. This also
-// darkens reflections where the sky is hidden. A very rough surface mirrors the same light that a diffuse surface
-// reflects. `open`: mean direction from which diffuse light arrives.
-AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 open, vec3 v, vec3 mirrored, float roughness) {
+// only diffuse light. So where there is no light from a reflection probe, the mirrored light is multiplied by a
+// factor: the irradiance from the mirrored directions with the probes, divided by this irradiance without the probes.
+// This also darkens reflections where the sky is hidden. A very rough surface mirrors the same light that a diffuse
+// surface reflects. `open`: mean direction from which diffuse light arrives. `free_m`: for this distance, nothing is
+// in the way of the mirrored direction.
+AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 open, vec3 v, vec3 mirrored, float roughness,
+                         float free_m) {
     const vec3 middle = middle_of_lobe(mirrored, n, roughness);
     const ProbeLight probes = probe_light(position, n, v, open, middle);
-    const vec3 change = clamp(probes.mirrored / max(sky_irradiance_over_pi(middle), vec3(1e-9)), 0.0, 2.0);
+    const vec3 sky = max(sky_irradiance_over_pi(middle), vec3(1e-9));
+    const vec3 change = clamp(probes.mirrored / sky, 0.0, brightest_change(roughness));
     const float very_rough = clamp(lod_of_roughness(roughness) - kLastFiltered, 0.0, 1.0);
     vec3 near = light.mirrored * change;
     if (HAS_reflectionCubes && very_rough < 1.0)
-        near = with_reflection_probes(near, light.mirrored, position, middle, roughness, probes.mirrored);
+        near = with_reflection_probes(near, light.mirrored, position, middle, roughness, probes.mirrored, free_m);
     near = mix(near, probes.mirrored, very_rough);
     return AmbientLight(mix(light.diffuse, probes.facing, probes.validity), mix(light.mirrored, near, probes.validity));
 }
@@ -151,9 +106,19 @@ vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2
     const vec3 mirrored = reflect(-v, across);
     NearField near = NearField(s.normal, vec3(0.0), 1.0);
     if (HAS_nearField) near = near_field_at(pixel, position, s.normal);
-    AmbientLight light = AmbientLight(sky_irradiance_over_pi(near.open), mirrored_radiance(mirrored, s.normal, blur));
-    if (HAS_probeSh) light = with_probes(light, position, s.normal, normalize(s.normal + near.open), v, mirrored, blur);
+    ScreenReflection seen = ScreenReflection(vec4(0.0), vec3(0.0), 0.0);
+    if (HAS_ssr) seen = screen_reflection(pixel, position, s.normal);
+    AmbientLight light = AmbientLight(sky_irradiance_over_pi(near.open), seen.open);
+    // The rays are those of an isotropic surface. Those of a mirror give the same light, but are fewer than the pixels.
+    if (seen.free_m <= 0.0 || s.alpha < kMirrorAlpha || s.anisotropic)
+        light.mirrored = mirrored_radiance(mirrored, s.normal, blur);
+    if (HAS_probeSh)
+        light = with_probes(light, position, s.normal, normalize(s.normal + near.open), v, mirrored, blur, seen.free_m);
+    const vec3 far = light.mirrored;
     if (HAS_nearField) light = with_near_field(light, near, s.normal, mirrored, blur);
+    // The rays without a hit have already found that no near object is in their way.
+    if (seen.free_m > 0.0) light.mirrored = far;
+    if (HAS_ssr) light.mirrored = light.mirrored * (1.0 - seen.light.a) + seen.light.rgb;
     return base_under_coat(s, specular) * light.diffuse + specular * light.mirrored;
 }
 #endif

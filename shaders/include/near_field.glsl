@@ -1,14 +1,19 @@
 // The near field at a pixel: how much light from farther away arrives between near objects, and the light of these
-// objects. Optional port of graphs/modules/near_field.json: `nearField`.
+// objects. Optional port of graphs/modules/near_field.json: `nearField`. A shader that defines WEFT_WITHOUT_NEAR_FIELD has
+// no such port, and so one sampled image less: many devices allow 16 in a stage.
 #ifndef WEFT_NEAR_FIELD
 #define WEFT_NEAR_FIELD
 #include "frame_set.glsl"
 #include "octahedral.glsl"
 
+#ifdef WEFT_WITHOUT_NEAR_FIELD
+const bool HAS_nearField = false;
+#else
 layout(constant_id = 33) const bool HAS_nearField = false;
 // Layer 0: irradiance / π × preExposure from near objects (rgb) and the visibility of the light from farther away (a).
 // Layer 1: mean direction of the light from farther away (xy, octahedral) and distance to the eye in metres (z).
 uniform sampler2DArray nearField;
+#endif
 
 struct NearField {
     vec3 open;         // Mean direction of the light from farther away.
@@ -23,6 +28,9 @@ const float kLeastAlike = 1e-4;
 // fully.
 const float kSmooth = 0.1, kRough = 0.3;
 
+#ifdef WEFT_WITHOUT_NEAR_FIELD
+NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) { return NearField(n, vec3(0.0), 1.0); }
+#else
 // Returns the near field at a pixel, from the four texels around the pixel. A texel has less weight if its point is not
 // in the plane of the surface. If the point is as far from the plane as a pixel is wide, the weight is a quarter.
 NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) {
@@ -50,6 +58,7 @@ NearField near_field_at(ivec2 pixel, vec3 position, vec3 n) {
     if (weights <= 0.0) return NearField(n, vec3(0.0), 1.0);
     return NearField(normalize(open + 1e-4 * n), light.rgb / (weights * frame.pre_exposure), light.a / weights);
 }
+#endif
 
 // Returns the solid angle that two cones share, over 2π. `a`, `b`: cosines of half their opening angles; `apart`: angle
 // between their axes. An approximation: Oat and Sander 2007, "Ambient Aperture Lighting".

@@ -10,6 +10,7 @@
 #ifndef WEFT_REFLECTION_PROBES
 #define WEFT_REFLECTION_PROBES
 #include "environment_cube.glsl"
+#include "screen_reflections.glsl"
 #include "shared/probe_grid.glsl"
 #include "shared/probe_sh.glsl"
 #include "shared/reflection_box.glsl"
@@ -36,6 +37,12 @@ const float kBoxWeight = 1000.0;
 const float kBoxFade = 0.1;
 // A ray that meets no surface is followed up to this distance.
 const float kFarReflection_m = 10000.0;
+// The light of a probe has no weight if its distance is below this share of the distance for which nothing is in the
+// way.
+const float kLeastFree = 0.8;
+// A surface that a probe sees is a wall of its box if its distance differs by less than this share from that of the
+// wall.
+const float kSameWall = 0.2;
 // Assumed standard deviation of the inverse distance in a cube, divided by the inverse distance.
 const float kReflectionDeviation = 0.03;
 
@@ -93,9 +100,10 @@ float distance_to_sphere(vec3 from, vec3 direction, float inverse_radius) {
 }
 
 // Follows a ray to the surface that it meets. Returns the vector from the probe to this place or, if the ray meets no
-// surface, `direction`. `agreement`: 1 if the probe sees the place, 0 if another surface hides it. The function g =
-// distance from the probe · inverse distance in the cube − 1 is below 0 in front of the surface, 0 on it, and linear
-// along the ray if the surface is a plane. So the secant method finds the root of g.
+// surface, `direction`. `agreement`: 1 if the probe sees the place, 0 if another surface hides it from the probe, or
+// if the ray meets no surface, but the probe sees one in its direction. The function g = distance from the probe ·
+// inverse distance in the cube − 1 is below 0 in front of the surface, 0 on it, and linear along the ray if the surface
+// is a plane. So the secant method finds the root of g.
 vec3 followed_reflection(uint probe, vec3 from, vec3 direction, out float agreement) {
     agreement = 1.0;
     float before = distance_to_sphere(from, direction, reflection_inverse_distance(probe, direction));
@@ -106,7 +114,10 @@ vec3 followed_reflection(uint probe, vec3 from, vec3 direction, out float agreem
     for (int i = 0; i < 3; ++i) {
         place = from + direction * at;
         inverse = reflection_inverse_distance(probe, place);
-        if (inverse * kFarReflection_m < 1.0) return direction;
+        if (inverse * kFarReflection_m < 1.0) {
+            agreement = reflection_inverse_distance(probe, direction) * kFarReflection_m < 1.0 ? 1.0 : 0.0;
+            return direction;
+        }
         g = length(place) * inverse - 1.0;
         const float rise = g - g_before;
         if (i == 2 || abs(rise) < 1e-6) break;
@@ -115,7 +126,10 @@ vec3 followed_reflection(uint probe, vec3 from, vec3 direction, out float agreem
         g_before = g;
         at = next;
     }
-    agreement = 1.0 - smoothstep(0.1, 0.3, abs(g));
+    // Between the silhouette of an object and what is behind it, the interpolated distances are those of no surface. So
+    // one of the four texels must have about the distance of the place.
+    const vec4 off = abs(textureGather(reflectionCubes, vec4(place, float(probe)), 3) * length(place) - 1.0);
+    agreement = 1.0 - smoothstep(0.1, 0.3, min(min(off.x, off.y), min(off.z, off.w)));
     return place;
 }
 
@@ -128,12 +142,21 @@ vec3 boxed_reflection(uint probe, vec3 position, vec3 direction) {
     return position + direction * end - reflection_place(probe);
 }
 
-// Adds the light of one probe with a weight. `direction` is the middle of the lobe.
-void add_reflection(inout ReflectionLight sum, uint probe, vec3 position, vec3 direction, float roughness, float weight) {
+// Adds the light of one probe with a weight. `direction` is the middle of the lobe. With screen
+// reflections, only surfaces count that are farther than `free_m`, and that the picture does not show.
+void add_reflection(inout ReflectionLight sum, uint probe, vec3 position, vec3 direction, float roughness, float free_m,
+                    float weight) {
     const vec3 from = position - reflection_place(probe);
     float agreement = 1.0;
-    const vec3 way = has_reflection_box(probe) ? boxed_reflection(probe, position, direction)
-                                               : followed_reflection(probe, from, direction, agreement);
+    const bool boxed = has_reflection_box(probe);
+    vec3 way = boxed ? boxed_reflection(probe, position, direction) : direction;
+    // The probe sees a wall of its box, or an object inside, or the sky.
+    const bool is_wall = boxed && abs(reflection_inverse_distance(probe, way) * length(way) - 1.0) < kSameWall;
+    if (!is_wall) way = followed_reflection(probe, from, direction, agreement);
+    if (HAS_ssr && way != direction) {
+        agreement *= smoothstep(kLeastFree, 1.0, distance(way, from) / max(free_m, 1e-6));
+        agreement *= 1.0 - shown_in_picture(reflection_place(probe) + way);
+    }
     // If the surface is nearer to the point than to the probe, the lobe is narrower as seen from the probe.
     const float nearer = clamp(distance(way, from) / max(length(way), 1e-4), 0.0, 1.0);
     const float blur = way == direction ? roughness : mix(roughness * nearer, roughness, roughness);
@@ -180,7 +203,7 @@ ReflectionCandidates reflection_candidates(vec3 position) {
 // Returns the light that a surface with this roughness mirrors. `direction` is the middle of the directions from which
 // the surface mirrors light. The light is that of the two probes with the largest weights. The third largest weight is
 // subtracted from the weights of both, so that the weight of a probe has fallen to 0 before another probe replaces it.
-ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness) {
+ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness, float free_m) {
     const ReflectionCandidates best = reflection_candidates(position);
     ReflectionLight sum = ReflectionLight(vec3(0.0), vec3(0.0), 0.0, 0.0);
     float weights[kReflectionCandidates];
@@ -202,7 +225,7 @@ ReflectionLight reflection_light(vec3 position, vec3 direction, float roughness)
         const float weight = weights[i] - third;
         if (weight <= 0.0) continue;
         used += weight;
-        add_reflection(sum, best.probes[i], position, direction, roughness, weight);
+        add_reflection(sum, best.probes[i], position, direction, roughness, free_m, weight);
     }
     if (sum.share <= 0.0) return sum;
     const float scale = 1.0 / sum.share;

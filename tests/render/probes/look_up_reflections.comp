@@ -18,7 +18,7 @@ void main() {
     const int at = int(gl_GlobalInvocationID.x);
     if (at >= 8) return;
     const vec3 position = kRays[at].position, direction = normalize(kRays[at].direction);
-    const ReflectionLight light = reflection_light(position, direction, 0.0);
+    const ReflectionLight light = reflection_light(position, direction, 0.0, 0.0);
     imageStore(found, ivec2(at, 0), vec4(light.radiance, light.share));
     float agreement = 1.0;
     const vec3 way = has_reflection_box(0u)
