@@ -29,7 +29,7 @@ MOST_FLOOR_L1 = {"floor_050": 0.12, "floor_250": 0.10}
 # pixel of its picture, and the path tracer takes the mean over a pixel.
 SAMPLES = 4
 # Parts of the names of the references that every test run compares.
-QUICK = ["matt-day", "court-day", "diorama-day", "plastic-", "metal_250-", "metal_100-day", "metal_400-day", "floor_250-studio"]
+QUICK = ["matt-day", "court-day", "diorama-day", "plastic-day", "plastic-studio", "metal_250-day", "metal_250-studio", "metal_100-day", "metal_400-day", "floor_250-studio"]
 # Exit codes: of `weft` without a Vulkan device, and of a test that is skipped.
 NO_DEVICE, SKIPPED = 4, 77
 

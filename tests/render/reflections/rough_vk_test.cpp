@@ -55,7 +55,7 @@ double radiance_along(const glm::dvec3& from, const glm::dvec3& direction) {
 // Returns the radiance that a metal floor (y = 0, F = 1, single reflections) sends to the eye: GGX with
 // height-correlated Smith masking and shadowing. The half vectors of the rays are distributed by D · cosine.
 double reflected(const glm::dvec3& place, const glm::dvec3& eye, double roughness, std::mt19937& random) {
-    constexpr int kRays = 20000;
+    constexpr int kRays = 5000;
     const double alpha = roughness * roughness;
     const glm::dvec3 v = glm::normalize(eye - place);
     const auto lambda = [&](double cosine) {
