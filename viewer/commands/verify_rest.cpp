@@ -43,9 +43,10 @@ std::vector<uint8_t> find_different(const FramePlan& plan) {
     return differs;
 }
 
-// Returns the names of all resources that rest units (passes with "rest", or rounds of groups) write, in the
-// order of the plan. Leaves out the units for which find_different() returns 1. Also leaves out the transient
-// resources of groups, which have content only while a round runs.
+// A rest unit is a pass with "rest", or a round of a group. Returns the names of all resources that are
+// written by rest units, in the order of the plan. Resources of units for which find_different() returns 1
+// are left out. Transient resources of groups are left out, too, because they have content only while a round
+// runs.
 std::vector<std::string> rested_resources(const FramePlan& plan) {
     const std::vector<uint8_t> different = find_different(plan);
     std::vector<std::string> names;

@@ -55,7 +55,7 @@ struct Expansion {
     std::set<std::string, std::less<>> faulty = {};
     // The switches of the passes, sorted by the name of the parameter.
     std::vector<SwitchDecl> switches = {};
-    // The groups, sorted by name. Their units are not known yet.
+    // The groups, sorted by name. A later stage sets GroupDecl::first_unit, which is 0 here.
     std::vector<GroupDecl> groups = {};
     // The descriptions of the passes that read back observed resources. PassDraft::desc points to them.
     std::map<std::string, PassDesc> observers = {};

@@ -13,9 +13,9 @@
 namespace weft::shader {
 
 struct SourceText {
-    // Name under which glslang knows the file: its path below the root folder. If the program has already
-    // read another file with this name, "@" and the index of the root folder are added, such as
-    // "noise.glsl@1".
+    // Name under which glslang knows the file: its path below the root folder. If the same shader also
+    // includes a file with this path from another root folder, the later one of the two gets "@" and the
+    // index of its root folder, such as "noise.glsl@1".
     std::string name;
     std::string path;  // Path of the file in messages to the user.
     std::string text;

@@ -59,8 +59,8 @@ void add_list_help(const ResolveInput& input, const std::string& name, Diagnosti
     add_help(d, near.empty() ? "the views are " + quote_all(names) : near);
 }
 
-// Checks the references between the lists of the section "views": each "of" must name a list, and no list may
-// show itself. Returns the names of the faulty lists.
+// Checks the references between the lists of the section "views": each "of" must name an existing list, and
+// no list may refer to itself, directly or through other lists. Returns the names of the faulty lists.
 class ReferenceCheck {
  public:
     ReferenceCheck(const ResolveInput& input, Reporter& reporter) : input_(input), reporter_(reporter) {}
