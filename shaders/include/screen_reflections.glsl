@@ -28,6 +28,12 @@ struct ScreenReflection {
     float free_m;
 };
 
+// Returns 1 inside of the picture; falls to 0 towards its edges.
+float inside_picture(vec2 uv) {
+    const vec2 inside = smoothstep(0.0, kEdge, uv) * smoothstep(0.0, kEdge, 1.0 - uv);
+    return inside.x * inside.y;
+}
+
 // Returns the number of pixels of a texel along each axis.
 int pixels_of_texel() {
     const int texels = textureSize(ssr, 0).x;
@@ -40,10 +46,10 @@ float shown_in_picture(vec3 place) {
     const vec4 clip = view.view_projection * vec4(place, 1.0);
     if (clip.w <= 0.0) return 0.0;
     const vec2 uv = clip.xy / clip.w * 0.5 + 0.5;
-    const vec2 inside = smoothstep(0.0, kEdge, uv) * smoothstep(0.0, kEdge, 1.0 - uv);
-    if (inside.x * inside.y <= 0.0) return 0.0;
+    const float inside = inside_picture(uv);
+    if (inside <= 0.0) return 0.0;
     const float distance_m = texelFetch(ssr, ivec3(ivec2(uv * view.viewport_px) / pixels_of_texel(), 1), 0).z;
-    return abs(distance_m - distance(place, view.eye)) < kSamePlace * distance_m ? inside.x * inside.y : 0.0;
+    return abs(distance_m - distance(place, view.eye)) < kSamePlace * distance_m ? inside : 0.0;
 }
 
 // Returns the mirrored light at a pixel. It is the mean of the four texels around a pixel. A texel counts less if its

@@ -1,6 +1,7 @@
 // The rays of the reflections, and how they are stored.
 #ifndef WEFT_REFLECTION_RAY
 #define WEFT_REFLECTION_RAY
+#include "brdf.glsl"
 #include "octahedral.glsl"
 #include "screen_reflections.glsl"
 
@@ -24,5 +25,5 @@ Ray unpacked_ray(uvec2 words) {
     return Ray(octahedral_decode(unpackSnorm2x16(words.x)), numbers.x, numbers.y > kNoRay ? exp2(numbers.y) : 0.0);
 }
 
-float alpha_of(float roughness) { return max(roughness * roughness, 0.002); }
+float alpha_of(float roughness) { return max(roughness * roughness, kMinAlpha); }
 #endif

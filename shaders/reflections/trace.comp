@@ -81,14 +81,14 @@ vec4 light_of(Hit hit, Line line, vec3 place, float width_px) {
     // The previous picture was moved by another jitter. The mean over all jitters is 0.
     const vec2 uv = (line.start.xy + line.step.xy * hit.s) / size - view.jitter_uv;
     const vec2 from = uv - texelFetch(velocity, hit.pixel, 0).xy;
-    const vec2 inside = smoothstep(0.0, kEdge, from) * smoothstep(0.0, kEdge, 1.0 - from);
-    if (params.ssrSceneValid <= 0.0 || inside.x * inside.y <= 0.0) return vec4(0.0);
+    const float inside = inside_picture(from);
+    if (params.ssrSceneValid <= 0.0 || inside <= 0.0) return vec4(0.0);
     const float before_m = texelFetch(ssrScene, ivec2(from * size), 0).a;
     const float expected_m = (view.prev_view_projection * vec4(place, 1.0)).w;
     if (abs(before_m - expected_m) > kSameDepth * expected_m) return vec4(0.0);
     const float lod = log2(max(width_px, 1.0));
     const vec3 color = textureLod(ssrScene, from, lod).rgb * (frame.pre_exposure / frame.prev_pre_exposure);
-    return vec4(min(color, vec3(65000.0)), 1.0) * (inside.x * inside.y * (1.0 - hit.behind));
+    return vec4(min(color, vec3(65000.0)), 1.0) * (inside * (1.0 - hit.behind));
 }
 
 // Returns the radiance of the surroundings in cd/m² over a solid angle. A filtered cube for the roughness √α averages
