@@ -11,7 +11,7 @@ namespace {
 
 static_assert(sizeof(shared::FrameConstants) == 240 && sizeof(shared::ViewConstants) == 512);
 static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
-              sizeof(shared::Material) == 304 && sizeof(shared::Instance) == 208);
+              sizeof(shared::Material) == 352 && sizeof(shared::Instance) == 208);
 
 // Albedo with which the ground below the horizon reflects daylight.
 constexpr float kGroundAlbedo = 0.25f;
@@ -199,6 +199,11 @@ shared::Material gpu_material(const scene::Material& m) {
     gpu.anisotropy_uv = uv_of(m.anisotropy_texture);
     gpu.anisotropy_textured = m.anisotropy_texture.texture == scene::kNone ? 0.0f : 1.0f;
     gpu.two_sided = m.double_sided ? 1 : 0;
+    gpu.transmission = m.transmission;
+    gpu.absorption_per_m = m.absorption_per_m;
+    gpu.thickness_m = m.thickness_m;
+    gpu.ior = m.ior;
+    gpu.ripples = m.ripples;
     return gpu;
 }
 

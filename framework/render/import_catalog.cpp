@@ -137,6 +137,8 @@ bool is_in_draw_list(const scene::Instance& instance, const scene::Material& mat
                is_in_draw_list(instance, material, list == "opaqueStill" ? "opaque" : "masked");
     if (list == "anisotropic")
         return material.anisotropy > 0 && material.alpha_mode != scene::AlphaMode::blend;
+    if (list == "refractive")
+        return material.transmission > 0 && material.alpha_mode == scene::AlphaMode::blend;
     switch (material.alpha_mode) {
         case scene::AlphaMode::opaque:
             return list == "opaque";

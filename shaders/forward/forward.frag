@@ -1,5 +1,7 @@
 // Draws a surface and lights it in the same pass. Opaque and masked surfaces hide the surfaces behind them. Transparent
-// surfaces are blended with premultiplied alpha. Output: scene-linear Rec.709, cd/m² × preExposure.
+// surfaces are blended with premultiplied alpha. A transmissive surface lets the light behind it pass where it does not
+// mirror light; before, the passes of graphs/modules/refraction.json have bent and tinted this light. Output: scene-linear
+// Rec.709, cd/m² × preExposure.
 #version 460
 #define WEFT_WITHOUT_NEAR_FIELD  // It is known only for the surfaces of the G-buffer.
 #include "brdf.glsl"
@@ -8,6 +10,7 @@
 #include "lights.glsl"
 #include "material_set.glsl"
 #include "octahedral.glsl"
+#include "ripples.glsl"
 #include "sky.glsl"
 #include "surface_fragment.glsl"
 
@@ -32,7 +35,7 @@ vec2 snorm16(vec2 x) { return unpackSnorm2x16(packSnorm2x16(x)); }
 
 void main() {
     const vec4 base = base_color();
-    vec3 n = shading_normal();
+    vec3 n = BLENDED ? rippled_normal() : shading_normal();
     const vec3 dx = dFdx(n), dy = dFdy(n);  // Derivatives are undefined after a discard.
     if (MASKED && base.a < material.alpha_cutoff) discard;
     vec3 orm = occlusion_roughness_metalness();
@@ -47,13 +50,21 @@ void main() {
         coat = unorm8(coat);
         point = world_position(gl_FragCoord.xy / view.viewport_px, gl_FragCoord.z);
     }
+    const float transmission = BLENDED ? material.transmission * (1.0 - orm.b) : 0.0;
     Surface s = make_surface(n, root * root, orm.b, orm.g, coat.rgb * coat.rgb, coat.a);
     if (ANISOTROPIC) {
         const vec4 grain = anisotropy(n);
         s = stretched(s, grain.xyz, grain.w);
     }
+    s.diffuse *= 1.0 - transmission;
     const vec3 reflected = reflected_radiance(s, point, orm, ivec2(gl_FragCoord.xy));
     const vec3 radiance = (emission() + reflected) * frame.pre_exposure;
-    const float alpha = BLENDED ? base.a : 1.0;
-    hdr = vec4(nearest_half(min(radiance * alpha, vec3(kMaxStored))), alpha);
+    const float coverage = BLENDED ? base.a : 1.0;
+    float alpha = coverage;
+    if (transmission > 0.0) {
+        s = with_albedo(s, normalize(view.eye - point));
+        const vec3 mirrored = s.energy * (s.f0 * s.albedo.x + s.f90 * s.albedo.y);
+        alpha *= 1.0 - transmission * (1.0 - dot(mirrored, vec3(1.0 / 3.0)));
+    }
+    hdr = vec4(nearest_half(min(radiance * coverage, vec3(kMaxStored))), alpha);
 }

@@ -22,7 +22,8 @@ vec4 base_color() {
     return texture(base_color_texture, texture_uv(material.base_color_uv), view.mip_bias) * material.base_color * vertex_color();
 }
 
-vec3 shading_normal() {
+// Transforms a normal `m` from the space of the normal map to world space.
+vec3 world_normal_of(vec3 m) {
     const float facing = gl_FrontFacing ? 1.0 : -1.0;
     const vec3 n = normalize(world_normal) * facing;
     vec3 t = world_tangent.xyz - n * dot(n, world_tangent.xyz);
@@ -30,9 +31,13 @@ vec3 shading_normal() {
     if (length2 < 1e-12) return n;
     t *= inversesqrt(length2);
     const vec3 b = cross(n, t) * world_tangent.w * facing;
+    return normalize(t * m.x + b * m.y + n * m.z);
+}
+
+vec3 shading_normal() {
     vec3 m = texture(normal_texture, texture_uv(material.normal_uv), view.mip_bias).xyz * 2.0 - 1.0;
     m.xy *= material.normal_scale;
-    return normalize(t * m.x + b * m.y + n * m.z);
+    return world_normal_of(m);
 }
 
 // Returns the perceptual roughness with which one sample has about the mean highlight of the pixel. The normals in a

@@ -36,6 +36,7 @@ inline constexpr float kEaves = 7.9f;
 inline constexpr float kPoolHalfX = 1.75f;
 inline constexpr float kPoolHalfZ = 4.0f;
 inline constexpr float kPoolRim = 0.42f;
+inline constexpr float kWaterDepth = 0.26f;
 
 struct Materials {
     uint32_t ashlar, trim, trim_shaded, trim_floor, coping, voussoir, marble, checker, inlay, flags, azulejo,

@@ -10,8 +10,8 @@ namespace weft::scene::atrium {
 namespace {
 
 constexpr float kRimWidth = 0.36f;
-constexpr float kWaterLevel = 0.3f;
 constexpr float kPoolFloor = 0.04f;
+constexpr float kWaterLevel = kPoolFloor + kWaterDepth;
 constexpr float kPadRadius = 0.2f;
 
 // Distributes floating leaves in two groups with little overlap. Returns x, z and the radius of each leaf.

@@ -114,29 +114,12 @@ Surface zellige(const NoiseBank& bank) {
     });
 }
 
-// Returns the brightness of caustics, the net of bright lines that ripples cast on the floor of a pool.
-float caustic(glm::vec2 uv, uint32_t cells, uint32_t seed) {
-    const Cell cell = worley(uv * static_cast<float>(cells), cells, cells, seed);
-    return 1 - smooth_step(0.02f, 0.22f, cell.second - cell.nearest);
-}
-
-// Makes the texture of the water's surface. It shows the floor tiles faintly and distorted, as ripples would
-// show them. The real floor is also visible, because the water is transparent.
+// Makes the ripples on the surface of the water. The surface itself has no colour.
 Surface water(const NoiseBank& bank) {
-    constexpr float kPeriod = 4;
-    return make_surface(kTextureSize, kPeriod, [&](uint32_t x, uint32_t y) {
+    return make_surface(kTextureSize, 4, [&](uint32_t x, uint32_t y) {
         const NoiseAt n = noise_at(bank, x, y);
-        const glm::vec2 bend = (glm::vec2(n.medium(1), n.medium(2)) - 0.5f) * 30.0f;
-        const auto bx = static_cast<uint32_t>(static_cast<float>(x + kTextureSize) + bend.x) % kTextureSize;
-        const auto by = static_cast<uint32_t>(static_cast<float>(y + kTextureSize) + bend.y) % kTextureSize;
-        const Block tile = block_at({16, 16, 0}, bx, by, kTextureSize, kPeriod);
-        const glm::vec2 uv = glm::vec2(bx, by) / static_cast<float>(kTextureSize);
-        const float light = 0.7f * caustic(uv, 7, 17) + 0.3f * caustic(uv, 12, 29);
-        glm::vec3 color = mix3(rgb(0x0a3f48), zellige_color(tile.id), 0.16f);
-        color *= 0.8f + 0.1f * smooth_step(0.004f, 0.012f, tile.edge_m);
-        color = mix3(color, rgb(0x8fe0cf), light * 0.12f);
         Texel texel;
-        texel.color_srgb = color;
+        texel.color_srgb = glm::vec3(1);
         texel.height_m = 0.008f * n.medium(4) + 0.02f * n.coarse(2);
         texel.roughness = 0.04f;
         return texel;
@@ -160,7 +143,12 @@ void make_tile_materials(Parts& parts) {
     Material& surface = parts.scene.materials[m.water];
     surface.ior = 1.33f;
     surface.alpha_mode = AlphaMode::blend;
-    surface.base_color.a = 0.6f;
+    surface.transmission = 1;
+    surface.thickness_m = kWaterDepth;
+    // Of light along 1 m, 30 % of the red, 72 % of the green and 70 % of the blue pass.
+    surface.absorption_per_m = -glm::log(glm::vec3(0.3f, 0.72f, 0.7f));
+    surface.normal_scale = 0.6f;
+    surface.ripples = {0.011f, 0.006f, -0.008f, 0.012f};
 }
 
 }  // namespace weft::scene::atrium

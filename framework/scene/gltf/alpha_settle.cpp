@@ -45,7 +45,8 @@ void settle_alpha(const BuiltMeshes& built, const std::vector<Texture>& textures
     };
     for (size_t i = 0; i < materials.size(); ++i) {
         Material& material = materials[i];
-        if (material.alpha_mode != AlphaMode::blend || material.base_color.a < 1 || translucent[i]) continue;
+        if (material.alpha_mode != AlphaMode::blend || material.transmission > 0) continue;
+        if (material.base_color.a < 1 || translucent[i]) continue;
         const uint32_t texture = material.base_color_texture.texture;
         if (texture == kNone || is_opaque_texture(texture)) material.alpha_mode = AlphaMode::opaque;
     }

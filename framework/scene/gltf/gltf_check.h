@@ -77,6 +77,7 @@ struct CheckedJson {
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
     std::vector<LightSource> lights;  // One entry per light of the glTF file; empty when no light has extras.
+    std::map<uint32_t, glm::vec4> ripples;  // `extras.weft.ripples`. Key: index of a material.
     std::vector<AnimationSource> animations;
     std::map<uint32_t, InstancingSource> instancing;  // Key: index of a node.
     std::map<uint32_t, ProbeSource> probes;           // Key: index of a node.

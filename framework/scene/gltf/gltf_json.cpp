@@ -37,29 +37,14 @@ void normalise(json& value, bool in_extension) {
     }
 }
 
-// Returns an array with one item per light: the light's member `extras.weft`, or null if the light has no
-// such member. No other extras are read.
-json light_extras(const json& root) {
-    json extras = json::array();
-    const json* lights = nullptr;
-    const json::json_pointer place("/extensions/KHR_lights_punctual/lights");
-    if (root.contains(place)) lights = &root[place];
-    if (lights == nullptr || !lights->is_array()) return extras;
-    const json::json_pointer ours("/extras/weft");
-    for (const json& light : *lights)
-        extras.push_back(light.is_object() && light.contains(ours) ? light[ours] : json());
-    return extras;
-}
-
-// Returns an array with one item per node: the node's member `extras.weft.probe`, or null if the node has no
-// such member.
-json probe_extras(const json& root) {
-    json extras = json::array();
-    if (!root.contains("nodes") || !root["nodes"].is_array()) return extras;
-    const json::json_pointer ours("/extras/weft/probe");
-    for (const json& node : root["nodes"])
-        extras.push_back(node.is_object() && node.contains(ours) ? node[ours] : json());
-    return extras;
+// Returns an array with one item per item of the array at `place`: the item's member `ours`, or null if the
+// item has no such member.
+json members_at(const json& root, const json::json_pointer& place, const json::json_pointer& ours) {
+    json members = json::array();
+    if (!root.contains(place) || !root[place].is_array()) return members;
+    for (const json& item : root[place])
+        members.push_back(item.is_object() && item.contains(ours) ? item[ours] : json());
+    return members;
 }
 
 std::optional<json> parse_json(std::string_view text, Report& report) {
@@ -92,8 +77,11 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     std::optional<json> root = parse_json(text, report);
     if (!root) return std::nullopt;
     check_keys(text, report);
-    const json lights = light_extras(*root);
-    const json probes = probe_extras(*root);
+    // No other extras are read.
+    const json::json_pointer ours("/extras/weft");
+    const json lights = members_at(*root, json::json_pointer("/extensions/KHR_lights_punctual/lights"), ours);
+    const json probes = members_at(*root, json::json_pointer("/nodes"), ours / "probe");
+    const json materials = members_at(*root, json::json_pointer("/materials"), ours);
     normalise(*root, false);
     Checker c{Fields(*root, "", report), limits, report};
     check_header(c);
@@ -102,6 +90,7 @@ std::optional<CheckedJson> check_gltf(std::string_view text, const SceneLimits& 
     if (report.failed()) return std::nullopt;
     check_geometry(c);
     check_materials(c);
+    if (!report.failed()) check_material_extras(c, materials);
     check_nodes(c);
     check_light_extras(c, lights);
     if (!report.failed()) check_probe_extras(c, probes);

@@ -7,10 +7,11 @@ namespace weft::scene::gltf {
 namespace {
 
 constexpr uint64_t kMaxExtensions = 1024;
-constexpr std::array<std::string_view, 9> kKnownExtensions{
-    "EXT_mesh_gpu_instancing", "KHR_lights_punctual",   "KHR_materials_anisotropy", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",     "KHR_materials_specular",   "KHR_materials_unlit",
-    "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 11> kKnownExtensions{
+    "EXT_mesh_gpu_instancing",         "KHR_lights_punctual",  "KHR_materials_anisotropy",
+    "KHR_materials_emissive_strength", "KHR_materials_ior",    "KHR_materials_specular",
+    "KHR_materials_transmission",      "KHR_materials_unlit",  "KHR_materials_volume",
+    "KHR_mesh_quantization",           "KHR_texture_transform"};
 
 // Weft reads this extension of textures only to name it in messages.
 constexpr std::string_view kBasisImages = "KHR_texture_basisu";
@@ -60,10 +61,9 @@ void check_extensions(Checker& c) {
         if (is_known_extension(required[i])) continue;
         c.report.error("S105", "/extensionsRequired/" + std::to_string(i),
                        "the file requires the extension " + required[i] + ", which is not supported",
-                       required[i] == kBasisImages
-                           ? "convert the textures to PNG or JPEG"
-                           : "export without " + required[i] +
-                                 "; Weft reads no compressed meshes and textures");
+                       required[i] == kBasisImages ? "convert the textures to PNG or JPEG"
+                                                   : "export without " + required[i] +
+                                                         "; Weft reads no compressed meshes and textures");
     }
     const std::vector<std::string> used = c.root.texts("extensionsUsed", kMaxExtensions);
     for (size_t i = 0; i < used.size(); ++i) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <initializer_list>
+#include <nlohmann/json.hpp>
 
 #include "scene/gltf/gltf_rules.h"
 
@@ -35,9 +36,10 @@ void check_texture(Checker& c, const Fields& texture) {
     texture.index("sampler", Need::optional, c.sizes["samplers"], "samplers");
     if (texture.has("source")) return;
     if (texture.extension("KHR_texture_basisu")) {
-        c.report.error("S117", texture.pointer_to("extensions/KHR_texture_basisu"),
-                       "the texture has only an image in the Basis format (KHR_texture_basisu)",
-                       "convert the texture to PNG or JPEG, or give it a \"source\" with a PNG or JPEG image");
+        c.report.error(
+            "S117", texture.pointer_to("extensions/KHR_texture_basisu"),
+            "the texture has only an image in the Basis format (KHR_texture_basisu)",
+            "convert the texture to PNG or JPEG, or give it a \"source\" with a PNG or JPEG image");
         return;
     }
     c.report.warn("S153", texture.pointer(), "the texture has no PNG or JPEG image and is ignored",
@@ -64,17 +66,35 @@ void check_texture_info(Checker& c, const Fields& parent, const char* key) {
         "export this texture with TEXCOORD_0 or TEXCOORD_1");
 }
 
+void warn_of_textures(Checker& c, const Fields& extension, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) {
+        if (!extension.has(key)) continue;
+        c.report.warn("S153", extension.pointer_to(key),
+                      std::string(key) + " is ignored; only the factor is used",
+                      "set the factor to the average of the texture");
+    }
+}
+
+void check_transmission(Checker& c, const Fields& material) {
+    if (const auto transmission = material.extension("KHR_materials_transmission")) {
+        transmission->number_in("transmissionFactor", 0, 1);
+        warn_of_textures(c, *transmission, {"transmissionTexture"});
+    }
+    if (const auto volume = material.extension("KHR_materials_volume")) {
+        volume->number_in("thicknessFactor", 0, kUnbounded);
+        volume->number_in("attenuationDistance", 0, kUnbounded);
+        volume->numbers("attenuationColor", 3);
+        warn_of_textures(c, *volume, {"thicknessTexture"});
+    }
+}
+
 void check_material_extensions(Checker& c, const Fields& material) {
     if (const std::optional<Fields> specular = material.extension("KHR_materials_specular")) {
         specular->number_in("specularFactor", 0, 1);
         specular->numbers("specularColorFactor", 3);
-        for (const char* key : {"specularTexture", "specularColorTexture"}) {
-            if (!specular->has(key)) continue;
-            c.report.warn("S153", specular->pointer_to(key),
-                          std::string(key) + " is ignored; only the factor is used",
-                          "set the factor to the average of the texture");
-        }
+        warn_of_textures(c, *specular, {"specularTexture", "specularColorTexture"});
     }
+    check_transmission(c, material);
     if (const auto ior = material.extension("KHR_materials_ior")) ior->number_in("ior", 0, kUnbounded);
     if (const auto strength = material.extension("KHR_materials_emissive_strength")) {
         strength->number_in("emissiveStrength", 0, kUnbounded);
@@ -120,6 +140,27 @@ void check_materials(Checker& c) {
     });
     c.root.each("materials", c.limits.materials,
                 [&](const Fields& material) { check_material(c, material); });
+}
+
+// The key `ripples` of the object `extras.weft` of a material: four numbers.
+void check_material_extras(Checker& c, const nlohmann::json& extras) {
+    uint32_t self = 0;
+    c.root.each("materials", c.limits.materials, [&](const Fields& material) {
+        const uint32_t index = self++;
+        const nlohmann::json& ours = extras[index];
+        if (ours.is_null()) return;
+        const std::string place = material.pointer_to("extras/weft");
+        if (!ours.is_object()) {
+            c.report.error("S108", place, "\"weft\" is " + describe(ours) + "; wanted an object",
+                           "write for example { \"ripples\": [0.02, 0.01, -0.01, 0.02] }, or remove the key");
+            return;
+        }
+        const Fields fields(ours, place, c.report);
+        warn_of_other_keys(c, fields, {"ripples"});
+        const std::vector<double> ripples = fields.numbers("ripples", 4);
+        if (!ripples.empty())
+            c.out.ripples[index] = glm::vec4(ripples[0], ripples[1], ripples[2], ripples[3]);
+    });
 }
 
 }  // namespace weft::scene::gltf

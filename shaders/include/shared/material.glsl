@@ -38,6 +38,12 @@ struct Material {
     uint emissive_texture;
     uint anisotropy_texture;
     uint two_sided;          // 1: both sides of the surface look the same (doubleSided in glTF).
+    vec3 absorption_per_m;   // Of the body behind the surface: it lets exp(−absorption · distance) pass.
+    float transmission;      // Share of the light that passes through the surface, of that which is not mirrored.
+    vec4 ripples;            // xy, zw: velocities of the two layers of the normal map, in uv/s. 0: one layer, still.
+    float thickness_m;       // Of the body behind the surface, along the normal; 0: thin.
+    float ior;               // Index of refraction.
+    float reserved1, reserved2;
 };
 
 #include "end.glsl"

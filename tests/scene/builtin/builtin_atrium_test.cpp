@@ -72,7 +72,7 @@ void expect_sun_and_lamps(const Scene& scene, bool night) {
 void expect_water_to_see_through(const Scene& scene) {
     const auto is_clear = [&](const Instance& instance) {
         const Material& material = scene.materials[instance.material];
-        return material.alpha_mode == AlphaMode::blend && material.base_color.a < 1;
+        return material.alpha_mode == AlphaMode::blend && material.transmission > 0;
     };
     EXPECT_TRUE(std::ranges::any_of(scene.instances, is_clear));
 }

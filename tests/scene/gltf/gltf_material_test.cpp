@@ -55,6 +55,45 @@ TEST_F(GltfMaterial, UnlitShowsItsBaseColour) {
         EXPECT_EQ(warning.message.find("unlit"), std::string::npos) << warning.message;
 }
 
+TEST_F(GltfMaterial, ReadsTransmission) {
+    const Scene scene = load(with_material(R"({"extensions":{
+        "KHR_materials_transmission":{"transmissionFactor":0.75,"transmissionTexture":{"index":0}},
+        "KHR_materials_volume":{"thicknessFactor":0.5,"attenuationDistance":2,"attenuationColor":[1,0.5,0],
+            "thicknessTexture":{"index":0}}},
+        "extras":{"weft":{"ripples":[0.1,-0.2,0.3,0.4],"depth":1}}})"));
+    const Material& material = scene.materials.at(0);
+    EXPECT_FLOAT_EQ(material.transmission, 0.75f);
+    EXPECT_FLOAT_EQ(material.thickness_m, 0.5f);
+    EXPECT_FLOAT_EQ(material.absorption_per_m.x, 0);
+    EXPECT_NEAR(material.absorption_per_m.y, 0.34657, 1e-5) << "ln 2 / 2";
+    EXPECT_NEAR(material.absorption_per_m.z, 4.60517, 1e-4) << "of a colour of 0.0001";
+    EXPECT_EQ(material.ripples, glm::vec4(0.1f, -0.2f, 0.3f, 0.4f));
+    EXPECT_EQ(material.alpha_mode, AlphaMode::blend) << "although the alpha is 1";
+    ASSERT_EQ(warnings_.size(), 3u);
+    EXPECT_EQ(where(warnings_[0]),
+              "S153 /materials/0/extensions/KHR_materials_transmission/transmissionTexture");
+    EXPECT_EQ(where(warnings_[1]), "S153 /materials/0/extensions/KHR_materials_volume/thicknessTexture");
+    EXPECT_EQ(where(warnings_[2]), "S153 /materials/0/extras/weft/depth");
+}
+
+TEST_F(GltfMaterial, IsNotTransmissiveWithAMaskOrAFactorOfZero) {
+    const char* const kGlass = R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1}})";
+    EXPECT_EQ(load(with_material(std::string(R"({"alphaMode":"MASK",)") + kGlass + "}"))
+                  .materials.at(0)
+                  .transmission,
+              0);
+    const Material none =
+        load(with_material(R"({"extensions":{"KHR_materials_transmission":{}}})")).materials.at(0);
+    EXPECT_EQ(none.transmission, 0);
+    EXPECT_EQ(none.alpha_mode, AlphaMode::opaque);
+    const Material thin = load(with_material(std::string("{") + kGlass + "}")).materials.at(0);
+    EXPECT_EQ(thin.thickness_m, 0);
+    EXPECT_EQ(thin.absorption_per_m, glm::vec3(0));
+    const Diagnostic error = fail(with_material(R"({"extras":{"weft":{"ripples":[1,2]}}})"));
+    EXPECT_EQ(where(error), "S108 /materials/0/extras/weft/ripples");
+    EXPECT_EQ(where(fail(with_material(R"({"extras":{"weft":7}})"))), "S108 /materials/0/extras/weft");
+}
+
 TEST_F(GltfMaterial, ReadsAnisotropy) {
     const Material material = load(with_material(R"({"extensions":{"KHR_materials_anisotropy":{
         "anisotropyStrength":0.75,"anisotropyRotation":7.283185307179586,"anisotropyTexture":{"index":1,"texCoord":1,

@@ -1,0 +1,10 @@
+// Purpose: converts a material of tinygltf, with its texture references and extensions.
+#pragma once
+
+#include "scene/gltf/gltf_values.h"
+
+namespace weft::scene::gltf {
+
+[[nodiscard]] Material convert_material(const tinygltf::Material& source, const tinygltf::Model& model);
+
+}  // namespace weft::scene::gltf
