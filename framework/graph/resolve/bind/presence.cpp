@@ -57,6 +57,17 @@ std::string why_without_variants(const PassDraft& draft, const PortDesc& port) {
 
 }  // namespace
 
+Presence::Presence(const Declared& declared, const BoundPorts& outputs, const Suspects& suspects,
+                   PassReporter& report, Reporter& reporter)
+    : declared_(declared), outputs_(outputs), suspects_(suspects), report_(report), reporter_(reporter) {
+    writers_.resize(declared.shapes.resources.size());
+    for (PassId pass(0); pass < outputs.size(); ++pass) {
+        for (const BoundPort& output : outputs[pass])
+            if (output.use.resource < writers_.size())
+                writers_[output.use.resource].push_back({pass, &output.use});
+    }
+}
+
 std::set<std::string> Presence::writers_of(const std::string& resource, PassId except) const {
     std::set<std::string> names;
     for (PassId pass(0); pass < outputs_.size(); ++pass) {
@@ -110,14 +121,10 @@ bool Presence::is_present(PassId pass, const BoundPort& input, bool optional) co
     if (suspects_.writers[resource]) return true;
     if (declared_.shapes.origins[resource].has_content && !is_kept) return true;
     if (!dropped_writer(declared_.expansion, declared_.resource_name(resource), reporter_)) return true;
-    for (PassId writer(0); writer < outputs_.size(); ++writer) {
-        reporter_.spend(1 + outputs_[writer].size(), input.use.loc);
-        if (writer == pass) continue;
-        for (const BoundPort& output : outputs_[writer]) {
-            if (output.use.resource == resource && share_a_part(output.use, input.use)) return true;
-        }
-    }
-    return false;
+    reporter_.spend(1 + writers_[resource].size(), input.use.loc);
+    return std::ranges::any_of(writers_[resource], [&](const Writer& writer) {
+        return writer.pass != pass && share_a_part(*writer.use, input.use);
+    });
 }
 
 CombinationSet Presence::present_in(PassId pass, const BoundPort& input) const {
@@ -132,16 +139,12 @@ CombinationSet Presence::present_in(PassId pass, const BoundPort& input) const {
     CombinationSet named = 0, others = 0;
     std::set<std::string> other_names;
     bool passes_version_on = input.draft.pins.empty(), any = false;
-    for (PassId writer(0); writer < outputs_.size(); ++writer) {
-        reporter_.spend(1 + outputs_[writer].size(), input.use.loc);
-        if (writer == pass) continue;
-        const bool shares = std::ranges::any_of(outputs_[writer], [&](const BoundPort& output) {
-            return output.use.resource == resource && share_a_part(output.use, input.use);
-        });
-        if (!shares) continue;
+    reporter_.spend(1 + writers_[resource].size(), input.use.loc);
+    for (const Writer& writer : writers_[resource]) {
+        if (writer.pass == pass || !share_a_part(*writer.use, input.use)) continue;
         any = true;
-        const PassDraft& draft = expansion.passes[writer];
-        if (std::ranges::find(input.draft.pins, writer) != input.draft.pins.end()) {
+        const PassDraft& draft = expansion.passes[writer.pass];
+        if (std::ranges::find(input.draft.pins, writer.pass) != input.draft.pins.end()) {
             named = static_cast<CombinationSet>(named | draft.decl.runs_in);
             passes_version_on |= passes_on(*draft.desc, declared_.resource_name(resource));
         } else {

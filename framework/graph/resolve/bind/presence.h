@@ -29,8 +29,7 @@ class Presence {
  public:
     // `outputs` are the outputs of all passes. Keeps references to all arguments.
     Presence(const Declared& declared, const BoundPorts& outputs, const Suspects& suspects,
-             PassReporter& report, Reporter& reporter)
-        : declared_(declared), outputs_(outputs), suspects_(suspects), report_(report), reporter_(reporter) {}
+             PassReporter& report, Reporter& reporter);
 
     // Stores in `port` the passes that `@pass` in `ref` names; `ref` must contain an `@pass`. If that pass
     // was removed, stores the passes whose version stays visible in its place, or sets `port.pin_is_gone`.
@@ -51,6 +50,12 @@ class Presence {
     void report_switched_off(PassId pass, const PortDesc& port, CombinationSet absent) const;
 
  private:
+    // An output that writes a resource.
+    struct Writer {
+        PassId pass;
+        const UseDecl* use = nullptr;
+    };
+
     // Reports that neither the reference nor the "else" of the port has something to read in the combinations
     // `absent`.
     void report_replacement_off(const PassDraft& draft, PassId pass, const PortDesc& port,
@@ -61,6 +66,7 @@ class Presence {
 
     const Declared& declared_;
     const BoundPorts& outputs_;
+    std::vector<std::vector<Writer>> writers_;  // Indexed by ResourceId, in the order of the passes.
     const Suspects& suspects_;
     PassReporter& report_;
     Reporter& reporter_;
