@@ -8,7 +8,7 @@
 #include "scene/gltf/alpha_settle.h"
 #include "scene/gltf/gltf_check.h"
 #include "scene/gltf/gltf_container.h"
-#include "scene/gltf/gltf_parse.h"
+#include "scene/gltf/parse/parse_document.h"
 #include "scene/gltf/gltf_resources.h"
 #include "scene/gltf/mesh_build.h"
 #include "scene/gltf/node_walk.h"

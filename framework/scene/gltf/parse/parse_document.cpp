@@ -1,4 +1,4 @@
-#include "scene/gltf/gltf_parse.h"
+#include "scene/gltf/parse/parse_document.h"
 
 #include <algorithm>
 #include <charconv>
@@ -10,8 +10,10 @@
 #include <new>
 
 #define TINYGLTF_IMPLEMENTATION
-#include "scene/gltf/gltf_parse_materials.h"
-#include "scene/gltf/gltf_values.h"
+#include <tiny_gltf.h>
+
+#include "scene/gltf/parse/parse_material.h"
+#include "scene/gltf/parse/values.h"
 #include "scene/model/node_placement.h"
 
 namespace weft::scene::gltf {

@@ -1,7 +1,10 @@
-#include "scene/gltf/gltf_parse_materials.h"
+#include "scene/gltf/parse/parse_material.h"
 
+#include <tiny_gltf.h>
 #include <algorithm>
 #include <cmath>
+
+#include "scene/gltf/parse/values.h"
 
 namespace weft::scene::gltf {
 namespace {

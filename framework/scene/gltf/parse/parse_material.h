@@ -1,7 +1,12 @@
 // Purpose: converts a material of tinygltf, with its texture references and extensions.
 #pragma once
 
-#include "scene/gltf/gltf_values.h"
+#include "weft/scene/scene.h"
+
+namespace tinygltf {
+struct Material;
+class Model;
+}  // namespace tinygltf
 
 namespace weft::scene::gltf {
 
