@@ -6,6 +6,7 @@
 layout(local_size_x = 256) in;
 
 #include "frame_set.glsl"
+#include "prefix_sum.glsl"
 #include "tile_class.glsl"
 
 uniform usampler2D tileClass;
@@ -13,9 +14,6 @@ layout(std430) writeonly buffer SkyTiles { uint items[]; } skyTiles;
 layout(std430) writeonly buffer DirectionalTiles { uint items[]; } directionalTiles;
 layout(std430) writeonly buffer PunctualTiles { uint items[]; } punctualTiles;
 layout(std430) writeonly buffer AnyTiles { uint items[]; } anyTiles;
-
-// Numbers of tiles. Index: invocation. Components: the classes sky, directional, punctual and any.
-shared uvec4 counts[gl_WorkGroupSize.x];
 
 uint class_at(uint tile, uint columns) { return texelFetch(tileClass, ivec2(tile % columns, tile / columns), 0).r; }
 
@@ -39,18 +37,6 @@ void write_sizes(uvec4 tiles) {
     }
 }
 
-// Replaces the counts of each invocation by the sums over this invocation and all earlier ones. Source: Hillis and
-// Steele 1986, "Data Parallel Algorithms".
-void sum_counts(uint me) {
-    for (uint reach = 1u; reach < gl_WorkGroupSize.x; reach *= 2u) {
-        barrier();
-        const uvec4 before = me >= reach ? counts[me - reach] : uvec4(0u);
-        barrier();
-        counts[me] += before;
-    }
-    barrier();
-}
-
 void main() {
     const uint me = gl_LocalInvocationIndex;
     const uvec2 size = uvec2(textureSize(tileClass, 0));
@@ -58,7 +44,7 @@ void main() {
     const uint first = min(me * run, size.x * size.y), end = min(first + run, size.x * size.y);
     uvec4 own = uvec4(0u);
     for (uint tile = first; tile < end; ++tile) own += one_of(class_at(tile, size.x));
-    counts[me] = own;
+    counts[me] = own;  // Components: the classes sky, directional, punctual and any.
     sum_counts(me);
     uvec4 at = counts[me] - own;
     for (uint tile = first; tile < end; ++tile) {

@@ -9,9 +9,11 @@
 #include "frame_set.glsl"
 #include "half_float.glsl"
 #include "ray.glsl"
+#include "tiles.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(std430) readonly buffer Tiles { uint items[]; } tiles;  // Those with a texel that reflects.
 uniform sampler2D ssrSurface;
 uniform usampler2DArray ssrRay;
 uniform sampler2DArray ssrLight;
@@ -20,7 +22,6 @@ layout(r16f) writeonly uniform image2D ssrReach;
 layout(rgba16f) writeonly uniform image2D ssrOpen;
 
 layout(push_constant) uniform Params {
-    float ssrRoughest;
     uint ssrScale;
     uint ssrNeighbours;  // Number of texels whose rays are used, a square number.
 } params;
@@ -45,7 +46,7 @@ vec3 position_of(ivec2 texel, float z) {
 
 // Returns how much the neighbour `at` belongs to the same surface, 0 to 1.
 float alike(Reflector own, vec4 surface, vec3 position) {
-    if (surface.z <= 0.0) return 0.0;
+    if (surface.z <= 0.0 || surface.w >= kNoRays) return 0.0;
     const float off = abs(dot(position - own.position, own.normal)) / (kPlaneShare * own.distance_m);
     const float facing = smoothstep(kLeastCosine, 1.0, dot(own.normal, octahedral_decode(surface.xy)));
     return max(1.0 - off, 0.0) * facing * max(1.0 - abs(surface.w - own.roughness) / kSameRoughness, 0.0);
@@ -108,11 +109,12 @@ Gathered gather(ivec2 texel, vec4 surface) {
 }
 
 void main() {
-    const ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(texel, imageSize(ssrMean)))) return;
+    const ivec2 size = imageSize(ssrMean);
+    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + gl_WorkGroupID.x], size);
+    if (any(greaterThanEqual(texel, size))) return;
     const vec4 surface = texelFetch(ssrSurface, texel, 0);
     Gathered sum = Gathered(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0);
-    if (surface.z > 0.0 && surface.w <= params.ssrRoughest) sum = gather(texel, surface);
+    if (surface.z > 0.0 && surface.w < kNoRays) sum = gather(texel, surface);
     const float all = sum.hits + sum.opens;
     const vec4 mean = all > 0.0 ? sum.light / all : vec4(0.0);
     imageStore(ssrMean, texel, vec4(nearest_half(min(mean.rgb, vec3(65000.0))), mean.a));

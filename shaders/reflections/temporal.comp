@@ -10,9 +10,11 @@
 #include "frame_set.glsl"
 #include "half_float.glsl"
 #include "octahedral.glsl"
+#include "tiles.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(std430) readonly buffer Tiles { uint items[]; } tiles;  // Those with a texel that reflects.
 uniform sampler2D depth;
 uniform sampler2D velocity;
 uniform sampler2D ssrSurface;
@@ -26,7 +28,6 @@ layout(push_constant) uniform Params {
     float beforeValid;  // 1 if a frame has written the history, otherwise 0.
     float ssrNewest;    // Smallest weight of this frame in the mean over frames, 0 to 1.
     float ssrTrust;     // The history may differ from the mean of the neighbours by this many standard deviations.
-    float ssrRoughest;
     uint ssrScale;
 } params;
 
@@ -124,8 +125,9 @@ void store(ivec2 texel, vec4 light, vec4 shape, vec4 open) {
 }
 
 void main() {
-    const ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(texel, imageSize(blended).xy))) return;
+    const ivec2 size = imageSize(blended).xy;
+    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + gl_WorkGroupID.x], size);
+    if (any(greaterThanEqual(texel, size))) return;
     const vec4 surface = texelFetch(ssrSurface, texel, 0);
     if (surface.z <= 0.0) {
         store(texel, vec4(0.0), vec4(0.0), vec4(0.0));
@@ -135,7 +137,7 @@ void main() {
     const vec2 uv = (vec2(pixel) + 0.5) * view.inverse_viewport;
     const vec3 position = world_position(uv, surface.z), normal = octahedral_decode(surface.xy);
     const float distance_m = min(distance(position, view.eye), 65000.0);
-    if (surface.w > params.ssrRoughest) {
+    if (surface.w >= kNoRays) {
         store(texel, vec4(0.0), vec4(surface.xy, distance_m, -1.0), vec4(0.0));
         return;
     }

@@ -11,9 +11,11 @@
 #include "march.glsl"
 #include "ray.glsl"
 #include "sample_ggx.glsl"
+#include "tiles.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(std430) readonly buffer Tiles { uint items[]; } tiles;  // Those with a texel that reflects.
 uniform sampler2D normal;
 uniform sampler2D velocity;
 uniform sampler2D ssrSurface;
@@ -23,7 +25,6 @@ layout(rgba16f) writeonly uniform image2DArray ssrLight;
 
 layout(push_constant) uniform Params {
     float ssrSceneValid;  // 1 if a frame has written ssrScene, otherwise 0.
-    float ssrRoughest;    // Surfaces with a larger roughness have no rays.
     float ssrThickness;
     uint ssrScale;
     uint ssrSteps;
@@ -146,19 +147,20 @@ void trace(ivec2 texel, uint index, Reflector r) {
 }
 
 void main() {
-    const ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(texel, imageSize(ssrRay).xy))) return;
+    const ivec2 size = imageSize(ssrRay).xy;
+    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + gl_WorkGroupID.x], size);
+    if (any(greaterThanEqual(texel, size))) return;
     const vec4 surface = texelFetch(ssrSurface, texel, 0);
     const uint rays = uint(imageSize(ssrRay).z);
-    if (surface.z <= 0.0 || surface.w > params.ssrRoughest) {
+    if (surface.z <= 0.0 || surface.w >= kNoRays) {
         for (uint i = 0u; i < rays; ++i) {
             imageStore(ssrRay, ivec3(texel, i), uvec4(packed_ray(kRayOfNone), 0u, 0u));
             imageStore(ssrLight, ivec3(texel, i), vec4(0.0));
         }
         return;
     }
-    const vec2 size = vec2(textureSize(depth, 0));
-    const vec3 position = world_position((vec2(texel * int(params.ssrScale)) + 0.5) / size, surface.z);
+    const vec2 place = (vec2(texel * int(params.ssrScale)) + 0.5) / vec2(textureSize(depth, 0));
+    const vec3 position = world_position(place, surface.z);
     const Reflector r = Reflector(position, octahedral_decode(surface.xy), normalize(view.eye - position),
                                   alpha_of(surface.w), plane_of(texel, surface.z));
     for (uint i = 0u; i < rays; ++i) trace(texel, i, r);
