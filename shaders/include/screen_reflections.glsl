@@ -7,7 +7,7 @@
 
 layout(constant_id = 35) const bool HAS_ssr = false;
 // Layer 0: radiance × preExposure × confidence (rgb) and confidence (a). Layer 1: normal (xy, octahedral), distance to
-// the eye in metres (z; 0: the sky), and number of blended frames (w; below 0: no rays). Layer 2, of the rays that hit
+// the eye in metres (z; 0: the sky), and number of blended frames plus the deviation of their light (w; below 0: no rays). Layer 2, of the rays that hit
 // nothing in the picture: 1 / the distance for which nothing is in their way, in 1/m (x; 0: no such ray), and radiance
 // of the surroundings × preExposure (yzw).
 uniform sampler2DArray ssr;

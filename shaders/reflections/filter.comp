@@ -30,8 +30,6 @@ layout(push_constant) uniform Params {
 // below kPlaneShare times the distance to the eye, the cosine of the angle between the normals is above kLeastCosine,
 // and the roughness differs by less than kSameRoughness.
 const float kPlaneShare = 0.01, kLeastCosine = 0.9, kSameRoughness = 0.1;
-// Below this roughness, the lobes of neighbours hardly overlap, and a texel uses only its own rays.
-const float kNarrow = 0.15;
 // Smallest distance without objects whose inverse is stored.
 const float kLeastFree_m = 1e-3;
 
@@ -91,7 +89,7 @@ Gathered gather(ivec2 texel, vec4 surface) {
     const float distance_m = distance(position, view.eye);
     const Reflector own = Reflector(position, octahedral_decode(surface.xy), (view.eye - position) / distance_m,
                                     distance_m, surface.w, alpha_of(surface.w));
-    const int side = own.roughness < kNarrow ? 1 : int(sqrt(float(params.ssrNeighbours)) + 0.5);
+    const int side = side_of_neighbours(own.roughness, params.ssrNeighbours);
     // The middle of a window with an even side is not a texel, so the window moves from frame to frame.
     const ivec2 turn = ivec2(frame.frame_index & 1u, frame.frame_index >> 1 & 1u);
     const ivec2 first = texel - side / 2 + (side % 2 == 0 ? turn : ivec2(0));

@@ -25,5 +25,12 @@ Ray unpacked_ray(uvec2 words) {
     return Ray(octahedral_decode(unpackSnorm2x16(words.x)), numbers.x, numbers.y > kNoRay ? exp2(numbers.y) : 0.0);
 }
 
+// Returns the number of texels along each side of the square whose rays a texel uses. `neighbours`: ssrNeighbours, a
+// square number. If the surface is smooth, the lobes of neighbours hardly overlap, and a texel uses only its own rays.
+int side_of_neighbours(float roughness, uint neighbours) {
+    const float kNarrow = 0.15;
+    return roughness < kNarrow ? 1 : int(sqrt(float(neighbours)) + 0.5);
+}
+
 float alpha_of(float roughness) { return max(roughness * roughness, kMinAlpha); }
 #endif

@@ -41,7 +41,7 @@ const float kSameDepth = 0.05;
 const float kShares = 16.0;
 // The part of the picture that a ray reads is narrower by this factor, because a blurred picture mixes near and far
 // objects.
-const float kHitShare = 0.0625;
+const float kHitShare = 0.18;
 // Steps of evenly distributed (low-discrepancy) sequences.
 const float kGolden = 0.61803399, kPlastic = 0.75487767, kPlastic2 = 0.56984029;
 
