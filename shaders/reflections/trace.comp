@@ -42,6 +42,9 @@ const float kShares = 16.0;
 // The part of the picture that a ray reads is narrower by this factor, because a blurred picture mixes near and far
 // objects.
 const float kHitShare = 0.18;
+// At the outline of a round object, the depth changes much from pixel to pixel, and neighbouring rays alternately meet the
+// object and miss it. The confidence falls with the cosine of the angle between normal and eye, from kSeenWell to 0 at kOutline.
+const float kOutline = 0.0, kSeenWell = 0.12;
 // Steps of evenly distributed (low-discrepancy) sequences.
 const float kGolden = 0.61803399, kPlastic = 0.75487767, kPlastic2 = 0.56984029;
 
@@ -132,12 +135,15 @@ void trace(ivec2 texel, uint index, Reflector r) {
         ray.length_m = -length_at(line, hit.free);
         const float solid_angle = r.alpha < kMirrorAlpha ? 0.0 : 1.0 / (kShares * ray.pdf);
         // A surface whose back the ray meets is no hit.
-        if (hit.found && dot(octahedral_decode(texelFetch(normal, hit.pixel, 0).xy), ray.direction) < 0.0) {
+        const vec3 met = octahedral_decode(texelFetch(normal, hit.pixel, 0).xy);
+        if (hit.found && dot(met, ray.direction) < 0.0) {
             ray.length_m = length_at(line, hit.s);
             const float depth_m = line.w + line.w_step * ray.length_m;
             const float px_per_m = 0.5 * view.projection[0][0] * view.viewport_px.x / depth_m;
             const float width_px = kHitShare * sqrt(solid_angle) * ray.length_m * px_per_m;
-            light = light_of(hit, line, r.position + ray.direction * ray.length_m, width_px);
+            const vec3 place = r.position + ray.direction * ray.length_m;
+            const float seen = smoothstep(kOutline, kSeenWell, dot(met, normalize(view.eye - place)));
+            light = light_of(hit, line, place, width_px) * seen;
         } else {
             light.rgb = min(sky_of(ray.direction, solid_angle) * frame.pre_exposure, vec3(65000.0));
         }
