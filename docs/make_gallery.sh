@@ -23,8 +23,8 @@ draw() {
   "$weft" render --size 960x540 "$@" -o "$picture" </dev/null
 }
 
-draw "$here/images/atrium.png"
-draw "$here/images/atrium-night.png" --time 22
+draw "$here/images/atrium.png" --graph "$root/graphs/weft.json"
+draw "$here/images/atrium-night.png" --graph "$root/graphs/weft.json" --time 22
 draw "$here/images/ink.png" --graph "$here/examples/ink.json" --param penWidth=2
 
 # PICTURE GRAPH TITLE ALT [OPTION…], the description on stdin.
@@ -82,6 +82,13 @@ and takes its light from the previous frame. Rough surfaces choose another direc
 neighbours and of earlier frames are averaged. Where a ray leaves the picture, the reflection probes answer. The module
 `graphs/modules/reflections.json` does this for every graph with a G-buffer; see [Reflections of the
 screen](reflections.md).
+END
+
+show water weft "Water" "A pool from its end: tiles bent by ripples, lilies, and the mirrored court" \
+  --camera=0.3,1.2,3.9,-0.1,0.3,-0.5,60 <<'END'
+Two layers of a normal map move over the water. The surface bends the picture behind it, the water absorbs red light, and
+the rest is mirrored. [Glass and water](scenes.md#glass-and-water) lists what a material needs. `weft.json` is the frame
+with everything: shadows, light probes, near field, reflections and temporal anti-aliasing.
 END
 
 show taa taa "Temporal anti-aliasing" "The court in the sun; wires, railings and leaves have no stairs" <<'END'

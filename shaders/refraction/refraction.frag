@@ -20,6 +20,7 @@ layout(location = 0) out vec4 hdr;
 
 const float kSteepest = 0.2;  // Limits the way of a ray through the body at grazing angles; cosine to the normal.
 const float kSky_m = 1e6;     // Distance of the sky.
+const int kSearchSteps = 8;
 
 ivec2 pixel_at(vec2 uv) {
     const ivec2 size = textureSize(depth, 0);
@@ -47,6 +48,22 @@ float share_inside(vec2 uv, vec2 offset) {
     return share - 0.25 * share * share;
 }
 
+bool is_hidden(vec2 uv, vec3 face) { return dot(world_point - surface_at(uv), face) < 0.0; }
+
+// Returns `bent`. If a surface in front of the refractive one hides it, returns a place on the way from `uv` to it that is
+// not hidden. With the third power of the share of the way, the picture continues at the outline of the hidden part, and
+// is not stretched into streaks behind it.
+vec2 seen_before(vec2 uv, vec2 bent, vec3 face) {
+    if (!is_hidden(bent, face)) return bent;
+    float seen = 0.0, hidden = 1.0;
+    for (int i = 0; i < kSearchSteps; ++i) {
+        const float middle = 0.5 * (seen + hidden);
+        if (is_hidden(mix(uv, bent, middle), face)) hidden = middle;
+        else seen = middle;
+    }
+    return mix(uv, bent, seen * seen * seen);
+}
+
 void main() {
     const vec3 n = rippled_normal();
     const vec4 base = base_color();
@@ -58,9 +75,8 @@ void main() {
     const float slope = max(-dot(ray, face), kSteepest);
     const float here_m = clamp(dot(world_point - surface_at(uv), face), 0.0, material.thickness_m);
     vec2 bent = place_in_picture(world_point + ray * (here_m / slope));
-    // Outside of the picture, and where another surface hides it, nothing is known of what is behind the surface.
     bent = uv + (bent - uv) * share_inside(uv, bent - uv);
-    if (dot(world_point - surface_at(bent), face) < 0.0) bent = uv;
+    bent = seen_before(uv, bent, face);
     const float there_m = clamp(dot(world_point - surface_at(bent), face), 0.0, material.thickness_m);
 
     // Light is not interpolated with that of surfaces in front of the refractive one.
