@@ -204,6 +204,8 @@ shared::Material gpu_material(const scene::Material& m) {
     gpu.thickness_m = m.thickness_m;
     gpu.ior = m.ior;
     gpu.ripples = m.ripples;
+    gpu.clearcoat = m.clearcoat;
+    gpu.clearcoat_roughness = m.clearcoat_roughness;
     return gpu;
 }
 

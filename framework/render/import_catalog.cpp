@@ -35,6 +35,7 @@ DrawVariant variant(const std::string& name, bool masked, bool anisotropic) {
 
 std::vector<DrawVariant> variants_of(const std::string& list) {
     if (list == "anisotropic") return {variant("opaque", false, true), variant("masked", true, true)};
+    if (list == "coated") return {variant("opaque", false, false), variant("masked", true, false)};
     if (list == "opaqueStill") return {variant("opaque", false, false)};
     if (list == "maskedStill") return {variant("masked", true, false)};
     return {variant(list, list == "masked", false)};
@@ -137,6 +138,9 @@ bool is_in_draw_list(const scene::Instance& instance, const scene::Material& mat
                is_in_draw_list(instance, material, list == "opaqueStill" ? "opaque" : "masked");
     if (list == "anisotropic")
         return material.anisotropy > 0 && material.alpha_mode != scene::AlphaMode::blend;
+    if (list == "coated")
+        return material.clearcoat > 0 && material.anisotropy == 0 &&
+               material.alpha_mode != scene::AlphaMode::blend;
     if (list == "refractive")
         return material.transmission > 0 && material.alpha_mode == scene::AlphaMode::blend;
     switch (material.alpha_mode) {
@@ -151,7 +155,8 @@ bool is_in_draw_list(const scene::Instance& instance, const scene::Material& mat
 }
 
 uint32_t draw_variant(const scene::Material& material, std::string_view list) {
-    return list == "anisotropic" && material.alpha_mode == scene::AlphaMode::mask ? 1 : 0;
+    const bool has_both = list == "anisotropic" || list == "coated";
+    return has_both && material.alpha_mode == scene::AlphaMode::mask ? 1 : 0;
 }
 
 std::string commands_of(std::string_view list) {

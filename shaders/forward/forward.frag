@@ -29,6 +29,28 @@ layout(location = 0) out vec4 hdr;
 #include "surface_light.glsl"
 
 const float kMaxStored = 65000.0;
+const float kCoatF0 = 0.04;  // Of an index of refraction of 1.5.
+
+// Returns the luminance of a surface with emission and, if it has one, a clear coat. The coat mirrors a part of the light,
+// and dims the surface below by the same part. Source: KHR_materials_clearcoat. The loop has one call for both layers,
+// because the shader is large.
+vec3 layered_luminance(Surface base, vec3 point, vec3 orm, float coat_roughness) {
+    const ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 light = emission();
+    Surface layer = base;
+    float share = 1.0;
+    for (int i = 0; i < (base.under_coat ? 2 : 1); ++i) {
+        if (i == 1) {
+            share = material.clearcoat;
+            layer = make_surface(mesh_normal(), vec3(0.0), 0.0, coat_roughness, vec3(kCoatF0), 1.0);
+            const Surface c = with_albedo(layer, normalize(view.eye - point));
+            light *= 1.0 - share * c.energy * (c.f0 * c.albedo.x + c.f90 * c.albedo.y);
+            orm.g = coat_roughness;
+        }
+        light += share * reflected_radiance(layer, point, orm, pixel);
+    }
+    return light;
+}
 
 vec4 unorm8(vec4 x) { return unpackUnorm4x8(packUnorm4x8(x)); }
 vec2 snorm16(vec2 x) { return unpackSnorm2x16(packSnorm2x16(x)); }
@@ -37,6 +59,8 @@ void main() {
     const vec4 base = base_color();
     vec3 n = BLENDED ? rippled_normal() : shading_normal();
     const vec3 dx = dFdx(n), dy = dFdy(n);  // Derivatives are undefined after a discard.
+    const vec3 face = mesh_normal();
+    const float coat_roughness = roughness_of_pixel(material.clearcoat_roughness, dFdx(face), dFdy(face));
     if (MASKED && base.a < material.alpha_cutoff) discard;
     vec3 orm = occlusion_roughness_metalness();
     orm.g = roughness_of_pixel(orm.g, dx, dy);
@@ -57,8 +81,8 @@ void main() {
         s = stretched(s, grain.xyz, grain.w);
     }
     s.diffuse *= 1.0 - transmission;
-    const vec3 reflected = reflected_radiance(s, point, orm, ivec2(gl_FragCoord.xy));
-    const vec3 radiance = (emission() + reflected) * frame.pre_exposure;
+    s.under_coat = !BLENDED && material.clearcoat > 0.0;
+    const vec3 radiance = layered_luminance(s, point, orm, coat_roughness) * frame.pre_exposure;
     const float coverage = BLENDED ? base.a : 1.0;
     float alpha = coverage;
     if (transmission > 0.0) {

@@ -20,12 +20,14 @@ layout(location = 5) out vec4 hdr;       // Light that the surface emits × preE
 
 void main() {
     const vec4 base = base_color();
-    const vec3 n = shading_normal(), dx = dFdx(n), dy = dFdy(n);  // Derivatives are undefined after a discard.
+    // The reflections of the screen follow the clear coat. A forward pass draws coated surfaces again, with both layers.
+    const bool coated = material.clearcoat > 0.0;
+    const vec3 n = coated ? mesh_normal() : shading_normal(), dx = dFdx(n), dy = dFdy(n);  // Derivatives are undefined after a discard.
     if (MASKED && base.a < material.alpha_cutoff) discard;
     albedo = vec4(sqrt(base.rgb), 1.0);
     normal = octahedral_encode(n);
     orm = vec4(occlusion_roughness_metalness(), 1.0);
-    orm.g = roughness_of_pixel(orm.g, dx, dy);
+    orm.g = roughness_of_pixel(coated ? material.clearcoat_roughness : orm.g, dx, dy);
     specular = vec4(sqrt(material.dielectric_f0), material.specular);
     velocity = (clip_now.xy / clip_now.w - clip_before.xy / clip_before.w) * 0.5;
     hdr = vec4(min(emission() * frame.pre_exposure, vec3(65000.0)), 1.0);

@@ -107,7 +107,7 @@ vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2
     NearField near = NearField(s.normal, vec3(0.0), 1.0);
     if (HAS_nearField) near = near_field_at(pixel, position, s.normal);
     ScreenReflection seen = ScreenReflection(vec4(0.0), vec3(0.0), 0.0);
-    if (HAS_ssr) seen = screen_reflection(pixel, position, s.normal);
+    if (HAS_ssr && !s.under_coat) seen = screen_reflection(pixel, position, s.normal);
     AmbientLight light = AmbientLight(sky_irradiance_over_pi(near.open), seen.open);
     // The rays are those of an isotropic surface. Those of a mirror give the same light, but are fewer than the pixels.
     if (seen.free_m <= 0.0 || s.alpha < kMirrorAlpha || s.anisotropic)
@@ -118,7 +118,7 @@ vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2
     if (HAS_nearField) light = with_near_field(light, near, s.normal, mirrored, blur);
     // The rays without a hit have already found that no near object is in their way.
     if (seen.free_m > 0.0) light.mirrored = far;
-    if (HAS_ssr) light.mirrored = light.mirrored * (1.0 - seen.light.a) + seen.light.rgb;
+    if (HAS_ssr && !s.under_coat) light.mirrored = light.mirrored * (1.0 - seen.light.a) + seen.light.rgb;
     return base_under_coat(s, specular) * light.diffuse + specular * light.mirrored;
 }
 #endif

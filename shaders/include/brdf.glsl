@@ -18,6 +18,7 @@ struct Surface {
     vec3 bitangent;
     vec2 alphas;      // α along the tangent and along the bitangent.
     vec2 albedo;      // Directional albedo of the specular reflection towards the eye: factors of F0 and of F90.
+    bool under_coat;  // True if a clear coat lies over the surface. Then the reflections of the screen are those of the coat.
     vec3 energy;      // Factor for the specular reflection, for light that microfacets reflect several times.
 };
 
@@ -36,6 +37,7 @@ Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughne
     s.alphas = vec2(s.alpha);
     s.albedo = vec2(0.0);  // with_albedo() of dfg.glsl sets `albedo` and `energy`.
     s.energy = vec3(1.0);
+    s.under_coat = false;
     return s;
 }
 

@@ -22,10 +22,13 @@ vec4 base_color() {
     return texture(base_color_texture, texture_uv(material.base_color_uv), view.mip_bias) * material.base_color * vertex_color();
 }
 
+// Returns the normal of the mesh, without the normal map.
+vec3 mesh_normal() { return normalize(world_normal) * (gl_FrontFacing ? 1.0 : -1.0); }
+
 // Transforms a normal `m` from the space of the normal map to world space.
 vec3 world_normal_of(vec3 m) {
     const float facing = gl_FrontFacing ? 1.0 : -1.0;
-    const vec3 n = normalize(world_normal) * facing;
+    const vec3 n = mesh_normal();
     vec3 t = world_tangent.xyz - n * dot(n, world_tangent.xyz);
     const float length2 = dot(t, t);
     if (length2 < 1e-12) return n;

@@ -107,8 +107,10 @@ Gathered gather(ivec2 texel, vec4 surface) {
 }
 
 void main() {
+    const uint at = place_in_list();
+    if (at >= tiles.items[3]) return;
     const ivec2 size = imageSize(ssrMean);
-    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + gl_WorkGroupID.x], size);
+    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + at], size);
     if (any(greaterThanEqual(texel, size))) return;
     const vec4 surface = texelFetch(ssrSurface, texel, 0);
     Gathered sum = Gathered(vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0);

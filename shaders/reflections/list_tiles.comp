@@ -33,8 +33,11 @@ void main() {
         }
     }
     if (me != gl_WorkGroupSize.x - 1u) return;
+    const uint others = size.x * size.y - listed;
+    const uint sizes[] = uint[](min(listed, kMostGroups), (listed + kMostGroups - 1u) / kMostGroups, 1u, listed);
+    const uint other_sizes[] = uint[](min(others, kMostGroups), (others + kMostGroups - 1u) / kMostGroups, 1u, others);
     for (uint i = 0u; i < kTilesBegin; ++i) {
-        ssrListed.items[i] = i == 0u ? listed : 1u;
-        ssrOthers.items[i] = i == 0u ? size.x * size.y - listed : 1u;
+        ssrListed.items[i] = sizes[i];
+        ssrOthers.items[i] = other_sizes[i];
     }
 }

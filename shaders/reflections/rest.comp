@@ -19,8 +19,10 @@ layout(push_constant) uniform Params {
 } params;
 
 void main() {
+    const uint at = place_in_list();
+    if (at >= tiles.items[3]) return;
     const ivec2 size = imageSize(ssr).xy;
-    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + gl_WorkGroupID.x], size);
+    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + at], size);
     if (any(greaterThanEqual(texel, size))) return;
     const vec4 surface = texelFetch(ssrSurface, texel, 0);
     const vec2 uv = (vec2(texel * int(params.ssrScale)) + 0.5) * view.inverse_viewport;

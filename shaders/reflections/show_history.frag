@@ -1,5 +1,5 @@
-// Debug view of the history of the reflections: the number of blended frames, from 1 (dark) to
-// 30 (bright); a texel whose mean has just begun again is green. Surfaces without rays are striped.
+// Debug view of the history of the reflections: the number of blended frames, from 2 (dark) to
+// 30 (bright); 1 and 0, where the mean has just begun again, are green. Surfaces without rays are striped.
 #version 460
 #include "debug_colors.glsl"
 

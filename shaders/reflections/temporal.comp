@@ -44,10 +44,13 @@ const float kNewestOfMirror = 0.5, kFullNoise = 0.07;
 const float kFewHits = 0.1;
 // From this multiple of the range on, the history counts as that of other light.
 const float kOtherLight = 1.8;
-// The count of frames and the deviation of their light are stored as one half float.
-const float kMostFrames = 30.0, kMostDeviation = 0.96;
+// The count of frames and the deviation of their light are stored as one half float, whose steps are 1 / kSteps from a
+// count of 16 on.
+const float kMostFrames = 30.0, kSteps = 64.0;
 // Largest growth of the light of a texel in one frame, from kSettled blended frames on.
 const float kMostGrowth = 2.0, kSettled = 4.0;
+// Radiance × preExposure that always is usual, so that black can become brighter.
+const float kDark = 0.004;
 // Shares of the deviation over frames by which the history may differ from the light around the texel in this frame: for
 // the range into which the history is moved, and for the decision whether the mean begins again.
 const float kMovedShare = 0.1, kBegunShare = 2.0;
@@ -105,8 +108,9 @@ vec4 clipped(vec4 light, float deviation, Statistics around, out float outside) 
 // blended light, so that it is at most kMostGrowth times the light before, or the light that most texels around have.
 // `before_light`: with that of the surroundings.
 float share_without_speck(vec3 blended_light, vec3 before_light, Statistics around) {
-    const vec4 low = max(around.mean - around.deviation, vec4(0.0));
-    const vec3 usual = max(before_light, expanded(low.rgb) * low.a);
+    // Of the luminance and the confidence, not of the differences of colour.
+    const vec4 low = max(around.mean - around.deviation * vec4(1.0, 0.0, 0.0, 1.0), vec4(0.0, -1.0, -1.0, 0.0));
+    const vec3 usual = max(max(before_light, expanded(low.rgb) * low.a), vec3(kDark));
     const float most = kMostGrowth * max(max(usual.r, usual.g), usual.b);
     return min(1.0, most / max(max(max(blended_light.r, blended_light.g), blended_light.b), 1e-6));
 }
@@ -161,6 +165,14 @@ History best_history(ivec2 pixel, vec2 uv, Reflector r, float reach_m, Statistic
     return own;
 }
 
+// Returns the number that is stored for a count of frames and a deviation. The deviation is rounded up or down at random,
+// so that it can change by less than a step.
+float packed_history(ivec2 texel, float count, float deviation) {
+    const float random = fract(52.9829189 * fract(dot(vec2(texel), vec2(0.06711056, 0.00583715))) +
+                               0.61803399 * float(frame.frame_index & 1023u));
+    return count + clamp(floor(deviation * kSteps + random), 0.0, kSteps - 1.0) / kSteps;
+}
+
 void store(ivec2 texel, vec4 light, vec4 shape, vec4 open) {
     imageStore(blended, ivec3(texel, 0), light);
     imageStore(blended, ivec3(texel, 1), shape);
@@ -168,8 +180,10 @@ void store(ivec2 texel, vec4 light, vec4 shape, vec4 open) {
 }
 
 void main() {
+    const uint at = place_in_list();
+    if (at >= tiles.items[3]) return;
     const ivec2 size = imageSize(blended).xy;
-    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + gl_WorkGroupID.x], size);
+    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + at], size);
     if (any(greaterThanEqual(texel, size))) return;
     const vec4 surface = texelFetch(ssrSurface, texel, 0);
     if (surface.z <= 0.0) {
@@ -213,5 +227,5 @@ void main() {
     // replaces this result.
     count = params.beforeValid > 0.0 ? min(floor(count) + 1.0, kMostFrames) : 0.0;
     light.rgb = nearest_half(min(light.rgb, vec3(65000.0)));
-    store(texel, light, vec4(surface.xy, distance_m, count + min(deviation, kMostDeviation)), open);
+    store(texel, light, vec4(surface.xy, distance_m, packed_history(texel, count, deviation)), open);
 }

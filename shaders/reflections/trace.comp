@@ -42,9 +42,10 @@ const float kShares = 16.0;
 // The part of the picture that a ray reads is narrower by this factor, because a blurred picture mixes near and far
 // objects.
 const float kHitShare = 0.18;
-// At the outline of a round object, the depth changes much from pixel to pixel, and neighbouring rays alternately meet the
-// object and miss it. The confidence falls with the cosine of the angle between normal and eye, from kSeenWell to 0 at kOutline.
-const float kOutline = 0.0, kSeenWell = 0.12;
+// Where the eye sees a surface at a small angle, as at the outline of a ball, the depth changes much from pixel to pixel,
+// and neighbouring rays alternately meet the object and miss it. So the confidence falls to 0, from this cosine of the
+// angle between normal and eye on.
+const float kSeenWell = 0.12;
 // Steps of evenly distributed (low-discrepancy) sequences.
 const float kGolden = 0.61803399, kPlastic = 0.75487767, kPlastic2 = 0.56984029;
 
@@ -142,7 +143,7 @@ void trace(ivec2 texel, uint index, Reflector r) {
             const float px_per_m = 0.5 * view.projection[0][0] * view.viewport_px.x / depth_m;
             const float width_px = kHitShare * sqrt(solid_angle) * ray.length_m * px_per_m;
             const vec3 place = r.position + ray.direction * ray.length_m;
-            const float seen = smoothstep(kOutline, kSeenWell, dot(met, normalize(view.eye - place)));
+            const float seen = smoothstep(0.0, kSeenWell, dot(met, normalize(view.eye - place)));
             light = light_of(hit, line, place, width_px) * seen;
         } else {
             light.rgb = min(sky_of(ray.direction, solid_angle) * frame.pre_exposure, vec3(65000.0));
@@ -153,8 +154,10 @@ void trace(ivec2 texel, uint index, Reflector r) {
 }
 
 void main() {
+    const uint at = place_in_list();
+    if (at >= tiles.items[3]) return;
     const ivec2 size = imageSize(ssrRay).xy;
-    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + gl_WorkGroupID.x], size);
+    const ivec2 texel = texel_of_tile(tiles.items[kTilesBegin + at], size);
     if (any(greaterThanEqual(texel, size))) return;
     const vec4 surface = texelFetch(ssrSurface, texel, 0);
     const uint rays = uint(imageSize(ssrRay).z);

@@ -70,7 +70,7 @@ void main() {
     const vec2 uv = gl_FragCoord.xy / view.viewport_px;
     if (gl_FragCoord.z <= texelFetch(depth, ivec2(gl_FragCoord.xy), 0).r) discard;
 
-    const vec3 face = normalize(world_normal) * (gl_FrontFacing ? 1.0 : -1.0);
+    const vec3 face = mesh_normal();
     const vec3 ray = refract(normalize(world_point - view.eye), n, 1.0 / max(material.ior, 1.0));
     const float slope = max(-dot(ray, face), kSteepest);
     const float here_m = clamp(dot(world_point - surface_at(uv), face), 0.0, material.thickness_m);
@@ -84,6 +84,8 @@ void main() {
     const vec3 light = hidden ? texelFetch(refractionSource, pixel_at(bent), 0).rgb : textureLod(refractionSource, bent, 0.0).rgb;
     const vec3 passed = base.rgb * exp(-material.absorption_per_m * (there_m / slope));
     const vec3 straight = texelFetch(refractionSource, ivec2(gl_FragCoord.xy), 0).rgb;
-    const vec3 through = mix(straight, light * passed, base.a * material.transmission);
+    // When the surface is drawn, it lets 1 − alpha + alpha · transmission of this light pass. The first part is straight.
+    const float bent_part = base.a * material.transmission * (1.0 - occlusion_roughness_metalness().b);
+    const vec3 through = mix(straight, light * passed, bent_part / max(1.0 - base.a + bent_part, 1e-6));
     hdr = vec4(nearest_half(through), 1.0);
 }

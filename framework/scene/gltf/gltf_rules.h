@@ -49,10 +49,10 @@ struct Checker {
 void check_header(Checker& c);     // Checks `asset`, the extensions, and the sizes of the arrays.
 void check_geometry(Checker& c);   // Checks buffers, buffer views, accessors and meshes.
 void check_materials(Checker& c);  // Checks images, textures, samplers and materials.
-// Checks the objects `extras.weft` of the materials. `objects` has one entry for each material: the object, or
-// null if the material has no such object.
+// Checks the objects `extras.weft` of the materials. `objects` has one entry for each material: the object,
+// or null if the material has no such object.
 void check_material_extras(Checker& c, const nlohmann::json& objects);
-void check_nodes(Checker& c);      // Checks lights, cameras, nodes and scenes.
+void check_nodes(Checker& c);  // Checks lights, cameras, nodes and scenes.
 // Checks the objects `extras.weft` of the lights of the file. `objects` has one entry for each light: the
 // object, or null if the light has no such object.
 void check_light_extras(Checker& c, const nlohmann::json& objects);

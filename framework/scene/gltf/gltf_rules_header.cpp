@@ -7,11 +7,18 @@ namespace weft::scene::gltf {
 namespace {
 
 constexpr uint64_t kMaxExtensions = 1024;
-constexpr std::array<std::string_view, 11> kKnownExtensions{
-    "EXT_mesh_gpu_instancing",         "KHR_lights_punctual",  "KHR_materials_anisotropy",
-    "KHR_materials_emissive_strength", "KHR_materials_ior",    "KHR_materials_specular",
-    "KHR_materials_transmission",      "KHR_materials_unlit",  "KHR_materials_volume",
-    "KHR_mesh_quantization",           "KHR_texture_transform"};
+constexpr std::array<std::string_view, 12> kKnownExtensions{"EXT_mesh_gpu_instancing",
+                                                            "KHR_lights_punctual",
+                                                            "KHR_materials_anisotropy",
+                                                            "KHR_materials_clearcoat",
+                                                            "KHR_materials_emissive_strength",
+                                                            "KHR_materials_ior",
+                                                            "KHR_materials_specular",
+                                                            "KHR_materials_transmission",
+                                                            "KHR_materials_unlit",
+                                                            "KHR_materials_volume",
+                                                            "KHR_mesh_quantization",
+                                                            "KHR_texture_transform"};
 
 // Weft reads this extension of textures only to name it in messages.
 constexpr std::string_view kBasisImages = "KHR_texture_basisu";

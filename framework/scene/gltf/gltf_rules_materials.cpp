@@ -94,6 +94,12 @@ void check_material_extensions(Checker& c, const Fields& material) {
         specular->numbers("specularColorFactor", 3);
         warn_of_textures(c, *specular, {"specularTexture", "specularColorTexture"});
     }
+    if (const auto coat = material.extension("KHR_materials_clearcoat")) {
+        coat->number_in("clearcoatFactor", 0, 1);
+        coat->number_in("clearcoatRoughnessFactor", 0, 1);
+        warn_of_textures(c, *coat,
+                         {"clearcoatTexture", "clearcoatRoughnessTexture", "clearcoatNormalTexture"});
+    }
     check_transmission(c, material);
     if (const auto ior = material.extension("KHR_materials_ior")) ior->number_in("ior", 0, kUnbounded);
     if (const auto strength = material.extension("KHR_materials_emissive_strength")) {

@@ -43,7 +43,8 @@ struct Material {
     vec4 ripples;            // xy, zw: velocities of the two layers of the normal map, in uv/s. 0: one layer, still.
     float thickness_m;       // Of the body behind the surface, along the normal; 0: thin.
     float ior;               // Index of refraction.
-    float reserved1, reserved2;
+    float clearcoat;         // Share of the surface with a clear coat, 0 to 1.
+    float clearcoat_roughness;  // Perceptual roughness of the coat, 0 to 1.
 };
 
 #include "end.glsl"

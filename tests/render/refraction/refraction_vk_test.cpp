@@ -70,6 +70,7 @@ class Refraction : public ReflectionTest {
                     {"hdr", "depth"}, graph);
     }
     static glm::vec3 light_at(const LastFrame& last, int x, int y) {
+        EXPECT_TRUE(std::isfinite(last.images.at("hdr")[size_t(y) * kWaterSize.width + size_t(x)].g));
         return glm::vec3(last.images.at("hdr")[size_t(y) * kWaterSize.width + size_t(x)]) / last.pre_exposure;
     }
     // The place of the plane y = 0 in the middle of a pixel.
@@ -150,7 +151,7 @@ TEST_F(Refraction, HasNoSeamAtTheShore) {
     EXPECT_LE(darkest, 0.45f);
 }
 
-// A box stands in the water and reaches above it. Its light above the water is not seen in the water.
+// A box floats above the water. The water shows nothing of the box at places where the eye sees the floor.
 TEST_F(Refraction, ShowsNothingThatIsInFrontOfTheWater) {
     scene::Scene scene;
     scene.sky_zenith = scene.sky_horizon = glm::vec3(0);
@@ -163,12 +164,14 @@ TEST_F(Refraction, ShowsNothingThatIsInFrontOfTheWater) {
     int reds = 0;
     for (int y = 0; y < int(kWaterSize.height); ++y) {
         for (int x = 0; x < int(kWaterSize.width); ++x) {
-            const glm::vec3 light = light_at(last, x, y);
-            if (light.r > 0.01f && light.g > 0.01f) ++reds;
+            const float depth = last.images.at("depth")[size_t(y) * kWaterSize.width + size_t(x)].r;
+            const bool floor = depth > 0 && place_at(last.view, x, y, depth).y < -0.5f * kDepth_m;
+            if (floor && light_at(last, x, y).r > 0.01f) ++reds;
         }
     }
-    std::printf("%d pixels show the box and the water\n", reds);
-    EXPECT_LE(reds, 4);
+    std::printf("%d pixels of the floor show the box\n", reds);
+    // Devices round the place between texels differently in textureGather() and in the filter.
+    EXPECT_LE(reds, 2);
 }
 
 // Uniform light stays uniform: the surface mirrors a part of it and lets the rest pass.

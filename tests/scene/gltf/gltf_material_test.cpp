@@ -55,6 +55,18 @@ TEST_F(GltfMaterial, UnlitShowsItsBaseColour) {
         EXPECT_EQ(warning.message.find("unlit"), std::string::npos) << warning.message;
 }
 
+TEST_F(GltfMaterial, ReadsClearcoat) {
+    const Material material = load(with_material(R"({"extensions":{"KHR_materials_clearcoat":{
+        "clearcoatFactor":0.5,"clearcoatRoughnessFactor":0.25,"clearcoatTexture":{"index":0}}}})"))
+                                  .materials.at(0);
+    EXPECT_FLOAT_EQ(material.clearcoat, 0.5f);
+    EXPECT_FLOAT_EQ(material.clearcoat_roughness, 0.25f);
+    ASSERT_EQ(warnings_.size(), 1u);
+    EXPECT_EQ(where(warnings_[0]), "S153 /materials/0/extensions/KHR_materials_clearcoat/clearcoatTexture");
+    EXPECT_EQ(
+        load(with_material(R"({"extensions":{"KHR_materials_clearcoat":{}}})")).materials.at(0).clearcoat, 0);
+}
+
 TEST_F(GltfMaterial, ReadsTransmission) {
     const Scene scene = load(with_material(R"({"extensions":{
         "KHR_materials_transmission":{"transmissionFactor":0.75,"transmissionTexture":{"index":0}},

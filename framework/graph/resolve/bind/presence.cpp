@@ -94,6 +94,8 @@ void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const
             return in_other_round(expansion.passes[pin], expansion.passes[pass]);
         });
         if (port.draft.pinned()) return;
+        // The "if" or "repeat" of the pass has a fault, which is reported.
+        if (!expansion.dropped.contains(*name)) return;
         const PassDesc& dropped = *expansion.dropped.at(*name);
         if (!passes_on(dropped, ref.name)) break;
         if (const std::string* next = own_pin(dropped, ref.name)) {

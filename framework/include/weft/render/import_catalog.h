@@ -1,15 +1,16 @@
 // Purpose: lists the imports that a scene offers to graphs; needs no device. Three draw lists, "opaque",
 // "masked" and "transparent", together contain all draws of the scene. The draw list "anisotropic" repeats
-// some draws of "opaque" and "masked", and the draw list "refractive" repeats the draws of "transparent"
-// whose materials let light pass by transmission. The draw lists "opaqueStill" and "maskedStill" have the
-// draws of "opaque" and "masked" whose objects do not move. Further imports: a buffer with the draw commands
-// of each of the first four lists (opaqueCommands, …), buffers that describe the objects (instances, bounds,
-// meshes, materials), the buffer sceneLights, the table materialTextures with the textures of all materials,
-// the irradiance probes (render/probes/probe_imports.h), and the output image. The list of views "sun" has
-// the cascades of the sun. "furtherSuns" has the views of the directional lights 2 to 4. "sceneSuns" has
-// views of the directional lights 1 to 4 over all objects that do not move. "lampFaces" has the views of the
-// scene's lamps, and "lampShadows" the views of their shadow maps. Graphs may also use the view "camera", the
-// element types Light and DrawCommand, the element types of these buffers, and the numbers directionalLights,
+// some draws of "opaque" and "masked", "coated" repeats those of their other draws that have a clear coat,
+// and the draw list "refractive" repeats the draws of "transparent" whose materials let light pass by
+// transmission. The draw lists "opaqueStill" and "maskedStill" have the draws of "opaque" and "masked" whose
+// objects do not move. Further imports: a buffer with the draw commands of each of the first four lists
+// (opaqueCommands, …), buffers that describe the objects (instances, bounds, meshes, materials), the buffer
+// sceneLights, the table materialTextures with the textures of all materials, the irradiance probes
+// (render/probes/probe_imports.h), and the output image. The list of views "sun" has the cascades of the sun.
+// "furtherSuns" has the views of the directional lights 2 to 4. "sceneSuns" has views of the directional
+// lights 1 to 4 over all objects that do not move. "lampFaces" has the views of the scene's lamps, and
+// "lampShadows" the views of their shadow maps. Graphs may also use the view "camera", the element types
+// Light and DrawCommand, the element types of these buffers, and the numbers directionalLights,
 // environmentPictures, outputIsLinear and irradianceProbes.
 #pragma once
 
@@ -21,8 +22,8 @@
 
 namespace weft::render {
 
-inline constexpr std::array kDrawLists{"opaque",     "masked",      "transparent", "anisotropic",
-                                       "refractive", "opaqueStill", "maskedStill"};
+inline constexpr std::array kDrawLists{"opaque", "masked",     "transparent", "anisotropic",
+                                       "coated", "refractive", "opaqueStill", "maskedStill"};
 // The lists whose draw commands graphs can import.
 inline constexpr std::array kCommandLists{"opaque", "masked", "transparent", "anisotropic"};
 // True if the list has no objects that move.

@@ -95,16 +95,20 @@ struct Material {
     float anisotropy_rotation_rad = 0;
     // Linear: channels rg are the direction, channel b is a factor for the strength.
     TextureSlot anisotropy_texture;
+    // KHR_materials_clearcoat: a thin layer with an index of refraction of 1.5 on top of the surface.
+    // `clearcoat` is the share of the surface that it covers, 0 to 1.
+    float clearcoat = 0;
+    float clearcoat_roughness = 0;
     // KHR_materials_transmission and KHR_materials_volume. Of the light that the surface does not mirror, the
     // share `transmission` (0 to 1) passes through it. Behind the surface lies a body with this thickness,
-    // measured along the normal; 0: a thin sheet, which refracts and absorbs nothing. Along the distance d, the
-    // body lets exp(−absorption_per_m · d) of the light pass. A material with a transmission above 0 has the
-    // alpha mode `blend`.
+    // measured along the normal; 0: a thin sheet, which refracts and absorbs nothing. Along the distance d,
+    // the body lets exp(−absorption_per_m · d) of the light pass. A material with a transmission above 0 has
+    // the alpha mode `blend`.
     float transmission = 0;
     float thickness_m = 0;
     glm::vec3 absorption_per_m{0};
-    // If it is not 0, the normal map is used as two layers of ripples that move. xy and zw: their velocities in
-    // texture coordinates per second. The second layer is rotated by 90°.
+    // If it is not 0, the normal map is used as two layers of ripples that move. xy and zw: their velocities
+    // in texture coordinates per second. The second layer is rotated by 90°.
     glm::vec4 ripples{0};
 };
 

@@ -96,6 +96,13 @@ void apply_anisotropy(const tinygltf::ExtensionMap& extensions, const tinygltf::
     out.anisotropy_texture = extension_slot(*anisotropy, "anisotropyTexture", model);
 }
 
+void apply_clearcoat(const tinygltf::ExtensionMap& extensions, Material& out) {
+    const tinygltf::Value* coat = find_extension(extensions, "KHR_materials_clearcoat");
+    if (coat == nullptr) return;
+    out.clearcoat = unit(number_or(*coat, "clearcoatFactor", 0));
+    out.clearcoat_roughness = unit(number_or(*coat, "clearcoatRoughnessFactor", 0));
+}
+
 // Implements KHR_materials_transmission and KHR_materials_volume. The surface is drawn after the opaque ones,
 // even if its alpha mode is OPAQUE. A mask cannot be transmissive.
 void apply_transmission(const tinygltf::ExtensionMap& extensions, Material& out) {
@@ -103,6 +110,7 @@ void apply_transmission(const tinygltf::ExtensionMap& extensions, Material& out)
     if (transmission == nullptr || out.alpha_mode == AlphaMode::mask) return;
     out.transmission = unit(number_or(*transmission, "transmissionFactor", 0));
     if (out.transmission == 0) return;
+    if (out.alpha_mode == AlphaMode::opaque) out.base_color.a = 1;
     out.alpha_mode = AlphaMode::blend;
     const tinygltf::Value* volume = find_extension(extensions, "KHR_materials_volume");
     if (volume == nullptr) return;
@@ -111,7 +119,9 @@ void apply_transmission(const tinygltf::ExtensionMap& extensions, Material& out)
     if (distance_m <= 0) return;
     constexpr float kDarkest = 1e-4f;
     const glm::vec3 color = vector_or(number_array(*volume, "attenuationColor"), glm::vec3(1));
-    out.absorption_per_m = -glm::log(glm::clamp(color, glm::vec3(kDarkest), glm::vec3(1))) / distance_m;
+    constexpr float kMostAbsorption_per_m = 1e6f;
+    const glm::vec3 passed = glm::clamp(color, glm::vec3(kDarkest), glm::vec3(1));
+    out.absorption_per_m = glm::min(-glm::log(passed) / distance_m, glm::vec3(kMostAbsorption_per_m));
 }
 
 // Implements KHR_materials_unlit: the surface shows its base colour and ignores lights. The material becomes
@@ -126,7 +136,7 @@ void make_unlit(Material& out) {
     out.roughness = 1;
     out.normal_texture = {};
     out.anisotropy = 0;
-    out.transmission = 0;
+    out.clearcoat = 0;
 }
 
 }  // namespace
@@ -153,8 +163,11 @@ Material convert_material(const tinygltf::Material& source, const tinygltf::Mode
     out.emissive_texture = convert_slot(source.emissiveTexture, model);
     apply_material_extensions(source.extensions, out);
     apply_anisotropy(source.extensions, model, out);
-    apply_transmission(source.extensions, out);
-    if (find_extension(source.extensions, "KHR_materials_unlit") != nullptr) make_unlit(out);
+    apply_clearcoat(source.extensions, out);
+    if (find_extension(source.extensions, "KHR_materials_unlit") == nullptr)
+        apply_transmission(source.extensions, out);
+    else
+        make_unlit(out);
     return out;
 }
 
