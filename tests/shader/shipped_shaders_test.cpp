@@ -42,7 +42,9 @@ std::vector<Shipped> shipped(const fs::path& folder) {
 std::vector<const char*> programs_of(const std::string& header) {
     const auto names = [&header](const char* word) { return header.find(word) != std::string::npos; };
     if (names("gl_Position")) return {"vertices"};
-    if (names("gl_FragCoord") || names("gl_FrontFacing")) return {"surface"};
+    if (names("gl_FragCoord") || names("gl_FrontFacing") || names("surface_fragment.glsl"))
+        return {"surface"};
+    if (names("gl_WorkGroupSize")) return {"alone.comp"};
     return {"alone.comp", "alone.frag", "vertices"};
 }
 
