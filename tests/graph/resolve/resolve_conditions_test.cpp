@@ -154,6 +154,15 @@ TEST_F(ResolveConditions, SkippingAnInPlacePassPassesTheVersionOn) {
     EXPECT_EQ(seen(good(body), "pinned", "x"), "fog");
 }
 
+TEST_F(ResolveConditions, APinOfAPassWithAFaultyConditionAddsNoError) {
+    const Diagnostic d = bad(R"j("resources": {"x": "rgba16f"}, "passes": {
+      "maker": {"type": "clear", "out": ["x"]},
+      "fog": {"type": "clear", "if": "outptu.x", "out": {"x": "x@maker"}},
+      "pinned": {"type": "readback", "in": ["x@fog"]}})j");
+    EXPECT_EQ(d.code, "W107");
+    EXPECT_EQ(d.line, 3u);
+}
+
 TEST_F(ResolveConditions, APinOfADroppedPassFollowsItsOwnPin) {
     const auto body = [](const std::string& fog) {
         return R"j("resources": {"x": "rgba16f"}, "passes": {
