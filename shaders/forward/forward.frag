@@ -43,8 +43,7 @@ vec3 layered_luminance(Surface base, vec3 point, vec3 orm, float coat_roughness)
         if (i == 1) {
             share = material.clearcoat;
             layer = make_surface(mesh_normal(), vec3(0.0), 0.0, coat_roughness, vec3(kCoatF0), 1.0);
-            const Surface c = with_albedo(layer, normalize(view.eye - point));
-            light *= 1.0 - share * c.energy * (c.f0 * c.albedo.x + c.f90 * c.albedo.y);
+            light *= 1.0 - share * mirrored_share(with_albedo(layer, normalize(view.eye - point)));
             orm.g = coat_roughness;
         }
         light += share * reflected_radiance(layer, point, orm, pixel);
@@ -86,8 +85,7 @@ void main() {
     const float coverage = BLENDED ? base.a : 1.0;
     float alpha = coverage;
     if (transmission > 0.0) {
-        s = with_albedo(s, normalize(view.eye - point));
-        const vec3 mirrored = s.energy * (s.f0 * s.albedo.x + s.f90 * s.albedo.y);
+        const vec3 mirrored = mirrored_share(with_albedo(s, normalize(view.eye - point)));
         alpha *= 1.0 - transmission * (1.0 - dot(mirrored, vec3(1.0 / 3.0)));
     }
     hdr = vec4(nearest_half(min(radiance * coverage, vec3(kMaxStored))), alpha);

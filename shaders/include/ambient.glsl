@@ -100,7 +100,7 @@ AmbientLight with_near_field(AmbientLight light, NearField near, vec3 n, vec3 mi
 // surface reflects the sky like an isotropic surface whose highlight has the same brightness in its middle. `pixel`:
 // the pixel of the surface.
 vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2 pixel) {
-    const vec3 specular = (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy;
+    const vec3 specular = mirrored_share(s);
     const vec3 across = s.anisotropic ? bent_normal(s, v, roughness) : s.normal;
     const float blur = s.anisotropic ? sqrt(sqrt(s.alphas.x * s.alphas.y)) : roughness;
     const vec3 mirrored = reflect(-v, across);

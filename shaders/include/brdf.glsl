@@ -51,6 +51,10 @@ Surface stretched(Surface s, vec3 tangent, float strength) {
     return s;
 }
 
+// Returns the share of uniform light that the surface mirrors to the eye. with_albedo() of dfg.glsl must have set
+// `s.albedo` and `s.energy`.
+vec3 mirrored_share(Surface s) { return (s.f0 * s.albedo.x + s.f90 * s.albedo.y) * s.energy; }
+
 // Returns the GGX distribution D. 1 − (n·h)² is computed as |n × h|², which is more precise for narrow highlights.
 float ggx_distribution(float alpha, vec3 n, vec3 h) {
     const vec3 c = cross(n, h);

@@ -59,6 +59,11 @@ void check_light_extras(Checker& c, const nlohmann::json& objects);
 // Checks the objects `extras.weft.probe` of the nodes. `objects` has one entry for each node: the object, or
 // null if the node has no such object.
 void check_probe_extras(Checker& c, const nlohmann::json& objects);
+// Returns the fields of `ours`, an object of Weft in the extras of the file, whose place is the JSON pointer
+// `place`. Returns nullopt if it is null, or, with an error, if it is not an object. `example` is the help
+// for the error.
+[[nodiscard]] std::optional<Fields> extras_object(Checker& c, const nlohmann::json& ours,
+                                                  const std::string& place, const std::string& example);
 // Warns of keys that are not known.
 void warn_of_other_keys(Checker& c, const Fields& fields, std::initializer_list<const char*> known);
 // Warns that skins and morph targets are ignored: the meshes are drawn in their rest pose.

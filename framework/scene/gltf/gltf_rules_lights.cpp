@@ -98,6 +98,15 @@ void warn_of_other_keys(Checker& c, const Fields& fields, std::initializer_list<
     }
 }
 
+std::optional<Fields> extras_object(Checker& c, const nlohmann::json& ours, const std::string& place,
+                                    const std::string& example) {
+    if (ours.is_null()) return std::nullopt;
+    if (ours.is_object()) return Fields(ours, place, c.report);
+    const std::string name = place.substr(place.rfind('/') + 1);
+    c.report.error("S108", place, "\"" + name + "\" is " + describe(ours) + "; wanted an object", example);
+    return std::nullopt;
+}
+
 void check_light_extras(Checker& c, const nlohmann::json& extras) {
     const std::optional<Fields> punctual = c.root.extension("KHR_lights_punctual");
     if (!punctual || c.report.failed()) return;
@@ -105,16 +114,12 @@ void check_light_extras(Checker& c, const nlohmann::json& extras) {
     punctual->each("lights", c.limits.array_items, [&](const Fields& light) {
         const nlohmann::json& ours = extras[self++];
         c.out.lights.emplace_back();
-        if (ours.is_null()) return;
-        const std::string place = light.pointer_to("extras/weft");
-        if (!ours.is_object()) {
-            c.report.error(
-                "S108", place, "\"weft\" is " + describe(ours) + "; wanted an object",
-                "write for example { \"type\": \"rectangle\", \"size\": [1, 1] }, or remove the key");
-            return;
-        }
+        const std::optional<Fields> fields = extras_object(
+            c, ours, light.pointer_to("extras/weft"),
+            "write for example { \"type\": \"rectangle\", \"size\": [1, 1] }, or remove the key");
+        if (!fields) return;
         const std::string type = light.text("type", Need::required).value_or("");
-        check_extras(c, Fields(ours, place, c.report), type, c.out.lights.back());
+        check_extras(c, *fields, type, c.out.lights.back());
     });
 }
 

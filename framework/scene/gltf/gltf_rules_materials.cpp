@@ -153,17 +153,12 @@ void check_material_extras(Checker& c, const nlohmann::json& extras) {
     uint32_t self = 0;
     c.root.each("materials", c.limits.materials, [&](const Fields& material) {
         const uint32_t index = self++;
-        const nlohmann::json& ours = extras[index];
-        if (ours.is_null()) return;
-        const std::string place = material.pointer_to("extras/weft");
-        if (!ours.is_object()) {
-            c.report.error("S108", place, "\"weft\" is " + describe(ours) + "; wanted an object",
-                           "write for example { \"ripples\": [0.02, 0.01, -0.01, 0.02] }, or remove the key");
-            return;
-        }
-        const Fields fields(ours, place, c.report);
-        warn_of_other_keys(c, fields, {"ripples"});
-        const std::vector<double> ripples = fields.numbers("ripples", 4);
+        const std::optional<Fields> fields =
+            extras_object(c, extras[index], material.pointer_to("extras/weft"),
+                          "write for example { \"ripples\": [0.02, 0.01, -0.01, 0.02] }, or remove the key");
+        if (!fields) return;
+        warn_of_other_keys(c, *fields, {"ripples"});
+        const std::vector<double> ripples = fields->numbers("ripples", 4);
         if (!ripples.empty())
             c.out.ripples[index] = glm::vec4(ripples[0], ripples[1], ripples[2], ripples[3]);
     });

@@ -85,29 +85,6 @@ Field fractal_noise(uint32_t size, const FractalShape& shape, uint32_t seed) {
     return field;
 }
 
-Cell worley(glm::vec2 position, uint32_t cells_x, uint32_t cells_y, uint32_t seed) {
-    const auto base_x = static_cast<int>(std::floor(position.x));
-    const auto base_y = static_cast<int>(std::floor(position.y));
-    Cell cell{8, 8, 0};
-    for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-            const auto x = static_cast<uint32_t>(base_x + dx + static_cast<int>(cells_x)) % cells_x;
-            const auto y = static_cast<uint32_t>(base_y + dy + static_cast<int>(cells_y)) % cells_y;
-            const float jitter_x = 0.15f + 0.7f * hash_unit(x, y, seed);
-            const float jitter_y = 0.15f + 0.7f * hash_unit(x, y, seed + 1);
-            const glm::vec2 point{static_cast<float>(base_x + dx) + jitter_x,
-                                  static_cast<float>(base_y + dy) + jitter_y};
-            const float distance = glm::length(point - position);
-            if (distance < cell.nearest) {
-                cell = {distance, cell.nearest, hash_u32(x + y * 4099 + seed)};
-            } else if (distance < cell.second) {
-                cell.second = distance;
-            }
-        }
-    }
-    return cell;
-}
-
 NoiseBank make_noise_bank(uint32_t size) {
     return {fractal_noise(size, {3, 3, 6, 0.55f}, 11), fractal_noise(size, {12, 12, 5, 0.55f}, 23),
             fractal_noise(size, {64, 64, 3, 0.6f}, 37), fractal_noise(size, {6, 96, 3, 0.6f}, 53)};

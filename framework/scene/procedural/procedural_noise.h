@@ -48,17 +48,6 @@ struct FractalShape {
 };
 [[nodiscard]] Field fractal_noise(uint32_t size, const FractalShape& shape, uint32_t seed);
 
-// Result of cell noise at one position. Cell noise places one point at random in each cell. The result has
-// the distances from the position to the nearest and the second nearest point, in cells, and the id of the
-// nearest point.
-struct Cell {
-    float nearest = 0;
-    float second = 0;
-    uint32_t id = 0;
-};
-// `position` is in cells. The pattern repeats after cells_x × cells_y cells.
-[[nodiscard]] Cell worley(glm::vec2 position, uint32_t cells_x, uint32_t cells_y, uint32_t seed);
-
 // Noise fields that all materials read at different offsets, so that a scene computes the fields only once.
 struct NoiseBank {
     Field coarse;  // Noise with 3 cells per side in the first octave.

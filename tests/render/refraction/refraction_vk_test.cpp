@@ -50,7 +50,7 @@ void add_water(scene::Scene& scene, const scene::Material& material, float half_
     add_box(scene, {-half_x_m, -0.001f, -4}, {half_x_m, 0, 2}, material);
 }
 
-// What the eye sees through a place of the surface.
+// The stripe that the eye sees through a place of the surface, and its light.
 struct Through {
     int stripe = 0;
     glm::vec3 light{0};

@@ -95,8 +95,9 @@ void Presence::find_pins(PassId pass, const RefDesc& ref, BoundPort& port) const
         });
         if (port.draft.pinned()) return;
         // The "if" or "repeat" of the pass has a fault, which is reported.
-        if (!expansion.dropped.contains(*name)) return;
-        const PassDesc& dropped = *expansion.dropped.at(*name);
+        const auto found = expansion.dropped.find(*name);
+        if (found == expansion.dropped.end()) return;
+        const PassDesc& dropped = *found->second;
         if (!passes_on(dropped, ref.name)) break;
         if (const std::string* next = own_pin(dropped, ref.name)) {
             if (!expansion.instances.contains(*next)) break;
