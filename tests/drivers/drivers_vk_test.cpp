@@ -44,8 +44,8 @@ struct Fault {
 };
 
 constexpr Fault kFaults[] = {
-    {"bloom", "bloom/up.comp", "params.spread)", "params.spread * 1.03)"},
-    {"bloom", "bloom/mix.frag", "params.strength)", "params.strength * 1.03)"},
+    {"bloom", "bloom/up.comp", "params.bloomSpread)", "params.bloomSpread * 1.03)"},
+    {"bloom", "bloom/tonemap.frag", "params.bloomStrength)", "params.bloomStrength * 1.03)"},
     {"dof", "dof/circle.glsl", "= aperture_m *", "= 1.03 * aperture_m *"},
     {"edges", "edges/edges.frag", "params.exposure", "params.exposure * 1.03"},
     {"edges", "edges/lines.comp", "jump / params.jump", "jump * 1.03 / params.jump"},

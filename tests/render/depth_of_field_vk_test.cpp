@@ -1,4 +1,4 @@
-// Tests the depth-of-field passes of graphs/dof.json on pictures with known depths: sharp objects do not leak
+// Tests the depth-of-field passes of graphs/modules/depth_of_field.json on pictures with known depths: sharp objects do not leak
 // into the background, and small bright lamps become uniform discs.
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ class DepthOfField : public ShippedEffects {
                            {"depth", "depth"},
                            {"params", {{"right_m", right_m}}},
                            {"state", {{"depth", "always_write"}}}};
-        Json graph = behind_picture("dof", picture, {"part", "reach", "blur", "lens"},
+        Json graph = behind_picture("depth_of_field", picture, {"part", "reach", "blur", "lens"},
                                     {"behind", "before", "hidden", "soft", "circles", "reach"});
         graph["params"]["aperture"]["default"] = 2;
         return this->picture(graph, kSize, {"hdr"})["hdr"];
@@ -150,7 +150,7 @@ class Lamps : public ShippedEffects {
                            {"depth", "depth"},
                            {"params", {{"lamp_m", lamp_m}, {"wall_m", wall_m}}},
                            {"state", {{"depth", "always_write"}}}};
-        Json graph = behind_picture("dof", picture, {"part", "reach", "blur", "lens"},
+        Json graph = behind_picture("depth_of_field", picture, {"part", "reach", "blur", "lens"},
                                     {"behind", "before", "hidden", "soft", "circles", "reach"});
         graph["params"]["aperture"]["default"] = 2;
         const auto seen = this->picture(graph, kSize, {"hdr", "hdr@glass", "depth"});

@@ -14,14 +14,14 @@ inline Json shipped(const std::string& name) {
     return Json::parse(read_text(graph_path(name)).value_or("{}"), nullptr, true, true);
 }
 
-// Returns a graph that begins with the pass `picture`, which writes `hdr`. The passes `passes` of the shipped
-// graph `name` follow. `resources` are the resources of the shipped graph that these passes need. The first
+// Returns a graph that begins with the pass `picture`, which writes `hdr`. The passes `passes` of the module
+// `name` follow. `resources` are the resources of the module that these passes need. The first
 // pass gets the name "glass", because the effect reads the picture as "hdr@glass": in the shipped graphs,
 // "glass" is the last pass before the effect. A last pass, "show", writes `hdr` to the output.
 inline Json behind_picture(const std::string& name, const Json& picture,
                            std::initializer_list<const char*> passes,
                            std::initializer_list<const char*> resources) {
-    const Json whole = shipped(name);
+    const Json whole = shipped("modules/" + name);
     Json graph{{"version", 1}, {"name", name}, {"imports", {{"backbuffer", "output"}}}};
     graph["params"] = whole.at("params");
     graph["params"]["exposure"] = {{"default", 0}};

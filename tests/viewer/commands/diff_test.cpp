@@ -23,6 +23,12 @@ std::string changed_graph(const std::string& what, const std::string& by) {
     return text.replace(at, what.size(), by);
 }
 
+// Returns a graph that includes deferred.json and gives its image `albedo` another format.
+std::string with_format_of_albedo(const std::string& format) {
+    return R"({ "version": 1, "name": "deferred", "include": ["deferred.json"], "resources": { "albedo": ")" +
+           format + R"(" } })";
+}
+
 TEST(Diff, APlanAndItselfAreTheSame) {
     const RunResult run = run_weft({"diff", kDeferredGraph, kDeferredGraph});
     EXPECT_EQ(run.exit_code, 0) << run.text();
@@ -33,7 +39,7 @@ TEST(Diff, APlanAndItselfAreTheSame) {
 
 TEST(Diff, AnotherFormatIsAChangeOfItsResource) {
     const ScratchFolder scratch;
-    scratch.write("exact.json", changed_graph("\"albedo\":   \"rgba8\"", "\"albedo\":   \"rgb10a2\""));
+    scratch.write("exact.json", with_format_of_albedo("rgb10a2"));
     const RunResult run = run_weft({"diff", kDeferredGraph, scratch / "exact.json"});
     EXPECT_EQ(run.exit_code, 0) << run.text();
     expect_parts(run.out, {"~ albedo\n      - format rgba8\n", "      + format rgb10a2\n"});
@@ -47,7 +53,7 @@ TEST(Diff, AnotherFormatIsAChangeOfItsResource) {
 
 TEST(Diff, ALargerFormatIsAChangeOfMemory) {
     const ScratchFolder scratch;
-    scratch.write("wide.json", changed_graph("\"albedo\":   \"rgba8\"", "\"albedo\":   \"rgba16f\""));
+    scratch.write("wide.json", with_format_of_albedo("rgba16f"));
     const RunResult run = run_weft({"diff", kDeferredGraph, scratch / "wide.json"});
     expect_parts(run.out,
                  {"+3600.0 KiB heap", "~ albedo\n      - format rgba8\n", "      + format rgba16f\n"});

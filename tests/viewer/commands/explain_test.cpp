@@ -11,18 +11,27 @@
 namespace weft::test {
 namespace {
 
-// Returns the first place of `text` in a file as "file:line:column". The search starts at the first
-// occurrence of `after`.
-std::string place_of(const std::string& file, const std::string& text, const std::string& after = "") {
-    std::ifstream in(file);
-    std::ostringstream content;
-    content << in.rdbuf();
-    const std::string all = content.str();
-    const size_t at = all.find(text, after.empty() ? 0 : all.find(after));
-    if (at == std::string::npos) return "no " + text;
-    const auto line = 1 + std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    const size_t line_start = at == 0 ? 0 : all.rfind('\n', at - 1) + 1;
-    return file + ":" + std::to_string(line) + ":" + std::to_string(at - line_start + 1);
+// The shipped graph and those of its modules that declare what the tests ask about.
+const std::string kFiles[] = {kDeferredGraph, WEFT_SOURCE_DIR "/graphs/modules/gbuffer.json",
+                              WEFT_SOURCE_DIR "/graphs/modules/forward_layers.json",
+                              WEFT_SOURCE_DIR "/graphs/modules/tonemap.json"};
+
+// Returns the first place of `text` after the first occurrence of `after`, as "file:line:column". The files
+// are searched in the order of kFiles.
+std::string place_of(const std::string& text, const std::string& after = "") {
+    for (const std::string& file : kFiles) {
+        std::ifstream in(file);
+        std::ostringstream content;
+        content << in.rdbuf();
+        const std::string all = content.str();
+        const size_t begin = all.find(after);
+        const size_t at = begin == std::string::npos ? begin : all.find(text, begin);
+        if (at == std::string::npos) continue;
+        const auto line = 1 + std::count(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+        const size_t line_start = at == 0 ? 0 : all.rfind('\n', at - 1) + 1;
+        return file + ":" + std::to_string(line) + ":" + std::to_string(at - line_start + 1);
+    }
+    return "no " + text;
 }
 
 std::string ask(std::vector<std::string> question) {
@@ -34,18 +43,18 @@ std::string ask(std::vector<std::string> question) {
 }
 
 std::string pass_place(const std::string& name) {
-    return place_of(kDeferredGraph, "\"" + name + "\":", "\"passes\"");
+    return place_of("\"" + name + "\":", "\"passes\"");
 }
 
 std::string port_place(const std::string& pass, const std::string& port) {
-    return place_of(kDeferredGraph, "\"" + port + "\"", "\"" + pass + "\":");
+    return place_of("\"" + port + "\"", "\"" + pass + "\":");
 }
 
 // Returns the place of the resource that an input of a pass reads. The pass writes its inputs as "port":
 // "resource".
 std::string input_place(const std::string& pass, const std::string& port) {
     const std::string key = "\"" + port + "\": ";
-    const std::string place = place_of(kDeferredGraph, key, "\"" + pass + "\":");
+    const std::string place = place_of(key, "\"" + pass + "\":");
     const size_t column = place.rfind(':') + 1;
     return place.substr(0, column) + std::to_string(std::stoul(place.substr(column)) + key.size());
 }
@@ -112,10 +121,10 @@ TEST(Explain, WithoutABarrierItSaysWhyThereIsNone) {
 
 TEST(Explain, AliasSaysWhoHoldsWhichBytesAndWhen) {
     expect_parts(ask({"alias", "hdr", "albedo"}),
-                 {"They share no memory", "\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":"), "has bytes ",
+                 {"They share no memory", "\"hdr\" (" + place_of("\"hdr\":"), "has bytes ",
                   "Both are alive from ", " \"gbuffer\" to ", " \"lighting\""});
     expect_parts(ask({"alias", "velocity", "lights"}),
-                 {"They share memory", "\"lights\" (" + place_of(kDeferredGraph, "\"lights\":"),
+                 {"They share memory", "\"lights\" (" + place_of("\"lights\":"),
                   "takes over the memory from \"velocity\""});
     expect_parts(ask({"alias", "hdr", "backbuffer"}),
                  {"They share no memory", "\"backbuffer\"", "is an import"});
@@ -162,8 +171,7 @@ TEST(Explain, WaitNamesTheOtherQueueAndThePortsBehindIt) {
 
 TEST(Explain, AResourceIsDescribedWithItsUsers) {
     expect_parts(ask({"resource", "hdr"}),
-                 {"\"hdr\" (" + place_of(kDeferredGraph, "\"hdr\":") +
-                      ") is an image, rgba16f, 1280x720 (d2), transient",
+                 {"\"hdr\" (" + place_of("\"hdr\":") + ") is an image, rgba16f, 1280x720 (d2), transient",
                   "It needs 7200.0 KiB: bytes ", " of heap 0", " \"gbuffer\" to ", " \"tonemap\"",
                   " \"lighting\": port \"hdr\" (" + port_place("lighting", "hdr") + ") reads and writes",
                   "No other resource shares this memory"});
