@@ -1,5 +1,7 @@
 #include "weft/load/load_graph.h"
 
+#include <algorithm>
+#include <array>
 #include <system_error>
 #include <utility>
 
@@ -50,6 +52,7 @@ GraphReading reading_of(const LoadSettings& settings) {
 Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const LoadInput& input,
                               Diagnostics& warnings) {
     const GraphRequest& request = input.request;
+    const auto known = static_cast<ptrdiff_t>(warnings.size());
     if (!request.debug.empty()) {
         Status added = add_debug_view(desc, input.imports, request.debug);
         if (!added) return with_places(document, request.tier, added.take_errors());
@@ -72,6 +75,8 @@ Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const Loa
     if (faults.empty()) shared = agree_on_shared(document, own, input, skipped);
     if (!shared) append(faults, shared.take_errors());
     complete(document, request.tier, faults);
+    if (!own.desc.tiers.empty() && !input.compares_tiers)
+        warnings.erase(std::remove_if(warnings.begin() + known, warnings.end(), says_unused), warnings.end());
     complete(document, request.tier, warnings);
     if (!faults.empty()) return faults;
     set_usages(*shared, *graph);
@@ -80,6 +85,11 @@ Result<LoadedGraph> load_desc(const JsonDoc& document, GraphDesc desc, const Loa
 }
 
 }  // namespace
+
+bool says_unused(const Diagnostic& diagnostic) {
+    constexpr std::array kCodes{"W130", "W132", "W133", "W134", "W135", "W136"};
+    return std::ranges::find(kCodes, diagnostic.code) != kCodes.end();
+}
 
 Result<JsonDoc> read_graph(const std::string& path, const LoadSettings& settings) {
     return read_graph(path, reader_of(settings), reading_of(settings));

@@ -46,6 +46,7 @@ Result<PlannedGraph> plan_offline(const JsonDoc& document, const OfflineOptions&
                     .imports = imports,
                     .profile = profile};
     input.request.path = document.sources.files.front().path;
+    input.compares_tiers = shared != nullptr;
     if (shared != nullptr) {
         input.memory = &shared->shaders;
         if (!shared->formats && options.request.params.empty())

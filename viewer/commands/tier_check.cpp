@@ -1,18 +1,14 @@
 #include "viewer/commands/tier_check.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 
 #include "graph/syntax/merge.h"
+#include "weft/load/load_graph.h"
 
 namespace weft::viewer {
 namespace {
-
-// Codes of warnings that something is unused, such as a resource. Another tier may use the same resource. So
-// such a warning is kept only if all variants of the file have it.
-constexpr std::array kUnusedCodes{"W130", "W132", "W133", "W134", "W135", "W136"};
 
 class Findings {
  public:
@@ -42,13 +38,11 @@ class Findings {
     }
 
     // Returns all messages. A warning that something is unused is left out if it is not reported for all
-    // variants.
+    // variants, because another tier may use the same resource.
     Diagnostics take() {
         std::vector<bool> used(all_.size(), false);
         for (const auto& [place, seen] : seen_) {
-            const bool says_unused =
-                std::ranges::find(kUnusedCodes, all_[seen.index].code) != kUnusedCodes.end();
-            used[seen.index] = says_unused && seen.variants < variants_;
+            used[seen.index] = says_unused(all_[seen.index]) && seen.variants < variants_;
         }
         Diagnostics kept;
         for (size_t i = 0; i < all_.size(); ++i)

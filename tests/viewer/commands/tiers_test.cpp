@@ -60,6 +60,19 @@ TEST(TiersOfAFile, AFaultOfTheFileIsSaidOnce) {
     EXPECT_TRUE(found[1].at("tier").is_null());
 }
 
+// One tier alone does not tell whether a resource is unused.
+TEST(TiersOfAFile, APlanOfOneTierDoesNotSayThatSomethingIsUnused) {
+    const ScratchFolder folder;
+    folder.write("g.json", graph_with(R"({ "low": {}, "high": {} })"));
+    for (const std::vector<std::string>& tier : {std::vector<std::string>{}, {"--tier", "low"}}) {
+        std::vector<std::string> words{"plan", folder / "g.json"};
+        words.insert(words.end(), tier.begin(), tier.end());
+        const RunResult run = run_weft(words);
+        EXPECT_EQ(run.exit_code, 0) << run.text();
+        EXPECT_TRUE(run.err.empty()) << run.text();
+    }
+}
+
 TEST(TiersOfAFile, WhatOneOfThemUsesIsNotUnused) {
     const ScratchFolder folder;
     EXPECT_EQ(check(folder, graph_with(R"({ "low": {} })"), 0).size(), 1u) << "nobody uses rays";

@@ -76,7 +76,13 @@ struct LoadInput {
     // Receives the paths of the files that load_graph(document) searched for resources, even after an error;
     // null: not needed. parse_graph() lists them in ParsedGraph::files.
     std::set<std::filesystem::path>* searched = nullptr;
+    // True: the caller loads all tiers and compares their warnings. False: if the graph has tiers, warnings
+    // that something is unused are left out, because another tier may use it.
+    bool compares_tiers = false;
 };
+
+// True for warnings that something is unused, such as a resource or a pass.
+[[nodiscard]] bool says_unused(const Diagnostic& diagnostic);
 
 struct LoadedGraph {
     GraphDesc desc;
