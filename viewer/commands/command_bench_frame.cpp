@@ -34,8 +34,24 @@ struct Contestant {
     std::vector<RoundCost> warm_up;
 };
 
-std::string graph_path(const std::string& graph) {
-    return graph.ends_with(".json") ? graph : (shipped_root() / "graphs" / (graph + ".json")).string();
+// A measured graph: the path of its file and the name of a tier. Without a tier, the name is empty.
+struct Chosen {
+    std::string path, tier;
+};
+
+// Reads "NAME", "FILE.json", "NAME:TIER" or "FILE.json:TIER".
+Chosen chosen_graph(const std::string& text) {
+    const size_t colon = text.rfind(':');
+    const std::string graph = text.substr(0, colon);
+    return {graph.ends_with(".json") ? graph : (shipped_root() / "graphs" / (graph + ".json")).string(),
+            colon == std::string::npos ? "" : text.substr(colon + 1)};
+}
+
+// Returns the name of a measured graph for tables: "weft", or "weft:low" with a tier.
+std::string short_name(const std::string& text) {
+    const Chosen chosen = chosen_graph(text);
+    const std::string name = std::filesystem::path(chosen.path).stem().string();
+    return chosen.tier.empty() ? name : name + ":" + chosen.tier;
 }
 
 Diagnostic no_timestamps() {
@@ -73,8 +89,7 @@ class Run {
         bench_.driver = device_->info().driver;
         bench_.rounds = options_.rounds;
         bench_.lights = options_.lights;
-        for (const std::string& graph : options_.graphs)
-            bench_.graphs.push_back(std::filesystem::path(graph).stem().string());
+        for (const std::string& graph : options_.graphs) bench_.graphs.push_back(short_name(graph));
         for (const uint32_t lights : options_.lights)
             if (Status s = measure(lights); !s) return s.take_errors();
         bench_.yardsticks.trivial_ms = spread_of(trivial_ms_).median;
@@ -98,7 +113,9 @@ class Run {
 
     [[nodiscard]] Result<Contestant> enter(const scene::Scene& scene, const std::string& graph,
                                            uint32_t lights, bool awake) {
-        render_.request.path = graph_path(graph);
+        const Chosen chosen = chosen_graph(graph);
+        render_.request.path = chosen.path;
+        render_.request.tier = chosen.tier;
         render_.request.rests = !awake;
         const bool draws_scene = graph != kYardsticks;
         // `scene.lights` also contains the suns of the environment picture.

@@ -37,9 +37,10 @@ void add_bench_frame(CLI::App& bench, FrameBenchOptions& o, RawTexts& raw) {
         bench.add_subcommand("frame", "measure the frame times of graphs for several numbers of lights");
     command->add_option("SCENE", o.scene, "the scene, as in `weft render`")->capture_default_str();
     command
-        ->add_option("--graphs", o.graphs,
-                     "graphs to measure: names of shipped graphs, or .json files; each is compared with the "
-                     "first graph")
+        ->add_option(
+            "--graphs", o.graphs,
+            "graphs to measure: names of shipped graphs, or .json files, such as deferred or weft:low "
+            "for the tier low; each is compared with the first graph")
         ->delimiter(',')
         ->capture_default_str();
     command->add_option("--lights", o.lights, "numbers of random lights to measure with")

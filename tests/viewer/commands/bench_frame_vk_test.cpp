@@ -42,6 +42,21 @@ TEST(BenchFrame, MeasuresEveryGraphOverEveryNumberOfLights) {
     }
 }
 
+TEST(BenchFrame, MeasuresTiersOfAGraph) {
+    if (!has_device()) GTEST_SKIP() << "no Vulkan device";
+    const RunResult run =
+        run_weft({"bench", "frame", "builtin:spheres", "--graphs", "weft:low,reflections:water", "--lights",
+                  "2", "--size", "32x18", "--rounds", "1", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.text();
+    const Json json = Json::parse(run.out);
+    EXPECT_EQ(json["graphs"], (Json{"weft:low", "reflections:water"}));
+    const auto has = [](const Json& result, const char* name) {
+        return std::ranges::any_of(result["passes"], [&](const Json& pass) { return pass["name"] == name; });
+    };
+    EXPECT_TRUE(has(json["results"][0], "low::surfaces")) << run.out;
+    EXPECT_TRUE(has(json["results"][1], "lighting")) << run.out;
+}
+
 // The environment is filtered only in frames in which all passes run.
 TEST(BenchFrame, MeasuresPassesThatRest) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
@@ -75,8 +90,8 @@ TEST(BenchFrame, TellsWhatItCostsToLightAProbe) {
         "eight.json",
         R"json({ "version": 1, "volume": { "origin": [-1, 3, -1], "spacing": 1, "size": [2, 2, 2] } })json");
     const RunResult run =
-        run_weft({"bench", "frame", "builtin:spheres", "--graphs", "deferred", "--lights", "2",
-                  "--size", "64x36", "--rounds", "1", "--probes", folder / "eight.json", "--json"});
+        run_weft({"bench", "frame", "builtin:spheres", "--graphs", "deferred", "--lights", "2", "--size",
+                  "64x36", "--rounds", "1", "--probes", folder / "eight.json", "--json"});
     ASSERT_EQ(run.exit_code, 0) << run.text();
     const Json result = Json::parse(run.out)["results"].at(0);
     std::map<std::string, uint64_t> rounds;
