@@ -10,6 +10,7 @@
 #include "file/write_file.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/session_setup.h"
+#include "viewer/commands/swap_run.h"
 #include "viewer/commands/verify_rest.h"
 #include "viewer/output/output.h"
 #include "viewer/output/progress_text.h"
@@ -29,6 +30,8 @@ struct RunOutcome {
     std::vector<vk::FrameTiming> warm_up;  // The frames that lit the probes before the first frame.
     std::vector<vk::FrameTiming> timings;
     std::optional<vk::ReadbackData> last_readback;
+    std::vector<SwapRecord> swaps;
+    Diagnostics swap_errors;  // Of the graphs that --swap could not run.
 };
 
 // Prints the number of finished frames to stderr if rendering takes longer than a second. The number does not
@@ -132,6 +135,16 @@ void advance(render::FrameInput& frame, const std::optional<scene::CameraPath>& 
     frame.camera_cut = i > 0 && scene::shot_at(*path, before_s) != scene::shot_at(*path, frame.time_s);
 }
 
+// Leaves out the times of frames with earlier graphs, because --stats describes the passes of the last graph.
+void keep_last_plan(RunOutcome& outcome, uint32_t frames) {
+    const auto last = std::ranges::find_if(outcome.swaps.rbegin(), outcome.swaps.rend(),
+                                           [](const SwapRecord& swap) { return !swap.failed; });
+    if (last == outcome.swaps.rend()) return;
+    outcome.warm_up.clear();
+    const size_t kept = std::min(outcome.timings.size(), size_t{frames - (last->frame - 1)});
+    outcome.timings.erase(outcome.timings.begin(), outcome.timings.end() - static_cast<ptrdiff_t>(kept));
+}
+
 // Renders the frames, and writes the pictures of the last frames: as many as `options` names files.
 Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, uint32_t frames) {
     render::Session& session = *open.session;
@@ -145,7 +158,9 @@ Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, u
         options.pictures.empty() ? std::vector{options.output} : options.pictures;
     const uint32_t first_picture = frames - static_cast<uint32_t>(files.size());
     RenderProgress progress(options, frames);
+    SwapRun swaps(session, options.swap, options.every);
     for (uint32_t i = 0; i < frames; ++i) {
+        if (Status s = swaps.before_frame(i, frames); !s) return s.take_errors();
         advance(frame, open.camera_path, i);
         if (Status s = session.render_frame(frame); !s) return s.take_errors();
         collect(session, options, outcome);
@@ -158,6 +173,9 @@ Result<RunOutcome> run_frames(OpenSession& open, const RenderOptions& options, u
         if (Status s = write_picture(files[i - first_picture], options, session, outcome); !s)
             return s.take_errors();
     }
+    outcome.swaps = swaps.records();
+    keep_last_plan(outcome, frames);
+    outcome.swap_errors = swaps.errors();
     return outcome;
 }
 
@@ -189,7 +207,9 @@ ExitCode fail_on_device(const Diagnostics& errors) {
     return code;
 }
 
-ExitCode run_render(const RenderOptions& options) {
+ExitCode run_render(const RenderOptions& given) {
+    RenderOptions options = given;
+    if (!options.swap.empty()) options.request = swap_request(options.request, options.swap.front());
     // An unknown file extension is an error only for images, not for buffers. With --resource, only the
     // compiled graph tells whether the resource is a buffer, so the check follows after open_session().
     const Result<ImageFileKind> kind = image_file_kind(options.output);
@@ -220,9 +240,10 @@ ExitCode run_render(const RenderOptions& options) {
         return fail_on_device(outcome.errors());
     }
     if (!options.stats.empty()) {
-        const std::string json = stats_json(
-            {*open->device, session.plan(), outcome->output, outcome->timings, frames, options.request.tier,
-             session.pipelines_made_between_frames(), session.probe_count(), outcome->warm_up});
+        const std::string json =
+            stats_json({*open->device, session.plan(), outcome->output, outcome->timings, frames,
+                        session.selection().request.tier, session.pipelines_made_between_frames(),
+                        session.probe_count(), outcome->warm_up, outcome->swaps});
         if (Status s = write_file(options.stats, json); !s) return fail_on_device(s.errors());
     }
     const std::string& name = options.named_output.empty() ? options.output : options.named_output;
@@ -234,7 +255,8 @@ ExitCode run_render(const RenderOptions& options) {
                      options.pictures.empty() ? name.c_str() : options.pictures.front().c_str());
     // Destroying the device reports Vulkan objects that still exist, so the session is destroyed first.
     open->session.reset();
-    return report_messages(vk::destroy_device(std::move(open->device))) ? ExitCode::validation : ExitCode::ok;
+    if (report_messages(vk::destroy_device(std::move(open->device)))) return ExitCode::validation;
+    return outcome->swap_errors.empty() ? ExitCode::ok : exit_code_for(outcome->swap_errors);
 }
 
 }  // namespace weft::viewer

@@ -93,7 +93,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command.add_option("-o,--output", o.output, "the picture file to write: .png, .exr or .pfm")
         ->capture_default_str();
     command.add_option("--graph", o.request.path,
-                       "the graph file (JSON) [default: the shipped graphs/deferred.json]");
+                       "the graph file (JSON) [default: the shipped graphs/weft.json]");
     add_graph_path(command, raw);
     command.add_option("--tier", o.request.tier, "the quality tier of the graph [default: none]");
     add_size(command, raw);
@@ -102,6 +102,17 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                     "N: render N frames and write the last one; A..B: render B frames and write the frames A "
                     "to B, for example to seq%04d.png [default: `frames` of the graph, or 1]")
         ->check(frames_validator());
+    command
+        .add_option(
+            "--swap", o.swap,
+            "graphs that replace each other while frames are rendered, for example ultra,low,high: tiers of "
+            "the graph, or FILE.json, or FILE.json:TIER")
+        ->delimiter(',')
+        ->excludes("--tier");
+    command.add_option("--every", o.every, "with --swap: the number of frames that each graph renders")
+        ->transform(whole_number_in(1, 1000000))
+        ->needs("--swap")
+        ->capture_default_str();
     command
         .add_option("--fixed-dt", o.fixed_dt_s,
                     "scene time between two frames in seconds, such as 0.02 or 1/60")
@@ -165,8 +176,9 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
 void add_view(CLI::App& command, ViewOptions& o, RawTexts& raw) {
     o.render.output.clear();
     add_render(command, o.render, raw);
-    for (const char* flag : {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames",
-                             "--stats", "--sandbox", "--verify-rest", "--probe-rounds", "--camera-path"})
+    for (const char* flag :
+         {"--resource", "--debug", "--test-drop-barriers", "--output", "--frames", "--stats", "--sandbox",
+          "--verify-rest", "--probe-rounds", "--camera-path", "--every", "--swap"})
         command.remove_option(command.get_option(flag));
     command.add_flag("--headless", o.headless, "run without a window");
     command.add_option("-o,--output", o.render.output,

@@ -18,12 +18,16 @@ namespace weft::viewer {
 struct RenderOptions {
     std::string scene = "builtin:atrium";
     std::string output = "frame.png";
-    GraphRequest request;  // The graph; an empty path means the shipped graphs/deferred.json.
+    GraphRequest request;  // The graph; an empty path means the shipped graphs/weft.json.
     uint32_t frames = 0;   // Number of frames to render; 0 means the number that the graph declares.
     // With --frames A..B: A. Each frame from A to `frames` is written to a file of its own, and `output` is
     // the pattern of their names. 0: only the last frame is written. The first frame has the number 1.
     uint32_t first_picture = 0;
     std::vector<std::string> pictures;  // With --frames A..B: the files for the frames A to B.
+    // The graphs of --swap, one after the other: tiers, or files with or without a tier. Each runs for
+    // `every` frames.
+    std::vector<std::string> swap;
+    uint32_t every = 8;
     double fixed_dt_s = 1.0 / 60.0;
     std::string camera;
     std::string camera_path;  // File with keys of the camera; empty: the camera does not follow a path.
@@ -144,7 +148,8 @@ struct BenchOptions {
 
 struct FrameBenchOptions {
     std::string scene = "builtin:lights";
-    // Graphs to compare: names of shipped graphs, or paths of files.
+    // Graphs to compare: names of shipped graphs, or paths of files; with ":TIER" after it, a tier of the
+    // graph.
     std::vector<std::string> graphs{"deferred", "tiled_deferred", "light_volumes", "light_indexed"};
     std::vector<uint32_t> lights{1, 10, 50, 100, 256, 1024, 3072};
     Extent3D size{640, 360, 1};

@@ -124,6 +124,19 @@ uint64_t dropped_turns(const std::vector<vk::FrameTiming>& timings) {
     return dropped;
 }
 
+Json swaps_json(const std::vector<SwapRecord>& swaps) {
+    Json list = Json::array();
+    for (const SwapRecord& swap : swaps)
+        list.push_back({{"to", swap.to},
+                        {"frame", swap.frame},
+                        {"prepare_ms", swap.prepare_ms},
+                        {"swap_ms", swap.swap_ms},
+                        {"wait_ms", swap.wait_ms},
+                        {"rebuilt", swap.rebuilt},
+                        {"failed", swap.failed}});
+    return list;
+}
+
 Json validation_json(vk::Device& device) {
     Json validation{{"messages", device.messages().count()}, {"layers", Json::array()}};
     for (const vk::LayerInfo& layer : device.info().layers)
@@ -141,7 +154,7 @@ const ResourceDecl* resource_behind(const FramePlan& plan, const std::string& re
 std::string stats_json(const StatsInput& input) {
     const FramePlan& plan = input.plan;
     const std::optional<uint32_t> needed = count_needed_barriers(plan);
-    const Json stats{
+    Json stats{
         {"graph", plan.graph.name},
         {"tier", input.tier.empty() ? Json(nullptr) : Json(input.tier)},
         {"device", input.device.info().name},
@@ -165,6 +178,7 @@ std::string stats_json(const StatsInput& input) {
         {"dropped_turns", dropped_turns(input.timings)},
         {"pipelines_built_on_frame_thread", input.pipelines_built_on_frame_thread},
     };
+    if (!input.swaps.empty()) stats["swaps"] = swaps_json(input.swaps);
     return stats.dump(2) + "\n";
 }
 

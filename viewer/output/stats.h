@@ -9,6 +9,17 @@
 
 namespace weft::viewer {
 
+// One swap of a run, for --stats.
+struct SwapRecord {
+    std::string to;         // As given on the command line.
+    uint32_t frame = 0;     // The first frame of the new graph, from 1.
+    double prepare_ms = 0;  // Time of the second thread.
+    double swap_ms = 0;     // Time for which the swap stops the frames. It includes `wait_ms`.
+    double wait_ms = 0;     // Time until the second thread was ready; 0 if it was ready before.
+    std::string rebuilt;    // Such as "12 of 140 pipelines, a new plan".
+    bool failed = false;    // True if the graph has errors. Then the running graph stays.
+};
+
 struct StatsInput {
     vk::Device& device;
     const FramePlan& plan;
@@ -23,6 +34,7 @@ struct StatsInput {
     // Number of irradiance probes, and the times of the frames that lit them before the first frame.
     uint32_t probes = 0;
     const std::vector<vk::FrameTiming>& warm_up;
+    const std::vector<SwapRecord>& swaps;  // Of --swap.
 };
 
 [[nodiscard]] std::string stats_json(const StatsInput& input);
