@@ -25,6 +25,10 @@ draw() {
 
 draw "$here/images/atrium.png" --graph "$root/graphs/weft.json"
 draw "$here/images/atrium-night.png" --graph "$root/graphs/weft.json" --time 22
+for tier in low medium high ultra; do  # For docs/tiers.md.
+  draw "$scratch/$tier.png" --graph "$root/graphs/weft.json" --tier "$tier"
+  convert "$scratch/$tier.png" -strip -sampling-factor 4:4:4 -quality 91 "$here/images/gallery/tier-$tier.jpg"
+done
 draw "$here/images/ink.png" --graph "$here/examples/ink.json" --param penWidth=2
 
 # PICTURE GRAPH TITLE ALT [OPTION…], the description on stdin.
@@ -71,8 +75,8 @@ show bloom bloom "Bloom" "A court at night: lamps, candles and lanterns glow sof
 Bloom imitates a lens, which scatters a share of all incoming light. The picture is halved six times, with a filter that
 gives every texel the same weight. On the way back to full size, each mip is mixed in place with the next coarser mip.
 The result replaces a share of the picture, so bloom needs no threshold and adds no light. The graph needs only one
-entry to halve the mips and one entry to mix them, because each entry is a repeat over the mips. A blend state mixes the
-result into the picture.
+entry to halve the mips and one entry to mix them, because each entry is a repeat over the mips. The tone curve mixes the
+result with the picture. The module `graphs/modules/bloom.json` does all of this.
 END
 
 show reflections reflections "Reflections of the screen" "The pool mirrors the fountain, the columns and the curtains" \
@@ -88,7 +92,7 @@ show water weft "Water" "A pool from its end: tiles bent by ripples, lilies, and
   --camera=0.3,1.2,3.9,-0.1,0.3,-0.5,60 <<'END'
 Two layers of a normal map move over the water. The surface bends the picture behind it, the water absorbs red light, and
 the rest is mirrored. [Glass and water](scenes.md#glass-and-water) lists what a material needs. `weft.json` is the frame
-with everything: shadows, light probes, near field, reflections and temporal anti-aliasing.
+with everything: shadows, light probes, near field, reflections and temporal anti-aliasing, in four [tiers](tiers.md).
 END
 
 show taa taa "Temporal anti-aliasing" "The court in the sun; wires, railings and leaves have no stairs" <<'END'

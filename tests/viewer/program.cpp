@@ -69,6 +69,7 @@ std::vector<std::string> with_test_options(std::vector<std::string> arguments) {
     const auto has = [&](const char* option) {
         return std::ranges::find(arguments, option) != arguments.end();
     };
+    if (draws && !has("--graph")) arguments.insert(arguments.end(), {"--graph", kDeferredGraph});
     if (draws && !has("--timeout"))
         arguments.insert(arguments.end(), {"--timeout", std::to_string(kMostCpu_s)});
     if (draws && !has("--probes")) arguments.insert(arguments.end(), {"--probes", "none"});

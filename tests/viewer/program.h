@@ -46,9 +46,9 @@ void reset_signals();
 // limits.
 void limit_time(unsigned most_cpu_s = kMostCpu_s);
 
-// Adds `--timeout 1200` (kMostCpu_s, in seconds) and `--probes none` to the commands `render` and `view`,
-// unless the arguments contain these options. With the default of 60 s, a frame can fail on a very busy
-// machine. Without probes, pictures take less time.
+// Adds `--graph deferred.json`, `--timeout 1200` (kMostCpu_s, in seconds) and `--probes none` to the commands
+// `render` and `view`, unless the arguments contain these options. With the default of 60 s, a frame can fail
+// on a very busy machine. With one frame and without probes, pictures take less time.
 [[nodiscard]] std::vector<std::string> with_test_options(std::vector<std::string> arguments);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;

@@ -63,7 +63,8 @@ std::string probes_text(const FoundProbes& found) {
            bytes_text(memory.reflection_bytes) + " for reflections\n";
 }
 
-ExitCode write_probe_picture(const std::string& path, const scene::Scene& scene, const scene::Probes& probes) {
+ExitCode write_probe_picture(const std::string& path, const scene::Scene& scene,
+                             const scene::Probes& probes) {
     const ProbePicture picture = draw_probes(scene, probes);
     const Status written =
         write_png(path, picture.width_px, picture.height_px, std::as_bytes(std::span(picture.rgba)));
@@ -108,7 +109,8 @@ ExitCode run_scene(const SceneOptions& options) {
         find_probes(*scene, {options.scene, options.probes, glm::vec3(camera->transform[3])}, options.limits);
     if (!found) return end_with(found.errors());
     if (!options.picture.empty()) {
-        if (const ExitCode code = write_probe_picture(options.picture, *scene, found->probes); code != ExitCode::ok)
+        if (const ExitCode code = write_probe_picture(options.picture, *scene, found->probes);
+            code != ExitCode::ok)
             return code;
     }
     return print_data(options.json ? probes_to_json(found->probes)

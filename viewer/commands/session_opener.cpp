@@ -59,8 +59,7 @@ render::SessionInput session_input(const RenderOptions& options, const PassCatal
     render::SessionInput input;
     input.adds_parts = false;
     input.request = options.request;
-    if (input.request.path.empty())
-        input.request.path = (shipped_root() / "graphs" / "deferred.json").string();
+    if (input.request.path.empty()) input.request.path = (shipped_root() / "graphs" / "weft.json").string();
     if (!options.resource.empty()) input.request.observed.push_back(options.resource);
     if (!input.request.debug.empty()) input.request.observed.emplace_back(kDebugView);
     input.load = load_settings(options.limits, options.graph_path);

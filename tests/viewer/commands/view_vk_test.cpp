@@ -149,10 +149,10 @@ TEST_F(View, WritesThePictureAfterEachReload) {
 TEST_F(View, DrawsAFrameThoughItsInputHasEnded) {
     if (!has_device()) GTEST_SKIP() << "no Vulkan device";
     const ScratchFolder folder;
-    const RunResult view =
-        run_program({"sh", "-c",
-                     std::string(WEFT_PROGRAM) + " view builtin:spheres --headless --probes none --size 64x36 -o " +
-                         (folder / "view.png") + " </dev/null"});
+    const RunResult view = run_program({"sh", "-c",
+                                        std::string(WEFT_PROGRAM) + " view builtin:spheres --graph " +
+                                            kDeferredGraph + " --headless --probes none --size 64x36 -o " +
+                                            (folder / "view.png") + " </dev/null"});
     ASSERT_EQ(view.exit_code, 0) << view.text();
     const RunResult render =
         run_weft({"render", "builtin:spheres", "--size", "64x36", "-o", folder / "render.png"});
