@@ -85,6 +85,20 @@ void add_graph_path(CLI::App& command, RawTexts& raw) {
         ->check(folder_validator());
 }
 
+void add_swap(CLI::App& command, RenderOptions& o) {
+    command
+        .add_option(
+            "--swap", o.swap,
+            "graphs that replace each other while frames are rendered, for example ultra,low,high: tiers of "
+            "the graph, or FILE.json, or FILE.json:TIER")
+        ->delimiter(',')
+        ->excludes("--tier");
+    command.add_option("--every", o.every, "with --swap: the number of frames that each graph renders")
+        ->transform(whole_number_in(1, 1000000))
+        ->needs("--swap")
+        ->capture_default_str();
+}
+
 void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
     command
         .add_option("SCENE", o.scene,
@@ -102,17 +116,7 @@ void add_render(CLI::App& command, RenderOptions& o, RawTexts& raw) {
                     "N: render N frames and write the last one; A..B: render B frames and write the frames A "
                     "to B, for example to seq%04d.png [default: `frames` of the graph, or 1]")
         ->check(frames_validator());
-    command
-        .add_option(
-            "--swap", o.swap,
-            "graphs that replace each other while frames are rendered, for example ultra,low,high: tiers of "
-            "the graph, or FILE.json, or FILE.json:TIER")
-        ->delimiter(',')
-        ->excludes("--tier");
-    command.add_option("--every", o.every, "with --swap: the number of frames that each graph renders")
-        ->transform(whole_number_in(1, 1000000))
-        ->needs("--swap")
-        ->capture_default_str();
+    add_swap(command, o);
     command
         .add_option("--fixed-dt", o.fixed_dt_s,
                     "scene time between two frames in seconds, such as 0.02 or 1/60")
