@@ -46,7 +46,7 @@ check_libraries() {
 
 # Renders the default picture as a user would: with an empty environment, and in another working folder.
 render_default() {
-  local renders=(render --probes none --size 320x180 -o)
+  local renders=(render --probes none --frames 4 --size 320x180 -o)
   (cd / && env -i ${ASAN_OPTIONS:+ASAN_OPTIONS="$ASAN_OPTIONS"} "$installed/bin/weft" "${renders[@]}" "$scratch/installed.png")
   "$program" "${renders[@]}" "$scratch/built.png"
   cmp "$scratch/installed.png" "$scratch/built.png" || fail "the installed program draws another picture"
@@ -89,7 +89,8 @@ build_by_the_page() {
 # render`.
 compare_sample() {
   "$scratch/embedding/embedding" "$scratch/embedded.ppm" --validate || fail "the embedding sample ended with $?"
-  "$program" render builtin:spheres --probes none --device 0 --size 320x180 --frames 3 -o "$scratch/reference.png"
+  "$program" render builtin:spheres --graph "$source/graphs/deferred.json" --probes none --device 0 --size 320x180 \
+    --frames 3 -o "$scratch/reference.png"
   "$scratch/same_picture" "$scratch/reference.png" "$scratch/embedded.ppm" ||
     fail "the embedding sample draws another picture"
 }
