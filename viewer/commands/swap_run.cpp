@@ -54,7 +54,7 @@ void SwapRun::begin(const std::string& target) {
 
 Status SwapRun::end(uint32_t frame) {
     const Clock::time_point begin = Clock::now();
-    if (preparing_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) preparing_.wait();
+    preparing_.wait();
     SwapRecord& record = records_.back();
     record.wait_ms = ms_since(begin);
     Prepared prepared = preparing_.get();
