@@ -23,6 +23,9 @@ StageFingerprint take_fingerprint(const FramePlan& plan, const ShaderCatalog& sh
     fingerprint.structure_hash = structure_hash(plan);
     fingerprint.values_hash = values_hash(plan.graph);
     fingerprint.output = output;
+    for (ResourceId id(0); id < plan.graph.resources.size(); ++id)
+        if (plan.graph.resources[id].shared && plan.live.live_resources[id])
+            fingerprint.shared.push_back(plan.graph.resources[id]);
     for (const auto& [reference, program] : shaders) {
         const ShaderInterface& interface = program.interface;
         fingerprint.programs[reference] = {

@@ -55,6 +55,9 @@ struct StageFingerprint {
     VkImage output = VK_NULL_HANDLE;
     ImportObjects imports;   // The objects of the program's own imports.
     uint32_t pipelines = 0;  // Number of pipelines of the stage.
+    // The live resources of the plan with `"keep": "shared"`. The next plan retains them even if it does not
+    // use them.
+    std::vector<ResourceDecl> shared;
     // LoadedVersion::number of the load that made the graph; 0 if the graph was resolved again later, for
     // another size (see Session::resize()).
     uint64_t load = 0;

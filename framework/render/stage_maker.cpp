@@ -6,6 +6,7 @@
 #include "weft/compile.h"
 #include "weft/render/import_catalog.h"
 #include "weft/report/memory_report.h"
+#include "weft/transition.h"
 
 namespace weft::render {
 namespace {
@@ -61,6 +62,17 @@ Status view_kept_exports(vk::Device& device, RenderStage& stage) {
     return Unit{};
 }
 
+// Returns the names of the resources in `shared` for which the graph declares the same memory.
+std::vector<std::string> find_retainable(const ResolvedGraph& graph,
+                                         const std::vector<ResourceDecl>& shared) {
+    std::vector<std::string> names;
+    for (const ResourceDecl& decl : shared) {
+        const ResourceId id = find_resource(graph, decl.name);
+        if (id != kNoId && shares_memory(decl, graph.resources[id])) names.push_back(decl.name);
+    }
+    return names;
+}
+
 Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
     const bool same_plan = can_amend(from, to);
     Rebuilt rebuilt;
@@ -73,9 +85,11 @@ Rebuilt compare(const StageFingerprint& from, const StageFingerprint& to) {
 
 }  // namespace
 
-Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const GraphRequest& request) const {
-    FramePlan plan = compile(graph, vk::query_memory_needs(device_, graph),
-                             compile_options(device_.profile(), settings_.queues));
+Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const GraphRequest& request,
+                                        const std::vector<ResourceDecl>& shared) const {
+    CompileOptions options = compile_options(device_.profile(), settings_.queues);
+    options.retained = find_retainable(graph, shared);
+    FramePlan plan = compile(graph, vk::query_memory_needs(device_, graph), options);
     Diagnostics faults;
     if (settings_.check_plan) faults = check_plan(plan);
     if (faults.empty()) faults = find_excess(device_, plan, loader_.settings().limits.graph, request.path);
@@ -88,7 +102,7 @@ Result<FramePlan> StageMaker::make_plan(const ResolvedGraph& graph, const GraphR
 Result<std::unique_ptr<SwapParts>> StageMaker::make(const Selection& selection, const ShaderCatalog& shaders,
                                                     const ResolvedGraph& graph,
                                                     const StageFingerprint& running) {
-    Result<FramePlan> plan = make_plan(graph, selection.request);
+    Result<FramePlan> plan = make_plan(graph, selection.request, running.shared);
     if (!plan) return plan.take_errors();
     Result<FileUses> files = files_.acquire(plan->graph, loader_.settings());
     if (!files) return files.take_errors();

@@ -60,7 +60,9 @@ class StageMaker {
     [[nodiscard]] uint64_t pipelines_made_between_frames() const { return made_between_frames_; }
 
  private:
-    [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const GraphRequest& request) const;
+    // Makes the plan of a graph. It retains the resources in `shared` that no pass of the graph uses.
+    [[nodiscard]] Result<FramePlan> make_plan(const ResolvedGraph& graph, const GraphRequest& request,
+                                              const std::vector<ResourceDecl>& shared) const;
     [[nodiscard]] Status make_objects(SwapParts& next, FramePlan plan, const ShaderCatalog& shaders,
                                       FileUses files);
     [[nodiscard]] Result<RenderStage> make_stage(vk::ExecutorInput run, const Selection& selection,

@@ -30,11 +30,11 @@ std::vector<QueueDependency> all_dependencies(const ResolvedGraph& graph, const 
 FramePlan compile(ResolvedGraph graph, const MemoryNeeds& needs, const CompileOptions& options,
                   std::vector<StageTime>* times) {
     StageTimer timer(times);
-    LiveGraph live = timer.stage("cull", cull(graph, options.keep_all_passes));
+    LiveGraph live = timer.stage("cull", cull(graph, options.keep_all_passes, options.retained));
     Schedule order = timer.stage("schedule", schedule(graph, live, needs, options.queues));
     const AttachmentTable ops = timer.stage("attachment_ops", attachment_ops(graph, live, order));
     ScopeTable scopes = timer.stage("find_scopes", find_scopes(graph, order, ops));
-    SyncTable sync = timer.stage("synchronize", synchronize(graph, order, ops, std::move(scopes)));
+    SyncTable sync = timer.stage("synchronize", synchronize(graph, live, order, ops, std::move(scopes)));
     order = timer.stage("add_clocks", add_clocks(std::move(order), sync.dependencies));
     Lifetimes spans = timer.stage("lifetimes", lifetimes(graph, live, order));
     MemoryPlan memory =
@@ -45,7 +45,7 @@ FramePlan compile(ResolvedGraph graph, const MemoryNeeds& needs, const CompileOp
     // A rendering scope cannot continue in another batch. So the barriers and batches are computed again
     // without the scopes that a batch boundary divides. The waits between queues stay the same.
     if (ScopeTable kept = within_batches(sync.scopes, submitted); kept != sync.scopes) {
-        sync = synchronize(graph, order, ops, std::move(kept));
+        sync = synchronize(graph, live, order, ops, std::move(kept));
         recorded = barriers(graph, order, sync, memory, ops);
         submitted = submissions(order, all_dependencies(graph, order, sync, recorded));
     }

@@ -181,8 +181,8 @@ void visit_fields(V& v, const ResolvedGraph& x) {
 }
 template <class V>
 void visit_fields(V& v, const LiveGraph& x) {
-    v("livePasses", x.live_passes), v("liveResources", x.live_resources), v("reasons", x.reasons);
-    v("details", x.details);
+    v("livePasses", x.live_passes), v("liveResources", x.live_resources), v("retained", x.retained);
+    v("reasons", x.reasons), v("details", x.details);
 }
 template <class V>
 void visit_fields(V& v, const ScheduleCandidate& x) {

@@ -183,6 +183,7 @@ std::vector<std::string> summarize_resource(const FramePlan& plan, ResourceId id
     }
     if (r.history > 0) facts.push_back("keeps " + count_text(r.history, "earlier frame"));
     if (!plan.live.live_resources[id]) facts.push_back("unused");
+    if (plan.live.retained[id]) facts.push_back("retained for another tier");
     if (const uint64_t bytes = placed_bytes(plan, id); bytes > 0)
         facts.push_back("needs " + bytes_text(bytes) + " of memory");
     const LifetimeSpan& span = plan.lifetimes.spans[id];

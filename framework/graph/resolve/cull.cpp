@@ -73,6 +73,15 @@ void mark_live(const ResolvedGraph& graph, bool keep_all, LiveGraph& live) {
     }
 }
 
+void mark_retained(const ResolvedGraph& graph, std::span<const std::string> names, LiveGraph& live) {
+    live.retained.assign(graph.resources.size(), 0);
+    for (const std::string& name : names) {
+        const ResourceId id = find_resource(graph, name);
+        if (id == kNoId || live.live_resources[id] || !graph.resources[id].shared) continue;
+        live.live_resources[id] = live.retained[id] = 1;
+    }
+}
+
 // The passes that read the outputs of a pass: the first of them, and whether there are several.
 struct Readers {
     PassId first = kNoId;
@@ -131,7 +140,7 @@ void explain(const ResolvedGraph& graph, LiveGraph& live) {
 
 }  // namespace
 
-LiveGraph cull(const ResolvedGraph& graph, bool keep_all) {
+LiveGraph cull(const ResolvedGraph& graph, bool keep_all, std::span<const std::string> retained) {
     LiveGraph live;
     live.live_passes.assign(graph.passes.size(), 0);
     live.live_resources.assign(graph.resources.size(), 0);
@@ -139,6 +148,7 @@ LiveGraph cull(const ResolvedGraph& graph, bool keep_all) {
     live.details.assign(graph.passes.size(), {});
     mark_live(graph, keep_all, live);
     mark_rings(graph, live);
+    mark_retained(graph, retained, live);
     explain(graph, live);
     return live;
 }

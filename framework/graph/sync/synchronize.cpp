@@ -45,14 +45,15 @@ RangeAccess read_by_program(const ResourceDecl& decl, const Schedule& order) {
     return {decl.whole(), event};
 }
 
-// Tracks the resources of one ring, or a single resource, and adds the result to the table.
-void track_ring(std::span<const ResourceId> ring, const ResolvedGraph& graph, const Schedule& order,
-                const AccessTable& events, SyncTable& table) {
+// Tracks the resources of one ring, or a single resource, and adds the result to the table. `retained`: track
+// the resources even if no pass uses them.
+void track_ring(std::span<const ResourceId> ring, bool retained, const ResolvedGraph& graph,
+                const Schedule& order, const AccessTable& events, SyncTable& table) {
     HistoryInput input;
     input.graph = &graph;
     input.order = &order;
     input.resource = ring.front();
-    bool touched = false;
+    bool touched = retained;
     for (const ResourceId id : ring) {
         input.roles.push_back({&graph.resources[id], events[id]});
         touched = touched || !events[id].empty();
@@ -73,8 +74,8 @@ void track_ring(std::span<const ResourceId> ring, const ResolvedGraph& graph, co
                               history.dependencies.end());
 }
 
-SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const AttachmentTable& attachments,
-                      ScopeTable scopes) {
+SyncTable with_scopes(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order,
+                      const AttachmentTable& attachments, ScopeTable scopes) {
     const AccessTable events = collect_accesses(graph, order, attachments, scopes);
     const Rows<ResourceId> rings = rings_of(graph);
     WholeTracker whole(order);
@@ -86,7 +87,8 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
     for (ResourceId id(0); id < graph.resources.size(); ++id) {
         const ResourceDecl& resource = graph.resources[id];
         if (resource.ring != kNoId) {
-            if (!rings[id].empty()) track_ring(rings[id], graph, order, events, table);
+            if (!rings[id].empty())
+                track_ring(rings[id], live.retained[id] != 0, graph, order, events, table);
             continue;
         }
         if (events[id].empty()) continue;
@@ -96,7 +98,7 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
             });
         const WholeHistory* found = has_home ? nullptr : whole.track(id, resource, events[id]);
         if (found == nullptr) {
-            track_ring({&id, 1}, graph, order, events, table);
+            track_ring({&id, 1}, false, graph, order, events, table);
             continue;
         }
         table.histories.set(id, found->history);
@@ -110,10 +112,10 @@ SyncTable with_scopes(const ResolvedGraph& graph, const Schedule& order, const A
 
 }  // namespace
 
-SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order, const AttachmentTable& attachments,
-                      ScopeTable candidates) {
+SyncTable synchronize(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order,
+                      const AttachmentTable& attachments, ScopeTable candidates) {
     for (;;) {
-        SyncTable table = with_scopes(graph, order, attachments, candidates);
+        SyncTable table = with_scopes(graph, live, order, attachments, candidates);
         candidates = undivided(table.scopes, table.histories.barriers());
         // If a barrier must be recorded inside a rendering scope, undivided() divides the scope, and all
         // barriers are computed again. Only the pass that then begins its own scope needs more barriers than

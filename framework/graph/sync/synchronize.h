@@ -19,7 +19,7 @@ struct SyncTable {
     std::vector<uint8_t> concurrent;
     ScopeTable scopes;  // Neighbouring passes that share one rendering scope.
 };
-[[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const Schedule& order,
+[[nodiscard]] SyncTable synchronize(const ResolvedGraph& graph, const LiveGraph& live, const Schedule& order,
                                     const AttachmentTable& attachments, ScopeTable candidates);
 // Returns the schedule with its vector clocks, which it computes from the dependencies between queues.
 [[nodiscard]] Schedule add_clocks(Schedule order, const std::vector<QueueDependency>& dependencies);

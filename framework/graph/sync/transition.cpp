@@ -28,18 +28,24 @@ bool can_blit(const ResourceDecl& from, const ResourceDecl& to) {
            to.samples == 1 && (to.aspects & aspect::kColor) != 0 && formats;
 }
 
-// Decides how a resource of the new plan gets its first content. Either it continues the content of the old
-// plan's resource: in the same memory, as a copy, or scaled and converted. Or it is cleared.
+bool same_kind(const ResourceDecl& old_decl, const ResourceDecl& decl) {
+    return old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
+           old_decl.image_kind == decl.image_kind && old_decl.samples == decl.samples;
+}
+
 // Passes use only a part of an image with a live size, its area. So an old image with a live size may have
 // content only in its area, and a new image without a live size cannot copy it.
-ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
-    const bool same_kind = old_decl.lifetime == ResourceLifetime::persistent && old_decl.kind == decl.kind &&
-                           old_decl.image_kind == decl.image_kind && old_decl.samples == decl.samples;
-    if (!same_kind) return ContentAction::clear;
+bool can_copy(const ResourceDecl& old_decl, const ResourceDecl& decl) {
     const bool only_area = old_decl.area != kNoId && decl.area == kNoId;
-    if (same_shape(old_decl, decl) && old_decl.format == decl.format && !only_area)
-        return old_decl.shared && decl.shared && old_decl.usage == decl.usage ? ContentAction::share
-                                                                              : ContentAction::copy;
+    return same_shape(old_decl, decl) && old_decl.format == decl.format && !only_area;
+}
+
+// Decides how a resource of the new plan gets its first content. Either it continues the content of the old
+// plan's resource: in the same memory, as a copy, or scaled and converted. Or it is cleared.
+ContentAction choose_action(const ResourceDecl& old_decl, const ResourceDecl& decl) {
+    if (!same_kind(old_decl, decl)) return ContentAction::clear;
+    if (shares_memory(old_decl, decl)) return ContentAction::share;
+    if (can_copy(old_decl, decl)) return ContentAction::copy;
     return can_blit(old_decl, decl) ? ContentAction::resample : ContentAction::clear;
 }
 
@@ -209,6 +215,11 @@ std::string content_text(const FramePlan& old_plan, const FramePlan& new_plan,
     return name + " is cleared: " +
            (difference.empty() ? "its kind or its number of samples differs"
                                : "it changes" + difference + ", and cannot be scaled or converted");
+}
+
+bool shares_memory(const ResourceDecl& old_decl, const ResourceDecl& decl) {
+    return same_kind(old_decl, decl) && can_copy(old_decl, decl) && old_decl.shared && decl.shared &&
+           old_decl.usage == decl.usage;
 }
 
 TransitionPlan transition(const FramePlan& old_plan, const FramePlan& new_plan) {

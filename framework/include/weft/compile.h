@@ -15,6 +15,10 @@ struct CompileOptions {
     uint64_t granularity_bytes = 64;  // VkPhysicalDeviceLimits::bufferImageGranularity of the device.
     // The logical queues of the plan. The first queue must be a graphics queue.
     std::vector<LogicalQueue> queues{LogicalQueue{}};
+    // Names of resources with `"keep": "shared"` that an older plan uses. If no pass of the new plan uses
+    // such a resource, the new plan retains its memory and its content, so that a later plan can continue
+    // with them.
+    std::vector<std::string> retained;
 };
 
 // The time that one stage of the compiler took, in microseconds. Benchmarks report it.

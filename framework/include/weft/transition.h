@@ -41,6 +41,11 @@ struct TransitionPlan {
     std::vector<uint8_t> keeps_validity;
 };
 
+// Returns true if a new plan can continue a resource of the old plan in the same memory: both declarations
+// have
+// `"keep": "shared"`, the same shape, the same format and the same usage.
+[[nodiscard]] bool shares_memory(const ResourceDecl& old_decl, const ResourceDecl& decl);
+
 [[nodiscard]] TransitionPlan transition(const FramePlan& old_plan, const FramePlan& new_plan);
 
 // Returns a text about the content of a resource of the new plan: it is kept, copied, scaled, converted or

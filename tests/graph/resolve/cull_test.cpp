@@ -57,6 +57,19 @@ TEST(Cull, SideEffectsAreRoots) {
     EXPECT_TRUE(live.live_passes[id(graph, "ao")]);
 }
 
+TEST(Cull, RetainsOnlySharedResourcesThatNoPassUses) {
+    ResolvedGraph graph = frame();
+    const ResourceId ssao = find_resource(graph, "ssao"), gbuffer = find_resource(graph, "gbuffer");
+    const std::vector<std::string> names{"ssao", "gbuffer", "blurred", "gone"};
+    graph.resources[ssao].shared = graph.resources[gbuffer].shared = true;
+    const LiveGraph live = cull(graph, false, names);
+    EXPECT_TRUE(live.retained[ssao]);
+    EXPECT_TRUE(live.live_resources[ssao]);
+    EXPECT_FALSE(live.retained[gbuffer]) << "a live pass uses it";
+    EXPECT_FALSE(live.live_resources[find_resource(graph, "blurred")]) << "it is not shared";
+    EXPECT_FALSE(live.live_passes[id(graph, "ao")]);
+}
+
 TEST(Cull, KeepAllKeepsAll) {
     const ResolvedGraph graph = frame();
     for (const uint8_t pass : cull(graph, true).live_passes) EXPECT_TRUE(pass);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graph/resolve/cull.h"
 #include "tests/graph/samples/graph_builder.h"
 #include "tests/graph/samples/hand_made.h"
 
@@ -43,7 +44,8 @@ ResolvedGraph make_and_look() {
 
 TEST(Synchronize, ATransientsHistoryIsATakeOverAndOneBarrierForEachHazard) {
     const ResolvedGraph graph = make_and_look();
-    const SyncTable table = synchronize(graph, in_order(graph, {"make", "look"}), {{}, {}}, {kNoId, kNoId});
+    const SyncTable table =
+        synchronize(graph, cull(graph), in_order(graph, {"make", "look"}), {{}, {}}, {kNoId, kNoId});
     const HistoryTable::Row image = table.histories[resource_of(graph, "image")];
     EXPECT_EQ(barriers_text(image.barriers),
               "0 none:none:undefined > compute_shader:storage_write:general\n"
@@ -64,7 +66,7 @@ TEST(Synchronize, ATransientsHistoryIsATakeOverAndOneBarrierForEachHazard) {
 TEST(Synchronize, AcrossQueuesASemaphoreWaitsAndABarrierChangesTheLayout) {
     const ResolvedGraph graph = make_and_look();
     const SyncTable table =
-        synchronize(graph, in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNoId, kNoId});
+        synchronize(graph, cull(graph), in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNoId, kNoId});
     const ResourceId image = resource_of(graph, "image");
     EXPECT_EQ(table.dependencies, (std::vector<QueueDependency>{{0, 1, false, image}}));
     EXPECT_EQ(barriers_text(table.histories[image].barriers),
@@ -80,7 +82,7 @@ TEST(Synchronize, ABufferAcrossQueuesNeedsTheSemaphoreOnly) {
               {{"src", words, Access::storage_read, {}, 0}, {"dst", sum, Access::storage_write, {}, 1}});
     const ResolvedGraph graph = b.build();
     const SyncTable table =
-        synchronize(graph, in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNoId, kNoId});
+        synchronize(graph, cull(graph), in_order(graph, {"make", "look"}, {0, 1}), {{}, {}}, {kNoId, kNoId});
     const ResourceId id = resource_of(graph, "words");
     EXPECT_EQ(table.dependencies, (std::vector<QueueDependency>{{0, 1, false, id}}));
     EXPECT_EQ(barriers_text(table.histories[id].barriers),
@@ -96,7 +98,7 @@ TEST(Synchronize, AnImageMovesBetweenFamiliesAndABufferIsConcurrent) {
     const ResolvedGraph graph = b.build();
     Schedule order = in_order(graph, {"make", "look"}, {0, 1});
     order.queues[1].family = 1;
-    const SyncTable table = synchronize(graph, order, {{}, {}}, {kNoId, kNoId});
+    const SyncTable table = synchronize(graph, cull(graph), order, {{}, {}}, {kNoId, kNoId});
     const std::span<const PlacedBarrier> barriers = table.histories[resource_of(graph, "image")].barriers;
     EXPECT_EQ(reasons_of(barriers),
               (std::vector<BarrierReason>{BarrierReason::alias, BarrierReason::release_queue,
@@ -128,8 +130,8 @@ TEST(Synchronize, ACandidateThatNoBarrierDividesKeepsItsScope) {
     const AttachmentTable ops{{}, {{0, LoadOp::clear, StoreOp::store}}, {{0, LoadOp::load, StoreOp::store}}};
     for (const bool divided : {false, true}) {
         const ResolvedGraph graph = two_layers(divided);
-        const SyncTable table =
-            synchronize(graph, in_order(graph, {"fill", "first", "second"}), ops, {kNoId, kNoId, 1});
+        const SyncTable table = synchronize(graph, cull(graph), in_order(graph, {"fill", "first", "second"}),
+                                            ops, {kNoId, kNoId, 1});
         EXPECT_EQ(table.scopes, (ScopeTable{kNoId, kNoId, divided ? Position() : Position(1)}));
         const std::span<const PlacedBarrier> target = table.histories[resource_of(graph, "target")].barriers;
         ASSERT_EQ(target.size(), divided ? 2u : 1u);
@@ -146,7 +148,7 @@ TEST(Synchronize, ARingIsFoundAsTheFrameBeforeLeftTheNextYoungerRole) {
     b.compute("blend", {{"past", roles[1], Access::sampled_read, {}, 0},
                         {"dst", color, Access::storage_write, {}, 1}});
     const ResolvedGraph graph = b.build();
-    const SyncTable table = synchronize(graph, in_order(graph, {"blend"}), {{}}, {kNoId});
+    const SyncTable table = synchronize(graph, cull(graph), in_order(graph, {"blend"}), {{}}, {kNoId});
     const HistoryTable::Row now = table.histories[resource_of(graph, "color")];
     const HistoryTable::Row past = table.histories[resource_of(graph, "color[-1]")];
     EXPECT_EQ(barriers_text(now.barriers),
@@ -167,10 +169,11 @@ TEST(Synchronize, AnAfterEdgeBecomesADependencyBetweenQueues) {
     b.compute("two", {{"dst", y, Access::storage_write, {}, 0}});
     b.after("one", "two");
     const ResolvedGraph graph = b.build();
-    EXPECT_TRUE(
-        synchronize(graph, in_order(graph, {"one", "two"}), {{}, {}}, {kNoId, kNoId}).dependencies.empty());
+    EXPECT_TRUE(synchronize(graph, cull(graph), in_order(graph, {"one", "two"}), {{}, {}}, {kNoId, kNoId})
+                    .dependencies.empty());
     EXPECT_EQ(
-        synchronize(graph, in_order(graph, {"one", "two"}, {0, 1}), {{}, {}}, {kNoId, kNoId}).dependencies,
+        synchronize(graph, cull(graph), in_order(graph, {"one", "two"}, {0, 1}), {{}, {}}, {kNoId, kNoId})
+            .dependencies,
         (std::vector<QueueDependency>{{0, 1, false, kNoId}}));
 }
 

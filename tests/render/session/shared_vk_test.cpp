@@ -34,7 +34,7 @@ class SharedVk : public SessionTest {
         render::Selection selection = session_->selection();
         selection.request.tier = tier;
         selection.request.observed = {"words", "own", "wide"};
-        if (tier != "bare") selection.request.observed.emplace_back("marks");
+        if (tier != "bare" && tier != "idle") selection.request.observed.emplace_back("marks");
         return selection;
     }
     // Changes the tier while frames are in flight. Returns what happens to the resources.
@@ -129,6 +129,35 @@ TEST_F(SharedVk, AResourceThatWasGoneStartsAgain) {
     frames(1);
     EXPECT_EQ(first_word("marks"), 6u);
     EXPECT_EQ(first_word("words"), 5u);
+}
+
+// No pass of the tier "idle" uses the image. Its plan, and the plan after a resize, retain the image with its
+// content for the next tier.
+TEST_F(SharedVk, ATierWithoutUsesRetainsTheContent) {
+    begin();
+    const vk::NativeResource marks = native("marks");
+    frames(3);
+    for (const char* tier : {"idle", "drawn", "idle", ""}) {
+        const TransitionPlan between = choose(tier);
+        EXPECT_TRUE(between.cleared.empty()) << tier;
+        EXPECT_EQ(native("marks"), marks) << tier;
+        frames(1);
+        if (tier != std::string("idle")) continue;
+        const Status resized = session_->resize({24, 9, 1}, warnings_);
+        ASSERT_TRUE(resized) << to_text(resized.errors());
+        frames(1);
+    }
+    EXPECT_EQ(first_word("marks"), 101u);
+}
+
+// The tier "bare" does not declare the image, so the image is gone when the tier "idle" comes.
+TEST_F(SharedVk, ATierRetainsNothingThatIsGone) {
+    begin();
+    frames(1);
+    (void)choose("bare");
+    (void)choose("idle");
+    EXPECT_EQ(session_->plan().live.live_resources[find_resource(session_->plan().graph, "marks")], 0);
+    frames(1);
 }
 
 TEST_F(SharedVk, SwapsBeforeAnyFrameLoseNothing) {
