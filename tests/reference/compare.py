@@ -7,7 +7,8 @@ WEFT is the program `weft`. WORD: only the references whose names contain it; wi
 in the environment, only those in QUICK. The table shows for each reference:
   sum     Σ Weft / Σ reference − 1, over all channels and the compared pixels: see README.md
   L1      Σ |Weft − reference| / Σ reference
-Both are taken of the absolute radiance; no factor is fitted. --graph NAME: the graph for all scenes but those of floors. Without --report, only those references are compared that
+Both are taken of the absolute radiance; no factor is fitted. --graph NAME: the graph for all scenes (default: `reflections` for floors, `deferred` for the
+others). Without --report, only those references are compared that
 pictures.txt marks as `held`. The exit code is 1 if one of these exceeds its limit. --keep keeps the pictures (PFM).
 """
 import argparse
@@ -156,8 +157,7 @@ def references():
 
 
 def compared(weft, reference, graph, folder):
-    if reference["is_floor"]:
-        graph = "reflections"
+    graph = graph or ("reflections" if reference["is_floor"] else "deferred")
     width, height, found = render(weft, reference, graph, folder)
     size_and_rows = read_radiance(FOLDER / "pictures" / (reference["name"] + ".hdr"))
     assert size_and_rows[:2] == (width, height)
@@ -175,7 +175,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("weft")
     parser.add_argument("words", nargs="*")
-    parser.add_argument("--graph", default="deferred")
+    parser.add_argument("--graph")
     parser.add_argument("--keep", type=pathlib.Path)
     parser.add_argument("--report", action="store_true")
     a = parser.parse_args()
