@@ -230,11 +230,7 @@ class TestRun {
             if (e.what == "pipelinesOnFrameThread")
                 at_most(e, static_cast<double>(session.pipelines_made_between_frames()),
                         "pipelines for which a frame had to wait");
-            if (e.what == "kept" && measured_.lost.contains(e.ref))
-                fail(e, "W161",
-                     "a change of tier loses the content of \"" + e.ref + "\": " + measured_.lost.at(e.ref),
-                     "give \"" + e.ref +
-                         "\" the same size and format in all tiers, or set \"onResize\": \"resample\"");
+            if (e.what == "kept") check_kept(e, plan.graph);
             if (e.what == "finite" || e.what == "range" || e.what == "mean") check_values(e);
         }
     }
@@ -253,6 +249,20 @@ class TestRun {
                 std::span(data.bytes).subspan(begin, std::min(piece, data.bytes.size() - begin));
             if (!visit(render::decode_texels(format, bytes), begin / texel_bytes)) return;
         }
+    }
+
+    void check_kept(const ExpectationDesc& expectation, const ResolvedGraph& graph) {
+        const std::string name = "\"" + expectation.ref + "\"";
+        if (const auto lost = measured_.lost.find(expectation.ref); lost != measured_.lost.end())
+            return fail(expectation, "W161",
+                        "a change of tier loses the content of " + name + ": " + lost->second,
+                        "give " + name +
+                            " the same size and format in all tiers, or set \"onResize\": \"resample\"; if a "
+                            "tier does not use it, write \"keep\": \"shared\"");
+        const ResourceId id = find_resource(graph, expectation.ref);
+        if (id != kNoId && graph.resources[id].lifetime != ResourceLifetime::persistent)
+            fail(expectation, "W161", name + " has no content between two frames",
+                 "name a resource with \"keep\" or \"history\"");
     }
 
     static bool is_bad(const ExpectationDesc& expectation, float value) {

@@ -208,6 +208,7 @@ std::string content_text(const FramePlan& old_plan, const FramePlan& new_plan,
         return name + (from.format != decl.format ? " is converted" : " is scaled") +
                difference_text(from, decl);
     }
+    if (new_plan.live.live_resources[id] == 0) return name + " is freed: no pass of the new plan uses it";
     const ResourceId from = find_resource(old_plan.graph, decl.name);
     if (from == kNoId || old_plan.live.live_resources[from] == 0)
         return name + " is cleared: the old plan does not have it";

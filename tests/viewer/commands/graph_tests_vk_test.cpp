@@ -125,6 +125,20 @@ TEST_F(GraphTests, AHistoryThatASwapLosesIsSeen) {
                    "a change of tier loses the content of \"sum\"");
 }
 
+TEST_F(GraphTests, AHistoryThatATierDoesNotUseIsLost) {
+    expect_failure(
+        "0.5",
+        R"("tiers": { "low": {}, "high": { "patch": { "passes": { "show": null, "look": { "type": "blit", "in": ["x"], "out": ["backbuffer"] } } } } },
+      "tests": [ { "swap": ["low", "high"], "every": 2, "size": [32, 32], "expect": { "kept": [$$"sum"] } } ])",
+        "\"sum\" is freed: no pass of the new plan uses it");
+}
+
+TEST_F(GraphTests, AResourceWithoutContentBetweenFramesIsNotKept) {
+    expect_failure("0.5", R"("tiers": { "low": {} },
+      "tests": [ { "swap": ["low", "low"], "every": 2, "size": [32, 32], "expect": { "kept": [$$"x"] } } ])",
+                   "\"x\" has no content between two frames");
+}
+
 TEST_F(GraphTests, WhatATestNamesMustBeThere) {
     const RunResult run =
         check("0.5", R"("tests": [ { "tiers": ["lwo"], "scene": "atrium", "params": { "p": 1 },
