@@ -11,7 +11,7 @@ namespace {
 
 static_assert(sizeof(shared::FrameConstants) == 240 && sizeof(shared::ViewConstants) == 512);
 static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
-              sizeof(shared::Material) == 352 && sizeof(shared::Instance) == 208);
+              sizeof(shared::Material) == 384 && sizeof(shared::Instance) == 208);
 
 // Albedo with which the ground below the horizon reflects daylight.
 constexpr float kGroundAlbedo = 0.25f;
@@ -31,6 +31,24 @@ shared::TextureTransform uv_of(const scene::TextureSlot& slot) {
 float cube_unit(float brightest) {
     if (!(brightest > 0)) return 1;
     return std::exp2(std::clamp(std::ceil(std::log2(brightest)) - 14.0f, -100.0f, 100.0f));
+}
+
+// Returns the share of ideally diffuse light that crosses a body with the optical depth `depth` (absorption ·
+// thickness). The paths through the body have different lengths, so this is the mean over all directions: 2
+// E3(depth), with the exponential integral E3. Source: Chandrasekhar 1960, "Radiative Transfer", appendix I.
+float scattered_transmittance(float depth) {
+    constexpr double kOpaque = 40;  // Less than 1e-18 of the light passes.
+    const double x = depth;
+    if (!(x > 0)) return 1;
+    if (x > kOpaque) return 0;
+    const double e1 = -std::expint(-x), e2 = std::exp(-x) - x * e1;
+    return static_cast<float>(std::max(0.0, std::exp(-x) - x * e2));
+}
+
+// Returns A and B of the qualitative model of Oren and Nayar 1994 for the roughness σ in radians.
+glm::vec2 oren_nayar(float sigma_rad) {
+    const float s2 = sigma_rad * sigma_rad;
+    return {1 - 0.5f * s2 / (s2 + 0.33f), 0.45f * s2 / (s2 + 0.09f)};
 }
 
 uint32_t gpu_light_type(scene::LightType type) {
@@ -206,6 +224,11 @@ shared::Material gpu_material(const scene::Material& m) {
     gpu.ripples = m.ripples;
     gpu.clearcoat = m.clearcoat;
     gpu.clearcoat_roughness = m.clearcoat_roughness;
+    gpu.diffuse_share = 1 - m.diffuse_transmission;
+    gpu.transmitted_color = m.diffuse_transmission * m.diffuse_transmission_color;
+    for (int i = 0; i < 3; ++i)
+        gpu.transmitted_color[i] *= scattered_transmittance(m.absorption_per_m[i] * m.thickness_m);
+    gpu.oren_nayar = oren_nayar(m.diffuse_roughness_rad);
     return gpu;
 }
 

@@ -35,7 +35,8 @@ DrawVariant variant(const std::string& name, bool masked, bool anisotropic) {
 
 std::vector<DrawVariant> variants_of(const std::string& list) {
     if (list == "anisotropic") return {variant("opaque", false, true), variant("masked", true, true)};
-    if (list == "coated") return {variant("opaque", false, false), variant("masked", true, false)};
+    if (list == "coated" || list == "scattering")
+        return {variant("opaque", false, false), variant("masked", true, false)};
     if (list == "opaqueStill") return {variant("opaque", false, false)};
     if (list == "maskedStill") return {variant("masked", true, false)};
     return {variant(list, list == "masked", false)};
@@ -141,6 +142,10 @@ bool is_in_draw_list(const scene::Instance& instance, const scene::Material& mat
     if (list == "coated")
         return material.clearcoat > 0 && material.anisotropy == 0 &&
                material.alpha_mode != scene::AlphaMode::blend;
+    if (list == "scattering")
+        return (material.diffuse_transmission > 0 || material.diffuse_roughness_rad > 0) &&
+               material.anisotropy == 0 && material.clearcoat == 0 &&
+               material.alpha_mode != scene::AlphaMode::blend;
     if (list == "refractive")
         return material.transmission > 0 && material.alpha_mode == scene::AlphaMode::blend;
     switch (material.alpha_mode) {
@@ -155,7 +160,7 @@ bool is_in_draw_list(const scene::Instance& instance, const scene::Material& mat
 }
 
 uint32_t draw_variant(const scene::Material& material, std::string_view list) {
-    const bool has_both = list == "anisotropic" || list == "coated";
+    const bool has_both = list == "anisotropic" || list == "coated" || list == "scattering";
     return has_both && material.alpha_mode == scene::AlphaMode::mask ? 1 : 0;
 }
 

@@ -31,22 +31,34 @@ layout(location = 0) out vec4 hdr;
 const float kMaxStored = 65000.0;
 const float kCoatF0 = 0.04;  // Of an index of refraction of 1.5.
 
-// Returns the luminance of a surface with emission and, if it has one, a clear coat. The coat mirrors a part of the light,
-// and dims the surface below by the same part. Source: KHR_materials_clearcoat. The loop has one call for both layers,
-// because the shader is large.
+const int kBack = 0, kFront = 1, kCoat = 2;
+
+// Returns the luminance of a surface with emission and up to three layers. The back lets a part of its light pass to the
+// front, scattered by the body in between (KHR_materials_diffuse_transmission). A clear coat mirrors a part of the light,
+// and dims the surface below by the same part (KHR_materials_clearcoat). The loop has one call for all layers, because the
+// shader is large.
 vec3 layered_luminance(Surface base, vec3 point, vec3 orm, float coat_roughness) {
     const ivec2 pixel = ivec2(gl_FragCoord.xy);
+    const vec3 v = normalize(view.eye - point);
+    const bool has_back = material.diffuse_share < 1.0;
     vec3 light = emission();
-    Surface layer = base;
-    float share = 1.0;
-    for (int i = 0; i < (base.under_coat ? 2 : 1); ++i) {
-        if (i == 1) {
+    for (int i = has_back ? kBack : kFront; i <= (base.under_coat ? kCoat : kFront); ++i) {
+        Surface layer = base;
+        vec3 eye = v, place = point;
+        float share = 1.0;
+        if (i == kBack) {
+            layer = make_surface(-base.normal, material.transmitted_color * (1.0 - orm.b), 0.0, 1.0, vec3(0.0), 0.0);
+            layer.under_coat = true;  // Reflections of the screen are those of the front.
+            eye = reflect(v, base.normal);  // As if the eye were behind the surface.
+            place = point - mesh_normal() * material.thickness_m;
+        }
+        if (i == kCoat) {
             share = material.clearcoat;
             layer = make_surface(mesh_normal(), vec3(0.0), 0.0, coat_roughness, vec3(kCoatF0), 1.0);
-            light *= 1.0 - share * mirrored_share(with_albedo(layer, normalize(view.eye - point)));
+            light *= 1.0 - share * mirrored_share(with_albedo(layer, v));
             orm.g = coat_roughness;
         }
-        light += share * reflected_radiance(layer, point, orm, pixel);
+        light += share * reflected_radiance(layer, eye, place, vec3(orm.r, i == kBack ? 1.0 : orm.g, orm.b), pixel);
     }
     return light;
 }
@@ -63,7 +75,7 @@ void main() {
     if (MASKED && base.a < material.alpha_cutoff) discard;
     vec3 orm = occlusion_roughness_metalness();
     orm.g = roughness_of_pixel(orm.g, dx, dy);
-    vec3 root = sqrt(base.rgb);
+    vec3 root = sqrt(reflected_color(base.rgb, orm.b));
     vec3 point = world_point;
     vec4 coat = vec4(sqrt(material.dielectric_f0), material.specular);
     if (QUANTIZED) {
@@ -75,7 +87,8 @@ void main() {
     }
     const float transmission = BLENDED ? material.transmission * (1.0 - orm.b) : 0.0;
     Surface s = make_surface(n, root * root, orm.b, orm.g, coat.rgb * coat.rgb, coat.a);
-    if (ANISOTROPIC) {
+    s.oren_nayar = material.oren_nayar;
+    if (ANISOTROPIC || (BLENDED && material.anisotropy > 0.0)) {
         const vec4 grain = anisotropy(n);
         s = stretched(s, grain.xyz, grain.w);
     }

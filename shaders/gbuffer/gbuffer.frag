@@ -24,9 +24,9 @@ void main() {
     const bool coated = material.clearcoat > 0.0;
     const vec3 n = coated ? mesh_normal() : shading_normal(), dx = dFdx(n), dy = dFdy(n);  // Derivatives are undefined after a discard.
     if (MASKED && base.a < material.alpha_cutoff) discard;
-    albedo = vec4(sqrt(base.rgb), 1.0);
-    normal = octahedral_encode(n);
     orm = vec4(occlusion_roughness_metalness(), 1.0);
+    albedo = vec4(sqrt(reflected_color(base.rgb, orm.b)), 1.0);
+    normal = octahedral_encode(n);
     orm.g = roughness_of_pixel(coated ? material.clearcoat_roughness : orm.g, dx, dy);
     specular = vec4(sqrt(material.dielectric_f0), material.specular);
     velocity = (clip_now.xy / clip_now.w - clip_before.xy / clip_before.w) * 0.5;

@@ -19,6 +19,7 @@ struct Surface {
     vec2 alphas;      // α along the tangent and along the bitangent.
     vec2 albedo;      // Directional albedo of the specular reflection towards the eye: factors of F0 and of F90.
     bool under_coat;  // True if a clear coat lies over the surface. Then the reflections of the screen are those of the coat.
+    vec2 oren_nayar;  // A and B of the diffuse reflection; see diffuse_factor().
     vec3 energy;      // Factor for the specular reflection, for light that microfacets reflect several times.
 };
 
@@ -38,6 +39,7 @@ Surface make_surface(vec3 normal, vec3 base_color, float metallic, float roughne
     s.albedo = vec2(0.0);  // with_albedo() of dfg.glsl sets `albedo` and `energy`.
     s.energy = vec3(1.0);
     s.under_coat = false;
+    s.oren_nayar = vec2(1.0, 0.0);
     return s;
 }
 
@@ -117,6 +119,15 @@ vec3 base_under_coat(Surface s, vec3 coat) {
     return min(s.diffuse, vec3(max(1.0 - max(coat.r, max(coat.g, coat.b)), 0.0)));
 }
 
+// Returns the diffuse reflection divided by that of an ideally diffuse surface. A rough surface reflects more light back
+// to where it comes from. Source: Oren and Nayar 1994, "Generalization of Lambert's Reflectance Model", the qualitative
+// model. `nl`, `nv`: cosines of the angles from the normal to the light and to the eye.
+float diffuse_factor(Surface s, vec3 v, vec3 l, float nl, float nv) {
+    const float across = dot(v, l) - nl * nv;  // sin θl · sin θv · cos Δφ
+    const float sine = across > 0.0 ? across / max(max(nl, nv), 1e-4) : 0.0;  // sin of the larger · tan of the smaller
+    return s.oren_nayar.x + s.oren_nayar.y * sine;
+}
+
 // Returns the BRDF times n·l: the reflected radiance for unit irradiance on a plane that faces the light.
 vec3 reflect_light(Surface s, vec3 v, vec3 l) {
     const float nl = dot(s.normal, l);
@@ -127,6 +138,8 @@ vec3 reflect_light(Surface s, vec3 v, vec3 l) {
     const float specular = s.anisotropic
                                ? stretched_specular(s, v, l, h, nl, nv)
                                : ggx_distribution(s.alpha, s.normal, h) * smith_visibility(s.alpha, nl, nv);
-    return (base_under_coat(s, f) / kPi + f * s.energy * specular) * nl;
+    vec3 base = base_under_coat(s, f) / kPi;
+    if (s.oren_nayar.y > 0.0) base *= diffuse_factor(s, v, l, nl, nv);
+    return (base + f * s.energy * specular) * nl;
 }
 #endif

@@ -82,6 +82,10 @@ vec4 anisotropy(vec3 n) {
     return vec4(length2 > 1e-12 ? direction * inversesqrt(length2) : t, material.anisotropy * texel.b);
 }
 
+// Returns the colour with which the surface reflects light that it does not let pass (material.diffuse_share). `base`: the
+// base colour.
+vec3 reflected_color(vec3 base, float metalness) { return base * mix(material.diffuse_share, 1.0, metalness); }
+
 // Returns the luminance that the surface emits, in cd/m².
 vec3 emission() {
     const vec3 tint = mix(vec3(1.0), vertex_color().rgb, material.emission_tint);

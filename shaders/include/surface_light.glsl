@@ -41,8 +41,8 @@ vec3 lights_reflection(Surface s, vec3 v, vec3 position, ivec2 pixel) {
     return radiance;
 }
 
-vec3 reflected_radiance(Surface s, vec3 position, vec3 orm, ivec2 pixel) {
-    const vec3 v = normalize(view.eye - position);
+// `v`: unit vector from the surface to the eye. `orm`: occlusion, perceptual roughness, metalness.
+vec3 reflected_radiance(Surface s, vec3 v, vec3 position, vec3 orm, ivec2 pixel) {
     s = with_albedo(s, v);
     return lights_reflection(s, v, position, pixel) + orm.r * ambient_reflection(s, v, orm.g, position, pixel);
 }

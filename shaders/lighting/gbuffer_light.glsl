@@ -18,7 +18,8 @@ const float kMaxStored = 65000.0;
 
 vec3 lit_surface(ivec2 pixel, vec2 uv, float z) {
     const vec3 material = texelFetch(orm, pixel, 0).rgb;
-    return reflected_radiance(gbuffer_surface(pixel, material), world_position(uv, z), material, pixel);
+    const vec3 point = world_position(uv, z);
+    return reflected_radiance(gbuffer_surface(pixel, material), normalize(view.eye - point), point, material, pixel);
 }
 
 void store_light(ivec2 pixel, vec3 color) {

@@ -77,6 +77,8 @@ struct CheckedJson {
     std::vector<BufferSource> buffers;
     std::vector<ImageSource> images;
     std::vector<LightSource> lights;  // One entry per light of the glTF file; empty when no light has extras.
+    std::map<uint32_t, float>
+        diffuse_roughness_rad;              // `extras.weft.diffuseRoughness`. Key: index of a material.
     std::map<uint32_t, glm::vec4> ripples;  // `extras.weft.ripples`. Key: index of a material.
     std::vector<AnimationSource> animations;
     std::map<uint32_t, InstancingSource> instancing;  // Key: index of a node.

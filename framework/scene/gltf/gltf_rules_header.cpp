@@ -7,10 +7,11 @@ namespace weft::scene::gltf {
 namespace {
 
 constexpr uint64_t kMaxExtensions = 1024;
-constexpr std::array<std::string_view, 12> kKnownExtensions{"EXT_mesh_gpu_instancing",
+constexpr std::array<std::string_view, 13> kKnownExtensions{"EXT_mesh_gpu_instancing",
                                                             "KHR_lights_punctual",
                                                             "KHR_materials_anisotropy",
                                                             "KHR_materials_clearcoat",
+                                                            "KHR_materials_diffuse_transmission",
                                                             "KHR_materials_emissive_strength",
                                                             "KHR_materials_ior",
                                                             "KHR_materials_specular",

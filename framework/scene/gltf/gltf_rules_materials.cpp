@@ -80,6 +80,11 @@ void check_transmission(Checker& c, const Fields& material) {
         transmission->number_in("transmissionFactor", 0, 1);
         warn_of_textures(c, *transmission, {"transmissionTexture"});
     }
+    if (const auto scattered = material.extension("KHR_materials_diffuse_transmission")) {
+        scattered->number_in("diffuseTransmissionFactor", 0, 1);
+        scattered->numbers("diffuseTransmissionColorFactor", 3);
+        warn_of_textures(c, *scattered, {"diffuseTransmissionTexture", "diffuseTransmissionColorTexture"});
+    }
     if (const auto volume = material.extension("KHR_materials_volume")) {
         volume->number_in("thicknessFactor", 0, kUnbounded);
         volume->number_in("attenuationDistance", 0, kUnbounded);
@@ -148,7 +153,8 @@ void check_materials(Checker& c) {
                 [&](const Fields& material) { check_material(c, material); });
 }
 
-// The key `ripples` of the object `extras.weft` of a material: four numbers.
+// The keys of the object `extras.weft` of a material: `ripples`, four numbers, and `diffuseRoughness`, an
+// angle in radians.
 void check_material_extras(Checker& c, const nlohmann::json& extras) {
     uint32_t self = 0;
     c.root.each("materials", c.limits.materials, [&](const Fields& material) {
@@ -157,7 +163,10 @@ void check_material_extras(Checker& c, const nlohmann::json& extras) {
             extras_object(c, extras[index], material.pointer_to("extras/weft"),
                           "write for example { \"ripples\": [0.02, 0.01, -0.01, 0.02] }, or remove the key");
         if (!fields) return;
-        warn_of_other_keys(c, *fields, {"ripples"});
+        warn_of_other_keys(c, *fields, {"ripples", "diffuseRoughness"});
+        fields->number_in("diffuseRoughness", 0, kHalfPi);
+        if (const std::optional<double> roughness = fields->number("diffuseRoughness", Need::optional))
+            c.out.diffuse_roughness_rad[index] = static_cast<float>(std::clamp(*roughness, 0.0, kHalfPi));
         const std::vector<double> ripples = fields->numbers("ripples", 4);
         if (!ripples.empty())
             c.out.ripples[index] = glm::vec4(ripples[0], ripples[1], ripples[2], ripples[3]);

@@ -25,10 +25,9 @@ std::optional<InstanceTransforms> InstanceTransforms::open(const Document& docum
         }
         reader = AccessorReader::open(document, accessor);
         if (!reader) {
-            report.error(
-                "S104", pointer + key,
-                "the accessor reaches past the end of its data, or its sparse indices do not ascend",
-                "export the instances again");
+            report.error("S104", pointer + key,
+                         "the accessor reaches past the end of its data, or its sparse indices do not ascend",
+                         "export the instances again");
             return false;
         }
         transforms.count_ = reader->count();

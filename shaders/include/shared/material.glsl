@@ -45,6 +45,10 @@ struct Material {
     float ior;               // Index of refraction.
     float clearcoat;         // Share of the surface with a clear coat, 0 to 1.
     float clearcoat_roughness;  // Perceptual roughness of the coat, 0 to 1.
+    vec3 transmitted_color;  // Scattered light at the front of the surface, for uniform light from behind of 1.
+    float diffuse_share;     // Share of the diffuse light that does not pass through the surface, 0 to 1.
+    vec2 oren_nayar;         // A and B of the diffuse reflection; (1, 0): ideally diffuse. See include/brdf.glsl.
+    vec2 unused;
 };
 
 #include "end.glsl"

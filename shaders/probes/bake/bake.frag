@@ -19,7 +19,8 @@ void main() {
     if (MASKED && base.a < material.alpha_cutoff) discard;
     // The back of a surface that is not two-sided is the inside of an object: no light leaves it.
     const bool inside = !gl_FrontFacing && material.two_sided == 0u;
-    probeAlbedo = vec4(sqrt(base.rgb), occlusion_roughness_metalness().b);
+    const float metalness = occlusion_roughness_metalness().b;
+    probeAlbedo = vec4(sqrt(reflected_color(base.rgb, metalness)), metalness);
     probeNormal = octahedral_encode(shading_normal());
     probeDistance = length(from_probe) * (inside ? -1.0 : 1.0);
     probeEmission = vec4(inside ? vec3(0.0) : min(emission() * kProbeRadianceScale, vec3(65000.0)), 1.0);

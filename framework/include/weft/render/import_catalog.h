@@ -1,6 +1,7 @@
 // Purpose: lists the imports that a scene offers to graphs; needs no device. Three draw lists, "opaque",
 // "masked" and "transparent", together contain all draws of the scene. The draw list "anisotropic" repeats
 // some draws of "opaque" and "masked", "coated" repeats those of their other draws that have a clear coat,
+// "scattering" repeats those of the rest that let scattered light pass or whose diffuse reflection is rough,
 // and the draw list "refractive" repeats the draws of "transparent" whose materials let light pass by
 // transmission. The draw lists "opaqueStill" and "maskedStill" have the draws of "opaque" and "masked" whose
 // objects do not move. Further imports: a buffer with the draw commands of each of the first four lists
@@ -22,8 +23,8 @@
 
 namespace weft::render {
 
-inline constexpr std::array kDrawLists{"opaque", "masked",     "transparent", "anisotropic",
-                                       "coated", "refractive", "opaqueStill", "maskedStill"};
+inline constexpr std::array kDrawLists{"opaque",     "masked",     "transparent", "anisotropic", "coated",
+                                       "scattering", "refractive", "opaqueStill", "maskedStill"};
 // The lists whose draw commands graphs can import.
 inline constexpr std::array kCommandLists{"opaque", "masked", "transparent", "anisotropic"};
 // True if the list has no objects that move.

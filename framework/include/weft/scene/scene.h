@@ -107,6 +107,15 @@ struct Material {
     float transmission = 0;
     float thickness_m = 0;
     glm::vec3 absorption_per_m{0};
+    // KHR_materials_diffuse_transmission. Of the light that the surface does not mirror, the share
+    // `diffuse_transmission` (0 to 1) passes through it with this colour and is scattered. If thickness_m is
+    // above 0, this light crosses the body, which absorbs a part of it.
+    float diffuse_transmission = 0;
+    glm::vec3 diffuse_transmission_color{1};
+    // Roughness σ of the diffuse reflection: the standard deviation of the slopes of small facets, in
+    // radians. A surface with a large σ looks flat, like plaster or the moon (Oren and Nayar 1994). 0:
+    // ideally diffuse.
+    float diffuse_roughness_rad = 0;
     // If it is not 0, the normal map is used as two layers of ripples that move. xy and zw: their velocities
     // in texture coordinates per second. The second layer is rotated by 90°.
     glm::vec4 ripples{0};

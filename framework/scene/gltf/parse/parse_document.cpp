@@ -233,6 +233,8 @@ std::optional<Document> parse_document(const CheckedJson& checked, Resources res
     document.probes = checked.probes;
     for (const auto& [material, velocities] : checked.ripples)
         document.materials[material].ripples = velocities;
+    for (const auto& [material, roughness_rad] : checked.diffuse_roughness_rad)
+        document.materials[material].diffuse_roughness_rad = roughness_rad;
     return document;
 }
 

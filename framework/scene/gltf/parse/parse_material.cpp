@@ -103,15 +103,8 @@ void apply_clearcoat(const tinygltf::ExtensionMap& extensions, Material& out) {
     out.clearcoat_roughness = unit(number_or(*coat, "clearcoatRoughnessFactor", 0));
 }
 
-// Implements KHR_materials_transmission and KHR_materials_volume. The surface is drawn after the opaque ones,
-// even if its alpha mode is OPAQUE. A mask cannot be transmissive.
-void apply_transmission(const tinygltf::ExtensionMap& extensions, Material& out) {
-    const tinygltf::Value* transmission = find_extension(extensions, "KHR_materials_transmission");
-    if (transmission == nullptr || out.alpha_mode == AlphaMode::mask) return;
-    out.transmission = unit(number_or(*transmission, "transmissionFactor", 0));
-    if (out.transmission == 0) return;
-    if (out.alpha_mode == AlphaMode::opaque) out.base_color.a = 1;
-    out.alpha_mode = AlphaMode::blend;
+// Implements KHR_materials_volume: the body behind the surface.
+void apply_volume(const tinygltf::ExtensionMap& extensions, Material& out) {
     const tinygltf::Value* volume = find_extension(extensions, "KHR_materials_volume");
     if (volume == nullptr) return;
     out.thickness_m = std::max(0.0f, static_cast<float>(number_or(*volume, "thicknessFactor", 0)));
@@ -122,6 +115,26 @@ void apply_transmission(const tinygltf::ExtensionMap& extensions, Material& out)
     constexpr float kMostAbsorption_per_m = 1e6f;
     const glm::vec3 passed = glm::clamp(color, glm::vec3(kDarkest), glm::vec3(1));
     out.absorption_per_m = glm::min(-glm::log(passed) / distance_m, glm::vec3(kMostAbsorption_per_m));
+}
+
+// Implements KHR_materials_transmission. The surface is drawn after the opaque ones,
+// even if its alpha mode is OPAQUE. A mask cannot be transmissive.
+void apply_transmission(const tinygltf::ExtensionMap& extensions, Material& out) {
+    const tinygltf::Value* transmission = find_extension(extensions, "KHR_materials_transmission");
+    if (transmission == nullptr || out.alpha_mode == AlphaMode::mask) return;
+    out.transmission = unit(number_or(*transmission, "transmissionFactor", 0));
+    if (out.transmission == 0) return;
+    if (out.alpha_mode == AlphaMode::opaque) out.base_color.a = 1;
+    out.alpha_mode = AlphaMode::blend;
+}
+
+void apply_diffuse_transmission(const tinygltf::ExtensionMap& extensions, Material& out) {
+    const tinygltf::Value* scattered = find_extension(extensions, "KHR_materials_diffuse_transmission");
+    if (scattered == nullptr) return;
+    out.diffuse_transmission = unit(number_or(*scattered, "diffuseTransmissionFactor", 0));
+    const glm::vec3 color =
+        vector_or(number_array(*scattered, "diffuseTransmissionColorFactor"), glm::vec3(1));
+    out.diffuse_transmission_color = glm::clamp(color, glm::vec3(0), glm::vec3(1));
 }
 
 // Implements KHR_materials_unlit: the surface shows its base colour and ignores lights. The material becomes
@@ -164,10 +177,13 @@ Material convert_material(const tinygltf::Material& source, const tinygltf::Mode
     apply_material_extensions(source.extensions, out);
     apply_anisotropy(source.extensions, model, out);
     apply_clearcoat(source.extensions, out);
-    if (find_extension(source.extensions, "KHR_materials_unlit") == nullptr)
-        apply_transmission(source.extensions, out);
-    else
+    if (find_extension(source.extensions, "KHR_materials_unlit") != nullptr) {
         make_unlit(out);
+        return out;
+    }
+    apply_transmission(source.extensions, out);
+    apply_diffuse_transmission(source.extensions, out);
+    if (out.transmission > 0 || out.diffuse_transmission > 0) apply_volume(source.extensions, out);
     return out;
 }
 
