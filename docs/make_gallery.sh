@@ -71,6 +71,14 @@ holes and a custom falloff curve. One loop in the shader evaluates all these kin
 may move. This picture is rendered with forward+ (forward shading with lists of lamps per tile).
 END
 
+show materials weft "Hair, silk, ice and paper" "A table: hair on a stand, silk, blocks of ice, a lantern, two balls of plaster" \
+  builtin:materials <<'END'
+The G-buffer has no room for these materials, so a forward pass draws them over the lit picture. Hair and silk are rough
+in one direction. The tips of the hair are transparent and get the same light as the strands. Ice and paper show the
+light from behind, scattered. The right ball of plaster is rough, so it looks flatter than the left one. [Ice, paper and
+plaster](scenes.md#ice-paper-and-plaster) lists what a material needs.
+END
+
 show bloom bloom "Bloom" "A court at night: lamps, candles and lanterns glow softly" --time 22 <<'END'
 Bloom imitates a lens, which scatters a share of all incoming light. The picture is halved six times, with a filter that
 gives every texel the same weight. On the way back to full size, each mip is mixed in place with the next coarser mip.

@@ -57,7 +57,7 @@ const float kLeastEdge = 1.6, kMostEdge = 3.0;
 const float kLeastOff = 0.4, kMostOff = 0.7;
 // Limits of the standard deviation of the inverse distance, as shares of the inverse distance. The upper limit prevents
 // light leaks where a texel shows a rough or a curved surface.
-const float kLeastDeviation = 0.015, kMostDeviation = 0.06;
+const float kLeastDeviation = 0.03, kMostDeviation = 0.12;
 
 // The light of the probes. facing, mirrored: irradiance / π for two directions. validity: 0 if no
 // probe gives light, 1 if the probes give all of it. outside: 1 if no cell is near the point, 0 in a cell.

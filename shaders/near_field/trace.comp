@@ -60,10 +60,8 @@ vec3 point_at(ivec2 pixel, float z) {
     return world_position((vec2(pixel) + 0.5) / vec2(textureSize(depth, 0)), z);
 }
 
-// Returns the distance between the probes around a point, at most nearRadius. Light from farther away comes from the
-// probes.
-float near_radius_m(vec3 position) {
-    if (!HAS_probeMap) return params.nearRadius;
+// Returns the distance between the probes around a point, at most nearRadius.
+float probe_distance_m(vec3 position) {
     const vec3 grid = probe_grid_place(position);
     const uint levels = probeMap.items[1].x;
     for (uint level = 0u; level < levels; ++level) {
@@ -72,6 +70,17 @@ float near_radius_m(vec3 position) {
             return min(stride * probe_grid_spacing_m(), params.nearRadius);
     }
     return params.nearRadius;
+}
+
+// Returns the radius around a point: the distance between the probes there, because light from farther away comes from
+// the probes. The distance is that of a random place nearby, so that the mean radius changes gradually where probes with
+// other distances begin.
+float near_radius_m(vec3 position, vec2 noise) {
+    if (!HAS_probeMap) return params.nearRadius;
+    const float distance_m = probe_distance_m(position);
+    if (params.nearNoise == 0u) return distance_m;
+    const vec3 aside = fract(vec3(noise, kGolden * 8.0 * noise.x + kPlastic * 8.0 * noise.y)) - 0.5;
+    return probe_distance_m(position + distance_m * aside);
 }
 
 // Returns the radiance × preExposure of the surface at a pixel in the previous frame (rgb), and 1 if it is known (a).
@@ -184,8 +193,9 @@ void main() {
     if (z > 0.0) {
         const vec3 position = point_at(pixel, z), n = octahedral_decode(texelFetch(normal, pixel, 0).xy);
         const float distance_m = distance(position, view.eye);
-        const Point p = Point(pixel, position, n, (view.eye - position) / distance_m, near_radius_m(position));
-        const Gathered sum = gather(p, noise_of(texel));
+        const vec2 noise = noise_of(texel);
+        const Point p = Point(pixel, position, n, (view.eye - position) / distance_m, near_radius_m(position, noise));
+        const Gathered sum = gather(p, noise);
         const float scale = sum.whole > 0.0 ? 1.0 / sum.whole : 0.0;
         traced = vec4(min(sum.light * scale, vec3(65000.0)), clamp(sum.visible * scale, 0.0, 1.0));
         const vec3 open = sum.direction * scale + 1e-4 * n;

@@ -3,6 +3,7 @@
 #include "scene/builtin/builtin_atrium.h"
 #include "scene/builtin/builtin_brushed.h"
 #include "scene/builtin/builtin_cornell.h"
+#include "scene/builtin/builtin_materials.h"
 #include "scene/builtin/builtin_spheres.h"
 #include "scene/builtin/builtin_stage.h"
 #include "scene/builtin/daylight.h"
@@ -23,7 +24,7 @@ Scene make_lights(const BuiltinOptions& options) {
 }  // namespace
 
 std::vector<std::string> builtin_scene_names() {
-    return {"atrium", "brushed", "cornell", "lights", "mirror", "spheres", "stage"};
+    return {"atrium", "brushed", "cornell", "lights", "materials", "mirror", "spheres", "stage"};
 }
 
 bool has_hours(std::string_view name) {
@@ -35,6 +36,7 @@ Result<Scene> make_builtin(std::string_view name, const BuiltinOptions& options)
     if (name == "lights") return make_lights(options);
     if (name == "brushed") return make_brushed();
     if (name == "cornell") return make_cornell();
+    if (name == "materials") return make_materials();
     if (name == "mirror") return make_mirror();
     if (name == "spheres") return make_spheres();
     if (name == "stage") return make_stage();

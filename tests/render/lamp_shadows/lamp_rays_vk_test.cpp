@@ -46,7 +46,8 @@ struct Point {
 
 enum class Lit : uint8_t { all, none, some };
 
-// Casts rays from the lamp to points around the surface point, up to a distance of a texel. A map may miss
+// Casts rays from the lamp to points around the surface point, up to a distance of two texels, the
+// radius of the filter. A map may miss
 // casters that rise less than two texels above the surface.
 Lit truth(const RayScene& rays, const shared::Light& lamp, const Point& point) {
     constexpr int kSteps = 5;
@@ -63,7 +64,7 @@ Lit truth(const RayScene& rays, const shared::Light& lamp, const Point& point) {
     int lit = 0, dark = 0, cast = 0;
     for (; cast < kSteps * kSteps && (lit == cast || dark == cast); ++cast) {
         const glm::dvec3 across =
-            (right * (cast % kSteps / 2.0 - 1) + up * (cast / kSteps / 2.0 - 1)) * point.texel_m;
+            (right * double(cast % kSteps - 2) + up * double(cast / kSteps - 2)) * point.texel_m;
         const glm::dvec3 at =
             point.at + across - to_lamp * (glm::dot(across, point.normal) / glm::dot(to_lamp, point.normal));
         lit += is_blocked(at, Masks::solid) ? 0 : 1;

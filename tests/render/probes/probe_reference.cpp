@@ -132,7 +132,7 @@ double ProbeReference::visibility(size_t probe, const glm::dvec3& to_point) cons
             mean += weight;
             continue;
         }
-        const double variance = std::pow(std::clamp(seen.w, 0.015 * surface, 0.06 * surface), 2);
+        const double variance = std::pow(std::clamp(seen.w, 0.03 * surface, 0.12 * surface), 2);
         const double less = behind * std::min(1.0, 32 * weight);
         least = std::min(least, variance / (variance + less * less));
         mean += weight * std::pow(variance / (variance + behind * behind), 3);

@@ -55,6 +55,31 @@ TEST_F(GltfMaterial, UnlitShowsItsBaseColour) {
         EXPECT_EQ(warning.message.find("unlit"), std::string::npos) << warning.message;
 }
 
+TEST_F(GltfMaterial, ReadsScatteredLight) {
+    const Material material = load(with_material(R"({"extensions":{
+        "KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":0.75,"diffuseTransmissionColorFactor":[1,0.5,0.25]},
+        "KHR_materials_volume":{"thicknessFactor":0.5,"attenuationDistance":2,"attenuationColor":[1,0.5,0.25]}},
+        "extras":{"weft":{"diffuseRoughness":0.4}}})"))
+                                  .materials.at(0);
+    EXPECT_FLOAT_EQ(material.diffuse_transmission, 0.75f);
+    EXPECT_EQ(material.diffuse_transmission_color, glm::vec3(1, 0.5f, 0.25f));
+    EXPECT_FLOAT_EQ(material.thickness_m, 0.5f);
+    EXPECT_FLOAT_EQ(material.absorption_per_m.y, std::log(2.0f) / 2);
+    EXPECT_FLOAT_EQ(material.diffuse_roughness_rad, 0.4f);
+    EXPECT_EQ(material.alpha_mode, AlphaMode::opaque);
+}
+
+TEST_F(GltfMaterial, ClampsScatteredLight) {
+    const Material material = load(with_material(R"({"extensions":{
+        "KHR_materials_diffuse_transmission":{"diffuseTransmissionFactor":7,"diffuseTransmissionColorFactor":[-1,2,0.25]}},
+        "extras":{"weft":{"diffuseRoughness":9}}})"))
+                                  .materials.at(0);
+    EXPECT_FLOAT_EQ(material.diffuse_transmission, 1);
+    EXPECT_EQ(material.diffuse_transmission_color, glm::vec3(0, 1, 0.25f));
+    EXPECT_NEAR(material.diffuse_roughness_rad, 1.5707963f, 1e-6f);
+    EXPECT_FALSE(warnings_.empty());
+}
+
 TEST_F(GltfMaterial, ReadsClearcoat) {
     const Material material = load(with_material(R"({"extensions":{"KHR_materials_clearcoat":{
         "clearcoatFactor":0.5,"clearcoatRoughnessFactor":0.25,"clearcoatTexture":{"index":0}}}})"))

@@ -5,6 +5,7 @@
 //   "cornell" and "mirror": light between surfaces
 //   "brushed": anisotropic metal
 //   "lights": the atrium at night with many moving lights
+//   "materials": hair, silk, ice, paper and plaster
 //   "stage": all kinds of lamps
 // Every run makes the same bytes. Lights have photometric units, and textures have full mip chains.
 // Errors: S120, a name that is not a built-in scene.
