@@ -1,13 +1,15 @@
 """Renders one reference with Cycles, the path tracer of Blender 3.4. Runs inside Blender; make.sh calls it.
 
 usage: blender -b --factory-startup -P cycles.py -- SCENE.gltf ENVIRONMENT.hdr OUT.hdr WIDTH HEIGHT SAMPLES BOUNCES \
-       single|multiple|imported EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG [sky|lamps]
+       single|multiple|imported EYE_X,EYE_Y,EYE_Z,AT_X,AT_Y,AT_Z,FOVY_DEG [sky|lamps|sun]
 
 Coordinates of the camera are those of glTF (y is up). The argument before the camera chooses how light scatters between
 the facets of a metal: once, or any number of times. With `imported`, all materials stay as the importer makes them
-(light scatters once), except for what glTF and Weft mean and the importer does not: see the functions adapt_. With `sky`, only the suns and the environment shine; with `lamps`, only lamps and surfaces shine.
-The sum of both pictures has all light. Cycles 3.4 chooses one lamp for each sample, so a scene with a sun and many lamps
-has less noise this way.
+(light scatters once), except where glTF and Weft mean something else: see the functions adapt_.
+
+With `sky`, only the suns and the environment shine; with `lamps`, only lamps and surfaces shine. The sum of both
+pictures has all light. Cycles 3.4 chooses one lamp for each sample, so a scene with a sun and many lamps has less noise
+this way. With `sun`, only the suns shine.
 """
 import math
 import sys
@@ -42,7 +44,8 @@ def set_material(material, distribution):
 
 
 def adapt_material(material):
-    """Cuts masks at their threshold, and lets the light of lamps pass through glass and water without refraction."""
+    """Cuts masks at their threshold, lets the light of lamps pass through glass and water without refraction, and makes
+    diffuse light independent of the roughness."""
     tree = material.node_tree
     principled = next((n for n in tree.nodes if n.type == "BSDF_PRINCIPLED"), None)
     if principled is None:
@@ -56,6 +59,51 @@ def adapt_material(material):
         tree.links.new(cut.outputs[0], alpha)
     if principled.inputs["Transmission"].default_value > 0:
         let_shadow_rays_pass(tree, principled)
+    else:
+        use_lambert(tree, principled)
+
+
+def source_of(tree, socket):
+    """Returns the socket that is linked to an input, or a new node with the value of the input."""
+    if socket.is_linked:
+        return socket.links[0].from_socket
+    node = tree.nodes.new("ShaderNodeRGB" if socket.type == "RGBA" else "ShaderNodeValue")
+    node.outputs[0].default_value = socket.default_value
+    return node.outputs[0]
+
+
+def scaled(tree, color, factor):
+    node = tree.nodes.new("ShaderNodeVectorMath")
+    node.operation = "SCALE"
+    tree.links.new(color, node.inputs["Vector"])
+    tree.links.new(factor, node.inputs["Scale"])
+    return node.outputs["Vector"]
+
+
+def use_lambert(tree, principled):
+    """glTF and Weft have Lambert's diffuse light. Blender's principled material has Burley's, whose rough surfaces send
+    up to twice the light back to the source. So a diffuse BSDF gets the base colour of the part that is not metal."""
+    color, metallic, alpha = (source_of(tree, principled.inputs[name]) for name in ("Base Color", "Metallic", "Alpha"))
+    rest = tree.nodes.new("ShaderNodeMath")
+    rest.operation = "SUBTRACT"
+    rest.inputs[0].default_value = 1
+    tree.links.new(metallic, rest.inputs[1])
+    diffuse, both, clear, mix = (tree.nodes.new("ShaderNode" + kind) for kind in (
+        "BsdfDiffuse", "AddShader", "BsdfTransparent", "MixShader"))
+    tree.links.new(scaled(tree, color, rest.outputs[0]), diffuse.inputs["Color"])
+    if principled.inputs["Normal"].is_linked:
+        tree.links.new(principled.inputs["Normal"].links[0].from_socket, diffuse.inputs["Normal"])
+    for link in principled.inputs["Alpha"].links:
+        tree.links.remove(link)
+    principled.inputs["Alpha"].default_value = 1
+    tree.links.new(scaled(tree, color, metallic), principled.inputs["Base Color"])
+    tree.links.new(diffuse.outputs["BSDF"], both.inputs[0])
+    tree.links.new(principled.outputs["BSDF"], both.inputs[1])
+    tree.links.new(alpha, mix.inputs["Fac"])
+    tree.links.new(clear.outputs["BSDF"], mix.inputs[1])
+    tree.links.new(both.outputs["Shader"], mix.inputs[2])
+    output = next(n for n in tree.nodes if n.type == "OUTPUT_MATERIAL")
+    tree.links.new(mix.outputs["Shader"], output.inputs["Surface"])
 
 
 def let_shadow_rays_pass(tree, principled):
@@ -93,12 +141,13 @@ def adapt_lights():
 
 def keep_lights(which):
     """Removes the light of all other sources."""
-    suns = which == "sky"
+    suns = which != "lamps"
     for holder in [o for o in bpy.data.objects if o.type == "LIGHT" and (o.data.type == "SUN") != suns]:
         bpy.data.objects.remove(holder)
-    if not suns:
+    if which != "sky":
         node = next(n for n in bpy.context.scene.world.node_tree.nodes if n.type == "BACKGROUND")
         node.inputs["Strength"].default_value = 0
+    if not suns:
         return
     for material in bpy.data.materials:
         for node in material.node_tree.nodes if material.use_nodes else ():
