@@ -5,7 +5,7 @@ usage: blender -b --factory-startup -P cycles.py -- SCENE.gltf ENVIRONMENT.hdr O
 
 Coordinates of the camera are those of glTF (y is up). The argument before the camera chooses how light scatters between
 the facets of a metal: once, or any number of times. With `imported`, all materials stay as the importer makes them
-(light scatters once), except where glTF and Weft mean something else: see the functions adapt_.
+(light scatters any number of times), except where glTF and Weft mean something else: see the functions adapt_.
 
 With `sky`, only the suns and the environment shine; with `lamps`, only lamps and surfaces shine. The sum of both
 pictures has all light. Cycles 3.4 chooses one lamp for each sample, so a scene with a sun and many lamps has less noise
@@ -50,6 +50,7 @@ def adapt_material(material):
     principled = next((n for n in tree.nodes if n.type == "BSDF_PRINCIPLED"), None)
     if principled is None:
         return
+    principled.distribution = "MULTI_GGX"
     alpha = principled.inputs["Alpha"]
     if material.blend_method == "CLIP" and alpha.is_linked:
         cut = tree.nodes.new("ShaderNodeMath")
