@@ -5,6 +5,7 @@
 
 #include "render/views/plain_light.h"
 #include "scene/model/light_check.h"
+#include "scene/model/sky_gradient.h"
 
 namespace weft::render {
 namespace {
@@ -12,9 +13,6 @@ namespace {
 static_assert(sizeof(shared::FrameConstants) == 240 && sizeof(shared::ViewConstants) == 512);
 static_assert(sizeof(shared::Light) == 80 && sizeof(shared::LightFunction) == 64 &&
               sizeof(shared::Material) == 384 && sizeof(shared::Instance) == 208);
-
-// Albedo with which the ground below the horizon reflects daylight.
-constexpr float kGroundAlbedo = 0.25f;
 
 // A lamp can have doors (plates that limit its light). This is the largest angle in radians (89 degrees) at
 // which a door limits the light. A door that is opened further has no effect.
@@ -126,7 +124,7 @@ shared::FrameConstants scene_constants(const scene::Scene& scene) {
 void set_sky(const SkyColors& sky, shared::FrameConstants& frame) {
     frame.sky_zenith = sky.zenith;
     frame.sky_horizon = sky.horizon;
-    frame.sky_ground = sky.ground.value_or(sky.horizon * kGroundAlbedo);
+    frame.sky_ground = sky.ground.value_or(sky.horizon * scene::kGroundAlbedo);
     if (frame.environment_scale > 0) return;  // The scene has an environment map, which sets the unit.
     const glm::vec3 brightest = glm::max(glm::max(frame.sky_zenith, frame.sky_horizon), frame.sky_ground);
     frame.environment_unit = cube_unit(std::max({brightest.r, brightest.g, brightest.b}));

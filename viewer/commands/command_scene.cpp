@@ -1,7 +1,10 @@
-// `weft scene`: describes a scene and its light probes, and draws where the probes stand.
+// `weft scene`: describes a scene and its light probes, draws where the probes stand, and writes the scene
+// for other programs.
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
+#include "file/write_file.h"
 #include "graph/diagnostics/quantity_text.h"
 #include "viewer/commands/commands.h"
 #include "viewer/commands/probe_source.h"
@@ -10,6 +13,7 @@
 #include "viewer/output/report.h"
 #include "viewer/pictures/image_file.h"
 #include "viewer/pictures/probe_picture.h"
+#include "weft/scene/encode_glb.h"
 #include "weft/scene/place_probes.h"
 
 namespace weft::viewer {
@@ -83,18 +87,50 @@ bool names_png(const std::string& path) {
     return false;
 }
 
+// Returns true if the path is empty, ends in `extension`, or has no extension and is a pipe or a device.
+// Otherwise prints a message. `what`: what the option writes.
+bool has_extension(const char* option, const std::string& path, const char* extension, const char* what) {
+    const std::string found = std::filesystem::path(path).extension().string();
+    if (path.empty() || found == extension || (found.empty() && is_stream(path))) return true;
+    std::fprintf(stderr, "weft: %s: %s is a %s file; give a name that ends in %s\n", option, what, extension,
+                 extension);
+    return false;
+}
+
 ExitCode end_with(const Diagnostics& errors) {
     report(errors);
     return exit_code_for(errors);
 }
 
+ExitCode write_scene(const std::string& path, const scene::Scene& scene) {
+    const Result<std::string> file = scene::encode_glb(scene);
+    return file ? output_data(path, *file) : end_with(file.errors());
+}
+
+ExitCode write_sky(const std::string& path, const scene::Scene& scene) {
+    if (scene::has_sky(scene)) return output_data(path, scene::encode_sky(scene));
+    std::fputs("weft: --sky: the scene has no sky\n", stderr);
+    return ExitCode::usage;
+}
+
+// Writes the scene and the sky, if the options ask for them.
+ExitCode write_for_other_programs(const SceneOptions& options, const scene::Scene& scene) {
+    if (!options.gltf.empty())
+        if (const ExitCode code = write_scene(options.gltf, scene); code != ExitCode::ok) return code;
+    return options.sky.empty() ? ExitCode::ok : write_sky(options.sky, scene);
+}
+
+ExitCode check_options(const SceneOptions& options) {
+    if (!names_png(options.picture) || !has_extension("--gltf", options.gltf, ".glb", "the scene") ||
+        !has_extension("--sky", options.sky, ".hdr", "the picture of the sky"))
+        return ExitCode::usage;
+    return check_outputs({options.picture, options.gltf, options.sky}, {options.scene, options.probes});
+}
+
 }  // namespace
 
 ExitCode run_scene(const SceneOptions& options) {
-    if (!names_png(options.picture)) return ExitCode::usage;
-    if (const ExitCode code = check_outputs({options.picture}, {options.scene, options.probes});
-        code != ExitCode::ok)
-        return code;
+    if (const ExitCode code = check_options(options); code != ExitCode::ok) return code;
     if (const Status expected = expect_scene(options.scene); !expected) return end_with(expected.errors());
     SceneChoice choice;
     choice.name = options.scene;
@@ -103,6 +139,7 @@ ExitCode run_scene(const SceneOptions& options) {
     const Result<scene::Scene> scene = open_scene(choice, options.limits.scene, warnings);
     report(warnings);
     if (!scene) return end_with(scene.errors());
+    if (const ExitCode code = write_for_other_programs(options, *scene); code != ExitCode::ok) return code;
     const Result<scene::Camera> camera = choose_camera(*scene, {options.scene, options.camera, 1});
     if (!camera) return end_with(camera.errors());
     const Result<FoundProbes> found =

@@ -291,6 +291,9 @@ void add_scene(CLI::App& command, SceneOptions& o, RawTexts& raw) {
         ->transform(number_in({0, 24, "hours"}));
     command.add_option("-o,--output", o.picture,
                        "draw the probes from above and from the side to this .png file");
+    command.add_option("--gltf", o.gltf, "write the scene as binary glTF 2.0 to this .glb file");
+    command.add_option("--sky", o.sky,
+                       "write the sky as an equirectangular picture in cd/m² to this .hdr file");
     command.add_flag("--json", o.json, "print the probes as JSON, in the format of a file with probes");
     add_limits(command, raw);
 }

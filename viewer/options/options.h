@@ -173,6 +173,8 @@ struct SceneOptions {
     std::string camera;
     std::optional<float> hour;
     std::string picture;  // Path of the .png file for the picture of the probes; if empty, none is drawn.
+    std::string gltf;     // Path of the .glb file for the scene; if empty, none is written.
+    std::string sky;      // Path of the .hdr file for the sky; if empty, none is written.
     bool json = false;
     Limits limits;
 };

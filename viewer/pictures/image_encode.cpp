@@ -1,6 +1,5 @@
 #include "viewer/pictures/image_encode.h"
 
-#include <png.h>
 #include <tinyexr.h>
 
 #include <array>
@@ -35,21 +34,6 @@ std::array<std::vector<float>, kChannels> planes_abgr(std::span<const glm::vec4>
 }
 
 }  // namespace
-
-Result<std::string> encode_png(uint32_t width_px, uint32_t height_px, std::span<const std::byte> rgba8) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = width_px;
-    image.height = height_px;
-    image.format = PNG_FORMAT_RGBA;  // sRGB, and alpha is not premultiplied.
-    png_alloc_size_t length = PNG_IMAGE_PNG_SIZE_MAX(image);
-    std::string encoded(length, '\0');
-    const bool is_written =
-        png_image_write_to_memory(&image, encoded.data(), &length, 0, rgba8.data(), 0, nullptr) != 0;
-    if (!is_written) return cannot_encode(image.message);
-    encoded.resize(length);
-    return encoded;
-}
 
 Result<std::string> encode_exr(uint32_t width_px, uint32_t height_px, std::span<const glm::vec4> texels) {
     std::array<std::vector<float>, kChannels> planes = planes_abgr(texels);

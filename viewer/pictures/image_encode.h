@@ -1,7 +1,6 @@
-// Purpose: encodes pictures as the bytes of a file. The texels of a PNG must already be encoded for display
-// (sRGB, 8 bits). EXR (32-bit float) and PFM contain raw values. The input has width × height RGBA texels,
-// with row 0 at the top. A PFM file has no alpha, and stores its rows from bottom to top. Error X510: the
-// library cannot encode the picture, for example because memory runs out.
+// Purpose: encodes pictures as the bytes of an EXR (32-bit float) or PFM file, which contain raw values. The
+// input has width × height RGBA texels, with row 0 at the top. A PFM file has no alpha, and stores its rows
+// from bottom to top. Error X510: the library cannot encode the picture, for example because memory runs out.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,8 +11,6 @@
 
 namespace weft::viewer {
 
-[[nodiscard]] Result<std::string> encode_png(uint32_t width_px, uint32_t height_px,
-                                             std::span<const std::byte> rgba8);
 [[nodiscard]] Result<std::string> encode_exr(uint32_t width_px, uint32_t height_px,
                                              std::span<const glm::vec4> texels);
 [[nodiscard]] Result<std::string> encode_pfm(uint32_t width_px, uint32_t height_px,

@@ -6,6 +6,7 @@
 
 #include "file/write_file.h"
 #include "scene/pictures/mip_chain.h"
+#include "scene/pictures/png_encode.h"
 #include "viewer/pictures/image_encode.h"
 
 namespace weft::viewer {
@@ -49,7 +50,7 @@ Result<ImageFileKind> image_file_kind(const std::string& path) {
 
 Status write_png(const std::string& path, uint32_t width_px, uint32_t height_px,
                  std::span<const std::byte> rgba8) {
-    return write_encoded(path, encode_png(width_px, height_px, rgba8));
+    return write_encoded(path, scene::encode_png(width_px, height_px, rgba8));
 }
 
 Status write_image(const std::string& path, uint32_t width_px, uint32_t height_px,

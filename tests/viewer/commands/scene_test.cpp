@@ -1,4 +1,4 @@
-// Tests `weft scene`: the summary, the sources of light probes, the JSON and the picture.
+// Tests `weft scene`: the summary, the sources of light probes, the JSON, the picture and the written scene.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -83,6 +83,28 @@ TEST_F(SceneCommand, DrawsAPicture) {
     EXPECT_TRUE(read_text(scratch_ / "probes.png").starts_with("\x89PNG"));
     const RunResult empty = run({"--probes", "none", "-o", "none.png"});
     EXPECT_EQ(empty.exit_code, 0) << empty.text();
+}
+
+TEST_F(SceneCommand, WritesTheSceneAndItsSky) {
+    const RunResult written = run({"--gltf", "copy.glb", "--sky", "sky.hdr"});
+    EXPECT_EQ(written.exit_code, 0) << written.text();
+    const RunResult copy = run_weft({"scene", "copy.glb"}, {}, scratch_.path());
+    EXPECT_EQ(copy.exit_code, 0) << copy.text();
+    EXPECT_EQ(copy.err, "");
+    EXPECT_NE(copy.out.find("1 instance of 1 mesh, 2 triangles"), std::string::npos) << copy.text();
+    EXPECT_TRUE(read_text(scratch_ / "sky.hdr").starts_with("#?RADIANCE"));
+}
+
+TEST_F(SceneCommand, SaysWhyTheSceneCannotBeWritten) {
+    const RunResult missing = run({"--gltf", "no/copy.glb"});
+    EXPECT_EQ(missing.exit_code, 1) << missing.text();
+    EXPECT_NE(missing.err.find("no/copy.glb: error[X510]"), std::string::npos) << missing.text();
+    const RunResult named = run({"--gltf", "copy.gltf"});
+    EXPECT_EQ(named.exit_code, 2) << named.text();
+    EXPECT_NE(named.err.find("--gltf: the scene is a .glb file"), std::string::npos) << named.text();
+    const RunResult sky = run({"--sky", "sky.png"});
+    EXPECT_EQ(sky.exit_code, 2) << sky.text();
+    EXPECT_NE(sky.err.find("--sky: the picture of the sky is a .hdr file"), std::string::npos) << sky.text();
 }
 
 }  // namespace

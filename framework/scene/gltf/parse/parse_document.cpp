@@ -14,6 +14,7 @@
 
 #include "scene/gltf/parse/parse_material.h"
 #include "scene/gltf/parse/values.h"
+#include "scene/model/lamp_area.h"
 #include "scene/model/node_placement.h"
 
 namespace weft::scene::gltf {
@@ -114,19 +115,11 @@ Light convert(const tinygltf::Light& source) {
     return out;
 }
 
-// Returns the area of the light's shape as seen from the direction in which it looks largest, for example
-// from the front of a rectangle. The file gives the light's intensity in candela for this direction.
-// Intensity divided by this area is the luminance in cd/m².
-float seen_area_m2(const LightSource& shape) {
-    const float a = shape.half_size_m.x, b = shape.half_size_m.y;
-    return *shape.shape == LightType::rectangle ? 4 * a * b : b * (4 * a + 3.14159265f * b);
-}
-
 void apply(const LightSource& source, Light& light, std::vector<LightFunction>& functions) {
     if (source.shape) {
         light.type = *source.shape;
         light.half_size_m = source.half_size_m;
-        light.intensity /= seen_area_m2(source);
+        light.intensity /= seen_area_m2(*source.shape, source.half_size_m);
     }
     if (!source.function) return;
     light.function = static_cast<uint32_t>(functions.size());
