@@ -3,8 +3,12 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <fstream>
+#include <map>
+#include <mutex>
+#include <utility>
 
 #include "vulkan/device/functions.h"
 
@@ -13,6 +17,51 @@ namespace {
 
 // Global, because the counting functions are plain functions. They have no access to the ObjectCounter.
 std::atomic<int64_t> live_objects = 0;
+
+// The allocations of device memory.
+struct {
+    std::mutex mutex;
+    std::map<VkDeviceMemory, uint64_t> sizes_bytes;
+    uint64_t live_bytes = 0, most_bytes = 0;
+    PFN_vkAllocateMemory allocate = nullptr;
+    PFN_vkFreeMemory free = nullptr;
+} device_memory;
+
+VKAPI_ATTR VkResult VKAPI_CALL allocate_counted(VkDevice device, const VkMemoryAllocateInfo* info,
+                                                const VkAllocationCallbacks* callbacks,
+                                                VkDeviceMemory* memory) {
+    const VkResult result = device_memory.allocate(device, info, callbacks, memory);
+    if (result != VK_SUCCESS) return result;
+    ++live_objects;
+    const std::lock_guard lock(device_memory.mutex);
+    device_memory.sizes_bytes[*memory] = info->allocationSize;
+    device_memory.live_bytes += info->allocationSize;
+    device_memory.most_bytes = std::max(device_memory.most_bytes, device_memory.live_bytes);
+    return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL free_counted(VkDevice device, VkDeviceMemory memory,
+                                        const VkAllocationCallbacks* callbacks) {
+    --live_objects;
+    {
+        const std::lock_guard lock(device_memory.mutex);
+        if (const auto found = device_memory.sizes_bytes.find(memory);
+            found != device_memory.sizes_bytes.end()) {
+            device_memory.live_bytes -= found->second;
+            device_memory.sizes_bytes.erase(found);
+        }
+    }
+    device_memory.free(device, memory, callbacks);
+}
+
+void count_memory(vk::DeviceFunctions& table) {
+    device_memory.sizes_bytes.clear();
+    device_memory.live_bytes = device_memory.most_bytes = 0;
+    device_memory.allocate = table.vkAllocateMemory;
+    device_memory.free = table.vkFreeMemory;
+    table.vkAllocateMemory = allocate_counted;
+    table.vkFreeMemory = free_counted;
+}
 
 template <auto Create, class Function>
 struct Made;
@@ -61,7 +110,7 @@ ObjectCounter::ObjectCounter(vk::Device& device) : device_(device), functions_(d
     count<&Table::vkCreateImage, &Table::vkDestroyImage>(table);
     count<&Table::vkCreateBuffer, &Table::vkDestroyBuffer>(table);
     count<&Table::vkCreateImageView, &Table::vkDestroyImageView>(table);
-    count<&Table::vkAllocateMemory, &Table::vkFreeMemory>(table);
+    count_memory(table);
     count<&Table::vkCreateSampler, &Table::vkDestroySampler>(table);
     count<&Table::vkCreateDescriptorSetLayout, &Table::vkDestroyDescriptorSetLayout>(table);
     count<&Table::vkCreateDescriptorPool, &Table::vkDestroyDescriptorPool>(table);
@@ -84,6 +133,16 @@ ObjectCounter::~ObjectCounter() {
 
 int64_t ObjectCounter::live() const {
     return live_objects;
+}
+
+uint64_t ObjectCounter::live_bytes() const {
+    const std::lock_guard lock(device_memory.mutex);
+    return device_memory.live_bytes;
+}
+
+uint64_t ObjectCounter::take_most_bytes() {
+    const std::lock_guard lock(device_memory.mutex);
+    return std::exchange(device_memory.most_bytes, device_memory.live_bytes);
 }
 
 uint64_t resident_bytes() {
