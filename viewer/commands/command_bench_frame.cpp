@@ -12,6 +12,7 @@
 #include "viewer/commands/scene_source.h"
 #include "viewer/commands/session_setup.h"
 #include "viewer/files/files.h"
+#include "viewer/options/graph_name.h"
 #include "viewer/output/output.h"
 #include "viewer/output/progress_text.h"
 #include "viewer/output/report.h"
@@ -41,10 +42,9 @@ struct Chosen {
 
 // Reads "NAME", "FILE.json", "NAME:TIER" or "FILE.json:TIER".
 Chosen chosen_graph(const std::string& text) {
-    const size_t colon = text.rfind(':');
-    const std::string graph = text.substr(0, colon);
-    return {graph.ends_with(".json") ? graph : (shipped_root() / "graphs" / (graph + ".json")).string(),
-            colon == std::string::npos ? "" : text.substr(colon + 1)};
+    const GraphName name = read_graph_name(text);
+    const bool is_file = name.graph.ends_with(".json");
+    return {is_file ? name.graph : (shipped_root() / "graphs" / (name.graph + ".json")).string(), name.tier};
 }
 
 // Returns the name of a measured graph for tables: "weft", or "weft:low" with a tier.

@@ -1,8 +1,7 @@
 // `weft diff`: prints the differences between the plans of two graph files.
-#include <filesystem>
-
 #include "viewer/commands/commands.h"
 #include "viewer/commands/offline_graph.h"
+#include "viewer/options/graph_name.h"
 #include "viewer/output/output.h"
 #include "viewer/output/report.h"
 #include "weft/report/plan_diff.h"
@@ -10,16 +9,11 @@
 namespace weft::viewer {
 namespace {
 
-// Compiles one of the two arguments of `weft diff`. The argument is FILE or FILE:TIER. If a file with the
-// whole name exists (including the colon), the whole argument is the file name.
+// Compiles one of the two arguments of `weft diff`. The argument is FILE or FILE:TIER.
 Result<OfflinePlan> compile_side(const std::string& side, OfflineOptions options, Diagnostics& warnings) {
-    std::error_code error;
-    const size_t colon = side.rfind(':');
-    const bool names_tier = colon != std::string::npos && !std::filesystem::exists(side, error) &&
-                            std::filesystem::exists(side.substr(0, colon), error);
-    if (!names_tier) return compile_offline(side, options, warnings);
-    options.request.tier = side.substr(colon + 1);
-    return compile_offline(side.substr(0, colon), options, warnings);
+    const GraphName name = read_graph_name(side);
+    if (!name.tier.empty()) options.request.tier = name.tier;
+    return compile_offline(name.graph, options, warnings);
 }
 
 }  // namespace

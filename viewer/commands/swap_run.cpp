@@ -2,9 +2,9 @@
 
 #include <chrono>
 #include <iterator>
-#include <string_view>
 #include <utility>
 
+#include "viewer/options/graph_name.h"
 #include "viewer/output/report.h"
 
 namespace weft::viewer {
@@ -16,19 +16,16 @@ double ms_since(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-constexpr std::string_view kGraphFile = ".json";
-
 }  // namespace
 
 GraphRequest swap_request(GraphRequest running, const std::string& target) {
-    const size_t file = target.find(kGraphFile);
-    if (file == std::string::npos) {
+    const GraphName name = read_graph_name(target);
+    if (!name.graph.ends_with(".json")) {
         running.tier = target;
         return running;
     }
-    running.path = target.substr(0, file + kGraphFile.size());
-    const size_t colon = target.find(':', file);
-    running.tier = colon == std::string::npos ? "" : target.substr(colon + 1);
+    running.path = name.graph;
+    running.tier = name.tier;
     return running;
 }
 
