@@ -34,8 +34,8 @@ enum class CullReason : uint8_t {
 
 struct LiveGraph {
     std::vector<uint8_t> live_passes;  // By PassId: 1 if the pass is live (not culled), else 0.
-    // By ResourceId: 1 if the resource is retained, or if a live pass uses the resource or another resource of
-    // its ring (the copies of a resource with history), else 0.
+    // By ResourceId: 1 if the resource is retained, or if a live pass uses the resource or another resource
+    // of its ring (the copies of a resource with history), else 0.
     std::vector<uint8_t> live_resources;
     // By ResourceId: 1 if no live pass uses the resource, but the plan retains its memory and its content for
     // the plan of another tier (CompileOptions::retained), else 0.

@@ -119,23 +119,11 @@ void add_plates(Scene& scene) {
 }
 
 void add_lamps(Scene& scene) {
-    struct Lamp {
-        glm::vec3 at, color;
-        float intensity_cd;
-    };
-    const std::array<Lamp, 4> lamps{{{{-2.6f, 2.6f, 2.6f}, {1.0f, 0.74f, 0.5f}, 620},
-                                     {{2.8f, 3.0f, 2.4f}, {0.6f, 0.78f, 1.0f}, 620},
-                                     {{0.2f, 3.4f, -0.2f}, {1.0f, 0.95f, 0.88f}, 420},
-                                     {{-0.6f, 1.2f, 4.2f}, {1.0f, 0.9f, 0.8f}, 240}}};
-    for (const Lamp& lamp : lamps) {
-        Light light;
-        light.name = "lamp " + std::to_string(scene.lights.size());
-        light.color = lamp.color;
-        light.intensity = lamp.intensity_cd;
-        light.position = lamp.at;
-        light.range_m = 14;
-        scene.lights.push_back(std::move(light));
-    }
+    const std::array<PointLamp, 4> lamps{{{"lamp 0", {-2.6f, 2.6f, 2.6f}, {1.0f, 0.74f, 0.5f}, 620},
+                                          {"lamp 1", {2.8f, 3.0f, 2.4f}, {0.6f, 0.78f, 1.0f}, 620},
+                                          {"lamp 2", {0.2f, 3.4f, -0.2f}, {1.0f, 0.95f, 0.88f}, 420},
+                                          {"lamp 3", {-0.6f, 1.2f, 4.2f}, {1.0f, 0.9f, 0.8f}, 240}}};
+    add_point_lamps(scene, lamps, 14);
 }
 
 }  // namespace

@@ -112,7 +112,7 @@ Mesh make_hair() {
     Random random(23);
     for (uint32_t i = 0; i < kRibbons; ++i) {
         // Points that are spread evenly over the upper part of a sphere. The face, at +z, stays free.
-        const float up = 1 - 0.95f * (static_cast<float>(i) + 0.5f) / kRibbons;
+        const float up = 0.985f - 0.93f * (static_cast<float>(i) + 0.5f) / kRibbons;
         const float angle = 2.39996323f * static_cast<float>(i), ring = std::sqrt(1 - up * up);
         const glm::vec3 root(ring * std::sin(angle), up, ring * std::cos(angle));
         const float lift_m = random.range(0.006f, 0.045f), wave = random.range(-0.16f, 0.16f);

@@ -115,7 +115,7 @@ void add_ice(Scene& scene) {
 }
 
 // Adds a lantern of paper with a lamp in it. The paper is a thin sheet, open at the top and the bottom.
-void add_lantern(Scene& scene) {
+void add_paper_lantern(Scene& scene) {
     constexpr float kRadius = 0.3f, kOpening = 0.4f;
     Profile profile;
     for (int i = 0; i <= 28; ++i) {
@@ -158,24 +158,11 @@ void add_plaster(Scene& scene) {
 }
 
 void add_lamps_of_materials(Scene& scene) {
-    struct Lamp {
-        const char* name;
-        glm::vec3 at, color;
-        float intensity_cd;
-    };
-    const std::array<Lamp, 4> lamps{{{"key", {-2.6f, 2.7f, 2.6f}, {1.0f, 0.82f, 0.62f}, 640},
-                                     {"behind the ice", {0.62f, 1.5f, -1.15f}, {0.75f, 0.88f, 1.0f}, 30},
-                                     {"fill", {2.9f, 2.2f, 2.6f}, {0.6f, 0.75f, 1.0f}, 160},
-                                     {"lantern", kLanternMiddle, {1.0f, 0.72f, 0.42f}, 9}}};
-    for (const Lamp& lamp : lamps) {
-        Light light;
-        light.name = lamp.name;
-        light.color = lamp.color;
-        light.intensity = lamp.intensity_cd;
-        light.position = lamp.at;
-        light.range_m = 12;
-        scene.lights.push_back(std::move(light));
-    }
+    const std::array<PointLamp, 4> lamps{{{"key", {-2.6f, 2.7f, 2.6f}, {1.0f, 0.82f, 0.62f}, 640},
+                                          {"behind the ice", {0.62f, 1.5f, -1.15f}, {0.75f, 0.88f, 1.0f}, 30},
+                                          {"fill", {2.9f, 2.2f, 2.6f}, {0.6f, 0.75f, 1.0f}, 160},
+                                          {"lantern", kLanternMiddle, {1.0f, 0.72f, 0.42f}, 9}}};
+    add_point_lamps(scene, lamps, 12);
 }
 
 }  // namespace
@@ -187,7 +174,7 @@ Scene make_materials() {
     add_hair_on_stand(scene, {-1.45f, 0, -0.1f});
     add_silk(scene);
     add_ice(scene);
-    add_lantern(scene);
+    add_paper_lantern(scene);
     add_plaster(scene);
     add_lamps_of_materials(scene);
     Camera camera;

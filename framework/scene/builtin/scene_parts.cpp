@@ -21,6 +21,18 @@ void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transfor
     scene.instances.push_back({name, static_cast<uint32_t>(scene.meshes.size() - 1), material, transform});
 }
 
+void add_point_lamps(Scene& scene, std::span<const PointLamp> lamps, float range_m) {
+    for (const PointLamp& lamp : lamps) {
+        Light light;
+        light.name = lamp.name;
+        light.color = lamp.color;
+        light.intensity = lamp.intensity_cd;
+        light.position = lamp.position;
+        light.range_m = range_m;
+        scene.lights.push_back(std::move(light));
+    }
+}
+
 void finish_scene(Scene& scene, glm::vec3 sky_zenith, glm::vec3 sky_horizon, float exposure_ev) {
     scene.sky_zenith = sky_zenith;
     scene.sky_horizon = sky_horizon;

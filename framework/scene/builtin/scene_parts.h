@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 
 #include "weft/scene/scene.h"
 
@@ -11,6 +12,14 @@ namespace weft::scene {
 uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughness = 1);
 // Adds the mesh and one instance of the mesh. The instance gets the name of the mesh.
 void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transform = glm::mat4(1));
+
+struct PointLamp {
+    const char* name;
+    glm::vec3 position, color;
+    float intensity_cd;
+};
+// Adds point lights whose light ends at the distance `range_m`.
+void add_point_lamps(Scene& scene, std::span<const PointLamp> lamps, float range_m);
 
 // Completes a scene: sets the sky's colours in cd/m², the exposure in EV, and the bounds of all instances.
 void finish_scene(Scene& scene, glm::vec3 sky_zenith, glm::vec3 sky_horizon, float exposure_ev);
