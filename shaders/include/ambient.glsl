@@ -68,16 +68,31 @@ vec3 with_reflection_probes(vec3 light, vec3 sky, vec3 position, vec3 middle, fl
     return mix(light, mix(radiance, open, seen.sky), seen.share);
 }
 
+// Length of the longest vector of probe_aside() along an axis: nearly the width of a texel of the map of a probe.
+const float kProbeAside = 0.08;
+
+// Returns a vector by which a probe looks beside a point (ProbeQuery). The map of a probe has few texels, and the light of
+// a probe ends at their edges. With temporal anti-aliasing, which blends frames, each pixel has another vector in each
+// frame, so that such edges are soft. Without it (view.mip_bias is 0), the vector is 0. Sources: Jimenez 2014, "Next
+// Generation Post Processing in Call of Duty: Advanced Warfare" (noise); Roberts 2018, "The Unreasonable Effectiveness of
+// Quasirandom Sequences" (steps from frame to frame).
+vec3 probe_aside(ivec2 pixel) {
+    if (view.mip_bias >= 0.0) return vec3(0.0);
+    const float noise = fract(52.9829189 * fract(dot(vec2(0.06711056, 0.00583715), vec2(pixel))));
+    const vec3 steps = vec3(0.8191725, 0.6710436, 0.5497005) * float(frame.frame_index % 1024u);
+    return kProbeAside * (2.0 * fract(noise * vec3(1.0, 7.13, 51.3) + steps) - 1.0);
+}
+
 // Replaces the light of the whole surroundings by the light of the probes around a point. Irradiance probes contain
 // only diffuse light. So where there is no light from a reflection probe, the mirrored light is multiplied by a
 // factor: the irradiance from the mirrored directions with the probes, divided by this irradiance without the probes.
 // This also darkens reflections where the sky is hidden. A very rough surface mirrors the same light that a diffuse
 // surface reflects. `open`: mean direction from which diffuse light arrives. `free_m`: for this distance, nothing is
-// in the way of the mirrored direction.
+// in the way of the mirrored direction. `aside`: see probe_aside().
 AmbientLight with_probes(AmbientLight light, vec3 position, vec3 n, vec3 open, vec3 v, vec3 mirrored, float roughness,
-                         float free_m) {
+                         float free_m, vec3 aside) {
     const vec3 middle = middle_of_lobe(mirrored, n, roughness);
-    const ProbeLight probes = probe_light(position, n, v, open, middle);
+    const ProbeLight probes = probe_light(position, n, v, open, middle, aside);
     const vec3 sky = max(sky_irradiance_over_pi(middle), vec3(1e-9));
     const vec3 change = clamp(probes.mirrored / sky, 0.0, brightest_change(roughness));
     const float very_rough = clamp(lod_of_roughness(roughness) - kLastFiltered, 0.0, 1.0);
@@ -113,7 +128,8 @@ vec3 ambient_reflection(Surface s, vec3 v, float roughness, vec3 position, ivec2
     if (seen.free_m <= 0.0 || s.alpha < kMirrorAlpha || s.anisotropic)
         light.mirrored = mirrored_radiance(mirrored, s.normal, blur);
     if (HAS_probeSh)
-        light = with_probes(light, position, s.normal, normalize(s.normal + near.open), v, mirrored, blur, seen.free_m);
+        light = with_probes(light, position, s.normal, normalize(s.normal + near.open), v, mirrored, blur, seen.free_m,
+                            probe_aside(pixel));
     const vec3 far = light.mirrored;
     if (HAS_nearField) light = with_near_field(light, near, s.normal, mirrored, blur);
     // The rays without a hit have already found that no near object is in their way.

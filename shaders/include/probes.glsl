@@ -71,6 +71,8 @@ struct ProbeLight {
 struct ProbeQuery {
     vec3 position, normal, to_eye;
     float facing_basis[9], mirrored_basis[9];
+    // A probe looks beside the point by this vector, divided by the distance, to find what hides the point.
+    vec3 aside;
 };
 
 // Returns a way in world space along the axes of the grid.
@@ -119,8 +121,8 @@ float probe_cell_share(uint neighbours, vec3 t) {
 // the nearer wall hides the point. A texel far from the direction hides less, so that the result is continuous. There
 // is one exception: where the probe sees a surface near the point beside the edge of a nearer object, such as a column,
 // the mean of the texels decides. Otherwise the edge would look like a sharp shadow, as if the probe were a lamp.
-float probe_visibility(uint probe, vec3 to_point) {
-    const vec2 at = (octahedral_encode(to_point) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
+float probe_visibility(uint probe, vec3 to_point, vec3 aside) {
+    const vec2 at = (octahedral_encode(to_point + length(to_point) * aside) * 0.5 + 0.5) * float(kProbeMomentSide) + 0.5;
     const vec2 low = floor(at), high_share = at - low;
     const float distance = length(to_point);
     // Of each of the four texels: the inverse distance of its surface, and the deviation of this distance. Both are
@@ -169,7 +171,7 @@ ProbeCorner probe_corner(ProbeQuery q, uint cell, uint corner, vec3 t, float spa
     const vec3 seen_at = q.position + (q.normal + q.to_eye) * (kProbeBias * min(spacing_m, kMostBiasSpacing_m));
     // The visibility is never 0. So if the point is hidden from all probes, the probes that hide it least give the
     // light.
-    found.visible = max(probe_visibility(found.probe, seen_at - place), 1e-12);
+    found.visible = max(probe_visibility(found.probe, seen_at - place, q.aside), 1e-12);
     return found;
 }
 
@@ -260,9 +262,10 @@ void add_cells_around(inout ProbeSum sum, ProbeQuery q, uint cell, vec3 t, float
 }
 
 // Returns the light of the probes around a point. `n`: normal of the surface. `to_eye`: unit vector to the eye. `facing`,
-// `mirrored`: the two directions for which the irradiance is wanted; `facing` is usually the normal.
-ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 facing, vec3 mirrored) {
-    const ProbeQuery q = ProbeQuery(position, n, to_eye, harmonic_basis(facing), harmonic_basis(mirrored));
+// `mirrored`: the two directions for which the irradiance is wanted; `facing` is usually the normal. `aside`: see
+// ProbeQuery.
+ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 facing, vec3 mirrored, vec3 aside) {
+    const ProbeQuery q = ProbeQuery(position, n, to_eye, harmonic_basis(facing), harmonic_basis(mirrored), aside);
     const vec3 grid = probe_grid_place(position);
     const uint levels = probeMap.items[1].x;
     ProbeSum sum = ProbeSum(vec3(0.0), vec3(0.0), 0.0, 0.0);
@@ -297,7 +300,7 @@ ProbeLight probe_light(vec3 position, vec3 n, vec3 to_eye, vec3 facing, vec3 mir
 // Returns irradiance / π of the probes (rgb) and their validity (a), from 0 to 1. Where the validity is below 1, mix
 // with the light of the surroundings: mix(surroundings, result.rgb, result.a).
 vec4 probe_irradiance_over_pi(vec3 position, vec3 n, vec3 to_eye) {
-    const ProbeLight light = probe_light(position, n, to_eye, n, n);
+    const ProbeLight light = probe_light(position, n, to_eye, n, n, vec3(0.0));
     return vec4(light.facing, light.validity);
 }
 #endif

@@ -131,7 +131,7 @@ vec3 bounced_over_pi(Texel t) {
     }
     // Places outside of the volume have the light of the surroundings. In the first rounds, some probes have no light
     // yet. They count as dark, so that no light from elsewhere gets into closed rooms.
-    const ProbeLight volume = probe_light(t.position, t.normal, t.to_probe, t.normal, t.normal);
+    const ProbeLight volume = probe_light(t.position, t.normal, t.to_probe, t.normal, t.normal, vec3(0.0));
     const vec3 known = volume.facing * volume.validity;
     if (volume.outside <= 0.0) return known;
     const int terms = min(environmentSh.items.length(), 9);

@@ -37,7 +37,7 @@ void main() {
     const vec3 to_eye = normalize(view.eye - position);
     const vec4 light = probe_irradiance_over_pi(position, normal, to_eye);
     probeIrradiance.rgb = light.rgb * (light.a * frame.pre_exposure);
-    const ProbeQuery q = ProbeQuery(position, normal, to_eye, harmonic_basis(normal), harmonic_basis(normal));
+    const ProbeQuery q = ProbeQuery(position, normal, to_eye, harmonic_basis(normal), harmonic_basis(normal), vec3(0.0));
     const vec3 grid = probe_grid_place(position);
     for (uint level = 0u; level < probeMap.items[1].x; ++level) {
         const float stride = float(probe_stride(level));

@@ -24,7 +24,7 @@ void main() {
     const uint line = uint(at.y);
     const vec3 point = mix(end_of_line(uvec2(line, 0u)), end_of_line(uvec2(line, 1u)), (float(at.x) + 0.5) / float(size.x));
     const vec3 n = normalize(random(uvec2(line, 2u)) - 0.5), eye = normalize(random(uvec2(line, 3u)) - 0.5);
-    const ProbeLight light = probe_light(point, n, eye, n, normalize(random(uvec2(line, 4u)) - 0.5));
+    const ProbeLight light = probe_light(point, n, eye, n, normalize(random(uvec2(line, 4u)) - 0.5), vec3(0.0));
     imageStore(place, at, vec4(point, 1.0));
     imageStore(facing, at, vec4(light.facing, light.validity));
     imageStore(mirrored, at, vec4(light.mirrored, 1.0));
