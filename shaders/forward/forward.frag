@@ -19,7 +19,7 @@ layout(constant_id = 1) const bool BLENDED = false;
 // If true, rounds the surface properties to the precision of the G-buffer and computes the position from depth. Then
 // pictures of forward and deferred shading can be compared.
 layout(constant_id = 2) const bool QUANTIZED = false;
-// True if the pass draws the list "anisotropic". All other lists draw anisotropic surfaces as isotropic ones.
+// True if the pass draws the list "anisotropic". Other lists of opaque surfaces draw anisotropic ones as isotropic ones.
 layout(constant_id = 3) const bool ANISOTROPIC = false;
 
 layout(location = 5) in vec3 world_point;
@@ -33,11 +33,18 @@ const float kCoatF0 = 0.04;  // Of an index of refraction of 1.5.
 
 const int kBack = 0, kFront = 1, kCoat = 2;
 
+// Returns the colour of the scattered light that comes through a surface. All light that leaves the surface is at most the
+// light that it receives; see base_under_coat(). `clear`: share of the light that passes without being scattered.
+vec3 color_of_back(Surface front, vec3 v, float metalness, float clear) {
+    const vec3 left = max(1.0 - mirrored_share(with_albedo(front, v)) - front.diffuse, vec3(0.0));
+    return min(material.transmitted_color * ((1.0 - metalness) * (1.0 - clear)), left);
+}
+
 // Returns the luminance of a surface with emission and up to three layers. The back lets a part of its light pass to the
 // front, scattered by the body in between (KHR_materials_diffuse_transmission). A clear coat mirrors a part of the light,
 // and dims the surface below by the same part (KHR_materials_clearcoat). The loop has one call for all layers, because the
 // shader is large.
-vec3 layered_luminance(Surface base, vec3 point, vec3 orm, float coat_roughness) {
+vec3 layered_luminance(Surface base, vec3 point, vec3 orm, float coat_roughness, float clear) {
     const ivec2 pixel = ivec2(gl_FragCoord.xy);
     const vec3 v = normalize(view.eye - point);
     const bool has_back = material.diffuse_share < 1.0;
@@ -47,7 +54,7 @@ vec3 layered_luminance(Surface base, vec3 point, vec3 orm, float coat_roughness)
         vec3 eye = v, place = point;
         float share = 1.0;
         if (i == kBack) {
-            layer = make_surface(-base.normal, material.transmitted_color * (1.0 - orm.b), 0.0, 1.0, vec3(0.0), 0.0);
+            layer = make_surface(-base.normal, color_of_back(base, v, orm.b, clear), 0.0, 1.0, vec3(0.0), 0.0);
             layer.under_coat = true;  // Reflections of the screen are those of the front.
             eye = reflect(v, base.normal);  // As if the eye were behind the surface.
             place = point - mesh_normal() * material.thickness_m;
@@ -94,7 +101,7 @@ void main() {
     }
     s.diffuse *= 1.0 - transmission;
     s.under_coat = !BLENDED && material.clearcoat > 0.0;
-    const vec3 radiance = layered_luminance(s, point, orm, coat_roughness) * frame.pre_exposure;
+    const vec3 radiance = layered_luminance(s, point, orm, coat_roughness, transmission) * frame.pre_exposure;
     const float coverage = BLENDED ? base.a : 1.0;
     float alpha = coverage;
     if (transmission > 0.0) {

@@ -71,7 +71,7 @@ struct ProbeLight {
 struct ProbeQuery {
     vec3 position, normal, to_eye;
     float facing_basis[9], mirrored_basis[9];
-    // A probe looks beside the point by this vector, divided by the distance, to find what hides the point.
+    // To find what hides the point, a probe looks beside the point. The offset is this vector times the distance.
     vec3 aside;
 };
 

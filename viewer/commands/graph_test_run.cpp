@@ -260,7 +260,7 @@ class TestRun {
                             " the same size and format in all tiers, or set \"onResize\": \"resample\"; if a "
                             "tier does not use it, write \"keep\": \"shared\"");
         const ResourceId id = find_resource(graph, expectation.ref);
-        if (id != kNoId && graph.resources[id].lifetime != ResourceLifetime::persistent)
+        if (id == kNoId || graph.resources[id].lifetime != ResourceLifetime::persistent)
             fail(expectation, "W161", name + " has no content between two frames",
                  "name a resource with \"keep\" or \"history\"");
     }

@@ -36,6 +36,7 @@ Result<std::string> encode_glb(const Scene& scene) {
     glb::add_cameras(scene.cameras, out);
     const size_t buffer_bytes = out.buffers.front().data.size();
     if (buffer_bytes > kMostBufferBytes) return too_large(buffer_bytes);
+    if (buffer_bytes == 0) out.buffers.clear();  // glTF allows no empty buffer.
     std::ostringstream file;
     tinygltf::TinyGLTF().WriteGltfSceneToStream(&out, file, false, true);
     return std::move(file).str();

@@ -20,7 +20,8 @@ class ObjectCounter {
 
     // Returns the number of live objects. Only objects made since the counter was created count.
     [[nodiscard]] int64_t live() const;
-    // Returns the size of all live allocations of device memory.
+    // Returns the size of the device memory that was allocated since the counter was made and is not freed
+    // yet.
     [[nodiscard]] uint64_t live_bytes() const;
     // Returns the largest value of live_bytes() since the last call.
     uint64_t take_most_bytes();

@@ -108,14 +108,19 @@ TEST_P(Scattering, AllLightsPass) {
 
 // A white surface in uniform light reflects and transmits all light, so it cannot be seen.
 TEST_P(Scattering, NeitherAddsNorLosesLight) {
-    for (const float share : {0.0f, 0.4f, 1.0f}) {
-        scene::Scene scene = quad_scene();
-        scene.environment = picture_of([](const glm::dvec3&) { return 1; }, 32);
-        scene.materials[0].diffuse_transmission = share;
-        const std::vector<glm::vec4> found = picture(scene);
-        ASSERT_FALSE(found.empty());
-        for (const glm::vec4& light : found) EXPECT_NEAR(light.g, 1, 0.012) << share;
-    }
+    for (const float tilt_rad : {0.0f, 1.2f})
+        for (const float share : {0.0f, 0.4f, 1.0f}) {
+            scene::Scene scene = quad_scene();
+            scene.materials[0].specular = 1;
+            scene.materials[0].roughness = 0.4f;
+            scene.instances[0].transform = glm::rotate(glm::mat4(1), tilt_rad, glm::vec3(0, 1, 0));
+            scene.environment = picture_of([](const glm::dvec3&) { return 1; }, 32);
+            scene.materials[0].diffuse_transmission = share;
+            const std::vector<glm::vec4> found = picture(scene);
+            ASSERT_FALSE(found.empty());
+            // Behind and beside the surface, the picture shows the same light.
+            for (const glm::vec4& light : found) EXPECT_NEAR(light.g, 1, 0.012) << share << ", " << tilt_rad;
+        }
 }
 
 // The light and the eye are in the same direction, 60° from the normal. Source of the value: the formula of

@@ -26,7 +26,7 @@ class EncodeGlb : public GltfTest {
     void expect_round_trip(const Scene& scene) { expect_same_scene(scene, written_and_loaded(scene)); }
 };
 
-class EncodeBuiltin : public EncodeGlb, public testing::WithParamInterface<const char*> {};
+class EncodeBuiltin : public EncodeGlb, public testing::WithParamInterface<std::string> {};
 
 TEST_P(EncodeBuiltin, LoadsTheSameScene) {
     const Result<Scene> scene = make_builtin(GetParam());
@@ -34,10 +34,8 @@ TEST_P(EncodeBuiltin, LoadsTheSameScene) {
     expect_round_trip(*scene);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EncodeBuiltin,
-                         testing::Values("atrium", "brushed", "cornell", "lights", "mirror", "spheres",
-                                         "stage"),
-                         [](const auto& tested) { return std::string(tested.param); });
+INSTANTIATE_TEST_SUITE_P(All, EncodeBuiltin, testing::ValuesIn(builtin_scene_names()),
+                         [](const auto& tested) { return tested.param; });
 
 TEST_F(EncodeGlb, LoadsTheSameSceneAsFromAFile) {
     for (const char* name : {"fuzz/corpus/gltf/textured.gltf", "reference/scenes/diorama.gltf"}) {
@@ -45,6 +43,17 @@ TEST_F(EncodeGlb, LoadsTheSameSceneAsFromAFile) {
         ASSERT_TRUE(scene.ok()) << name;
         expect_round_trip(*scene);
     }
+}
+
+// A glTF file must not have an empty buffer.
+TEST_F(EncodeGlb, WritesASceneWithoutMeshes) {
+    Scene scene;
+    scene.name = "lamp";
+    scene.lights.emplace_back();
+    scene.lights.back().name = "lamp";
+    const Result<std::string> file = encode_glb(scene);
+    ASSERT_TRUE(file.ok());
+    EXPECT_EQ(file->find("\"buffers\""), std::string::npos);
 }
 
 // A scene of one triangle with one material. All streams of the mesh have values.
