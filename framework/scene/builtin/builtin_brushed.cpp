@@ -32,18 +32,7 @@ uint32_t add_metal(Scene& scene, const Metal& metal) {
     material.roughness = metal.roughness;
     material.anisotropy = metal.anisotropy;
     material.anisotropy_rotation_rad = kQuarterTurn;
-    scene.materials.push_back(std::move(material));
-    return static_cast<uint32_t>(scene.materials.size() - 1);
-}
-
-void add_table_and_wall(Scene& scene) {
-    constexpr float kHalf = 8, kWallZ = -1.3f;
-    MeshBuilder table;
-    table.add_rectangle({-kHalf, 0, kHalf}, {2 * kHalf, 0, 0}, {0, 0, kWallZ - kHalf});
-    place(scene, table.finish("table"), add_matt(scene, "walnut", {0.075f, 0.05f, 0.036f}, 0.45f));
-    MeshBuilder wall;
-    wall.add_rectangle({-kHalf, 0, kWallZ}, {2 * kHalf, 0, 0}, {0, kHalf, 0});
-    place(scene, wall.finish("wall"), add_matt(scene, "plaster", {0.34f, 0.36f, 0.37f}, 0.9f));
+    return add_material(scene, std::move(material));
 }
 
 // Adds a steel pot with its lid, and a brass knob on the lid. The pot is made as on a lathe, so its grain
@@ -131,7 +120,9 @@ void add_lamps(Scene& scene) {
 Scene make_brushed() {
     Scene scene;
     scene.name = "brushed";
-    add_table_and_wall(scene);
+    const uint32_t table = add_matt(scene, "walnut", {0.075f, 0.05f, 0.036f}, 0.45f);
+    const uint32_t wall = add_matt(scene, "plaster", {0.34f, 0.36f, 0.37f}, 0.9f);
+    add_table_and_wall(scene, {.half_m = 8, .wall_z_m = -1.3f, .table = table, .wall = wall});
     add_pot(scene);
     add_balls(scene);
     add_plates(scene);

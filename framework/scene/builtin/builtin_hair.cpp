@@ -70,8 +70,7 @@ uint32_t add_hair_material(Scene& scene, uint32_t texture, AlphaMode part) {
     material.alpha_cutoff = kOpaqueAlpha;
     material.base_color_texture.texture = texture;
     material.base_color_texture.wrap_u = material.base_color_texture.wrap_v = Wrap::clamp_to_edge;
-    scene.materials.push_back(std::move(material));
-    return static_cast<uint32_t>(scene.materials.size() - 1);
+    return add_material(scene, std::move(material));
 }
 
 // Returns the path of the middle of a ribbon. It begins on the head, in the direction `root` from its middle,

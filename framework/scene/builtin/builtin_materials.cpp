@@ -18,16 +18,6 @@ namespace {
 
 const glm::vec3 kLanternMiddle{1.62f, 0.62f, -0.2f};
 
-void add_studio(Scene& scene) {
-    constexpr float kHalf = 6, kWallZ = -1.5f;
-    MeshBuilder table;
-    table.add_rectangle({-kHalf, 0, kHalf}, {2 * kHalf, 0, 0}, {0, 0, kWallZ - kHalf});
-    place(scene, table.finish("table"), add_matt(scene, "slate", {0.06f, 0.065f, 0.07f}, 0.4f));
-    MeshBuilder wall;
-    wall.add_rectangle({-kHalf, 0, kWallZ}, {2 * kHalf, 0, 0}, {0, kHalf, 0});
-    place(scene, wall.finish("wall"), add_matt(scene, "wall", {0.24f, 0.22f, 0.21f}, 0.9f));
-}
-
 // Adds silk that hangs over a ball on a post. Its threads run along the tangents, so the highlight is wide
 // across them.
 void add_silk(Scene& scene) {
@@ -56,8 +46,7 @@ void add_silk(Scene& scene) {
     silk.specular_color = {0.8f, 0.95f, 1};
     silk.anisotropy = 0.85f;
     silk.double_sided = true;
-    scene.materials.push_back(silk);
-    const auto material = static_cast<uint32_t>(scene.materials.size() - 1);
+    const uint32_t material = add_material(scene, silk);
     const glm::mat4 at = glm::translate(glm::mat4(1), glm::vec3(-0.52f, 0, -0.35f));
     place(scene, builder.finish("silk"), material, at);
     MeshBuilder post;
@@ -97,8 +86,7 @@ void add_ice(Scene& scene) {
     ice.diffuse_transmission_color = {0.92f, 0.97f, 1};
     ice.thickness_m = kSide;
     ice.absorption_per_m = {2.2f, 0.6f, 0.2f};
-    scene.materials.push_back(ice);
-    const auto material = static_cast<uint32_t>(scene.materials.size() - 1);
+    const uint32_t material = add_material(scene, ice);
     struct Block {
         glm::vec3 at;
         float turn_rad;
@@ -133,8 +121,7 @@ void add_paper_lantern(Scene& scene) {
     paper.diffuse_transmission = 0.55f;
     paper.diffuse_transmission_color = {1, 0.8f, 0.5f};
     paper.double_sided = true;
-    scene.materials.push_back(paper);
-    place(scene, shade.finish("lantern"), static_cast<uint32_t>(scene.materials.size() - 1),
+    place(scene, shade.finish("lantern"), add_material(scene, paper),
           glm::translate(glm::mat4(1), kLanternMiddle));
     MeshBuilder hook;
     hook.add_tube({{0, 0.24f, 0}, {0, 3, 0}}, {0.006f, 0.006f, 6});
@@ -170,7 +157,9 @@ void add_lamps_of_materials(Scene& scene) {
 Scene make_materials() {
     Scene scene;
     scene.name = "materials";
-    add_studio(scene);
+    const uint32_t table = add_matt(scene, "slate", {0.06f, 0.065f, 0.07f}, 0.4f);
+    const uint32_t wall = add_matt(scene, "wall", {0.24f, 0.22f, 0.21f}, 0.9f);
+    add_table_and_wall(scene, {.half_m = 6, .wall_z_m = -1.5f, .table = table, .wall = wall});
     add_hair_on_stand(scene, {-1.45f, 0, -0.1f});
     add_silk(scene);
     add_ice(scene);

@@ -13,6 +13,16 @@ uint32_t add_matt(Scene& scene, const char* name, glm::vec3 color, float roughne
 // Adds the mesh and one instance of the mesh. The instance gets the name of the mesh.
 void place(Scene& scene, Mesh mesh, uint32_t material, const glm::mat4& transform = glm::mat4(1));
 
+// Adds a material. Returns its index.
+uint32_t add_material(Scene& scene, Material material);
+
+// A table from z = half_m to the wall, and a wall behind it that is half_m high. Both are 2 · half_m wide.
+struct TableAndWall {
+    float half_m, wall_z_m;
+    uint32_t table, wall;  // Materials.
+};
+void add_table_and_wall(Scene& scene, const TableAndWall& shape);
+
 struct PointLamp {
     const char* name;
     glm::vec3 position, color;
